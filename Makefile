@@ -1,0 +1,84 @@
+# On a fresh Debian 12 with git and make, as root or with sudo:
+#   make build   compile (build/release/bin/brinell)
+#   make test    compile and run all tests: CTest, then pytest
+#   make run     the tugging asperities of the paper: results and figures in results/tugging-paper
+# Further: setup, format, check, tidy, sanitize, bench, clean. All of them may be repeated; what is done is not redone.
+
+SHELL := /bin/bash
+.DEFAULT_GOAL := build
+MAKEFLAGS += --no-print-directory
+
+JOBS ?= $(shell nproc)
+ALPHAS ?= 1 2 4 6 9#   maximum interferences of `make run`, in critical interferences
+CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=ON
+
+python := .venv/bin/python
+results := results/tugging-paper
+pytest_folders = $(wildcard python/tests tests/python)
+
+.PHONY: build test run setup format check tidy sanitize bench clean force
+
+# --- Set-up -----------------------------------------------------------------------------------------------------------
+setup: build/.setup-packages .venv/.setup-done
+
+build/.setup-packages: tools/setup.sh
+	@tools/setup.sh packages
+	@mkdir -p build && touch $@
+
+.venv/.setup-done: tools/setup.sh $(wildcard python/pyproject.toml) | build/.setup-packages
+	@tools/setup.sh python
+	@touch $@
+
+# --- Build: configured once per preset, later by Ninja itself. The lock keeps two makes out of one build tree. --------
+build/%/build.ninja: CMakePresets.json $(if $(CMAKE_ARGS),force) | build/.setup-packages
+	cmake --preset $* $(CMAKE_ARGS)
+	@touch $@
+
+build: build/release/build.ninja
+	flock build/release cmake --build --preset release --parallel $(JOBS)
+
+# --- Test: both runners always run; the status is that of the worse one -----------------------------------------------
+test: build .venv/.setup-done
+	@status=0; \
+	ctest --preset release --parallel $(JOBS) || status=1; \
+	$(if $(pytest_folders),$(python) -m pytest $(pytest_folders) || status=1;) \
+	exit $$status
+
+# --- The paper's case -------------------------------------------------------------------------------------------------
+run: build .venv/.setup-done
+	@set -e; for alpha in $(ALPHAS); do \
+	  echo "alpha* = $$alpha"; \
+	  build/release/bin/brinell run cases/tugging-paper/case.toml --set tugging.interference=$$alpha \
+	    -o $(results)/alpha-$$alpha; \
+	done
+	@rm -rf $(results)/figures
+	@$(python) -m brinell.plot paper $(foreach alpha,$(ALPHAS),$(results)/alpha-$(alpha)) -o $(results)/figures
+	@$(python) -m brinell.plot fields $(results)/alpha-$(lastword $(ALPHAS)) -o $(results)/figures
+	@echo "Results: $(results)/alpha-*/{history.csv,summary.json,result.h5}"
+	@echo "Figures: $(results)/figures/*.png"
+
+# --- Quality ----------------------------------------------------------------------------------------------------------
+cxx_files = $(shell find $(wildcard include src apps tests bench) -name '*.[ch]pp')
+
+format: build/.setup-packages
+	clang-format -i $(cxx_files)
+
+check: build/.setup-packages
+	@clang-format --dry-run -Werror --ferror-limit=1 $(cxx_files) || { echo "'make format' mends it"; exit 1; }
+	@echo "format: $(words $(cxx_files)) files"
+	@python3 tools/check_layers.py
+
+tidy: build/tidy/build.ninja
+	@tools/setup.sh tidy
+	flock build/tidy cmake --build --preset tidy --target brinell_version
+	run-clang-tidy -quiet -p build/tidy -j $(JOBS) "^$(CURDIR)/(src|apps)/"
+
+sanitize: build/sanitize/build.ninja
+	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS)
+	ctest --preset sanitize --parallel $(JOBS)
+
+bench: build
+	@set -e; for program in build/release/bin/bench_*; do $$program; done
+
+clean:
+	rm -rf build

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace brinell::app
+{
+
+/// Exit codes, for scripts.
+inline constexpr int exit_ok = 0;
+inline constexpr int exit_failure = 1; ///< no convergence, a file that cannot be written, a bug
+inline constexpr int exit_input = 2;   ///< command line or case file
+
+struct CaseOptions
+{
+  std::string file;
+  std::vector<std::string> overrides; ///< "key=value"
+};
+
+struct RunOptions
+{
+  CaseOptions input;
+  std::string directory; ///< empty: from the case, or results/<name>
+  int threads = 0;       ///< 0: as OpenMP decides
+  bool quiet = false;
+};
+
+/// Each returns the exit code and throws the errors of brinell.
+[[nodiscard]] int run_command(const RunOptions& options);
+[[nodiscard]] int check_command(const CaseOptions& options);
+[[nodiscard]] int schema_command(bool markdown);
+
+} // namespace brinell::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <csignal>
+
+namespace brinell::app
+{
+
+/// While it lives, the first SIGINT or SIGTERM is only noted, so that a run can end after its step; the second one kills.
+class InterruptGuard
+{
+public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  /// The signal that came, or 0.
+  [[nodiscard]] static int signal();
+
+private:
+  using Handler = void (*)(int);
+  Handler m_interrupt, m_terminate; ///< what was there before
+};
+
+/// Thrown between two steps to leave a run.
+struct Interrupted
+{
+  int signal = SIGINT;
+};
+
+} // namespace brinell::app

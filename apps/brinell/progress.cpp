@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace brinell::app
+{
+
+namespace
+{
+
+constexpr int bar_width = 24;
+
+std::string duration_text(double seconds)
+{
+  const int total = static_cast<int>(seconds + 0.5);
+  if (total < 60)
+    return fmt::format("{} s", total);
+  if (total < 3600)
+    return fmt::format("{} min {:02} s", total / 60, total % 60);
+  return fmt::format("{} h {:02} min", total / 3600, total / 60 % 60);
+}
+
+} // namespace
+
+Progress::Progress(double radius, bool quiet) : m_radius(radius), m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress()
+{
+  if (m_bar_is_shown)
+    fmt::print(stderr, "\n");
+}
+
+void Progress::step(const simulation::StepRecord& record, int step_count)
+{
+  if (m_quiet)
+    return;
+  const int done = record.step + 1;
+  const int total = std::max(step_count, done); // the count is an estimate
+  const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
+  const std::string text = fmt::format("step {}/{}  X/R {:+.4f}  {} iteration{}  {} left", done, total, record.X / m_radius,
+                                       record.iterations, record.iterations == 1 ? "" : "s",
+                                       duration_text(seconds / done * (total - done)));
+  if (m_terminal)
+  {
+    const auto filled = static_cast<std::size_t>(bar_width * done / total);
+    fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(filled, '#'), std::string(bar_width - filled, '.'), text);
+    m_bar_is_shown = true;
+  }
+  else if (const int tenths = 10 * done / total; tenths > m_tenths)
+  {
+    m_tenths = tenths;
+    fmt::print(stderr, "{}\n", text);
+  }
+  std::fflush(stderr);
+}
+
+} // namespace brinell::app

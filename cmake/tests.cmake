@@ -1,0 +1,51 @@
+# One executable per kind of test; the kind is the CTest label: ctest -L unit.
+find_package(GTest 1.12 REQUIRED)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+include(GoogleTest)
+
+# Direct sums, random fields, order checks: shared by all kinds.
+file(GLOB_RECURSE support_sources CONFIGURE_DEPENDS tests/support/*.cpp)
+if(support_sources)
+  add_library(brinell_test_support OBJECT ${support_sources})
+  set(scope PUBLIC)
+  target_link_libraries(brinell_test_support PRIVATE brinell_flags)
+else()
+  add_library(brinell_test_support INTERFACE)
+  set(scope INTERFACE)
+endif()
+target_include_directories(brinell_test_support ${scope} tests/support)
+target_link_libraries(brinell_test_support ${scope} brinell brinell_private_headers GTest::gtest)
+target_compile_definitions(brinell_test_support ${scope}
+  BRINELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+  BRINELL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/brinell")
+
+# CTest runs as many tests at once as there are cores, so each gets one thread; tests of threading ask for more.
+function(brinell_add_tests label timeout)
+  if(NOT ARGN)
+    return()
+  endif()
+  add_executable(brinell_${label}_tests ${ARGN})
+  target_link_libraries(brinell_${label}_tests PRIVATE
+    brinell_test_support brinell brinell_flags GTest::gtest GTest::gtest_main)
+  if(TARGET brinell_program)
+    add_dependencies(brinell_${label}_tests brinell_program)
+  endif()
+  gtest_discover_tests(brinell_${label}_tests
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 60
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
+    TEST_PREFIX ${label}.
+    PROPERTIES LABELS ${label} TIMEOUT ${timeout} ENVIRONMENT OMP_NUM_THREADS=1)
+endfunction()
+
+file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS tests/unit/*_test.cpp)
+file(GLOB verification_tests CONFIGURE_DEPENDS tests/verification/*_test.cpp)
+file(GLOB regression_tests CONFIGURE_DEPENDS tests/regression/*_test.cpp)
+file(GLOB cli_tests CONFIGURE_DEPENDS tests/cli/*_test.cpp)
+brinell_add_tests(unit 300 ${unit_tests})
+brinell_add_tests(verification 1800 ${verification_tests})
+brinell_add_tests(regression 1800 ${regression_tests})
+brinell_add_tests(cli 600 ${cli_tests})
+
+add_test(NAME unit.layers COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
+set_tests_properties(unit.layers PROPERTIES LABELS unit)

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/constitutive/hardening.hpp"
+#include "brinell/foundation/deviator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// J2 plasticity with isotropic hardening at one point. The trial deviator q is the stress that would act if the
+/// increment left no plastic strain at this point; the stress that acts is s = q - 2 mu d_eps.
+namespace brinell::constitutive
+{
+
+/// Plastic strain of one increment at one point.
+struct PlasticIncrement
+{
+  Deviator strain;           ///< d_eps [-]
+  double equivalent = 0.0;   ///< increment of the accumulated equivalent plastic strain [-], >= 0
+  double dissipation = 0.0;  ///< plastic work [J/m^3]
+};
+
+namespace detail
+{
+
+/// Root of overstress(x) - sigma_y(e + x) = 0, x >= 0, for an overstress that is convex and falls at `slope` or less.
+/// Newton from the left: the function is convex and decreasing, so the steps never pass the root.
+template <typename Law, typename Overstress>
+double consistent_multiplier(const Law& law, double e, const Overstress& overstress)
+{
+  double x = 0.0;
+  for (int iteration = 0; iteration < 50; ++iteration)
+  {
+    const auto [value, slope] = overstress(x);
+    const double f = value - law.yield_stress_at(e + x);
+    const double step = -f / (slope - law.modulus_at(e + x));
+    x += step;
+    if (std::abs(f) <= 1e-13 * law.yield_stress_at(e + x))
+      break;
+  }
+  return std::max(x, 0.0);
+}
+
+} // namespace detail
+
+/// Backward Euler: the flow direction is that of the end of the increment (Wilkins 1964; Simo, Hughes 1998, Box 3.2).
+/// @param q    trial deviator [Pa]
+/// @param e    equivalent plastic strain before the increment
+/// @param mu   shear modulus [Pa]
+template <typename Law>
+[[nodiscard]] PlasticIncrement radial_return(const Deviator& q, double e, double mu, const Law& law)
+{
+  const double trial = von_mises(q);
+  if (trial <= law.yield_stress_at(e))
+    return {};
+  const double de = detail::consistent_multiplier(law, e,
+                                                  [&](double x) { return std::pair{trial - 3.0 * mu * x, -3.0 * mu}; });
+  return {(1.5 * de / trial) * q, de, law.work(e + de) - law.work(e)};
+}
+
+/// Second order: the trial deviator moves on a straight line from the stress `s0` before the increment to `q`; from the
+/// point where it meets the yield surface on, flow is along the mean of the normals at both ends (generalised trapezoidal
+/// rule, Ortiz, Popov 1985), with the yield condition met at the end.
+template <typename Law>
+[[nodiscard]] PlasticIncrement path_return(const Deviator& s0, const Deviator& q, double e, double mu, const Law& law)
+{
+  const double yield = law.yield_stress_at(e);
+  const double trial = von_mises(q);
+  if (trial <= yield)
+    return {};
+  // Where the line leaves the elastic domain: |s0 + b (q - s0)| = yield.
+  const Deviator d = q - s0;
+  const double dd = 1.5 * contract(d, d);
+  const double sd = 1.5 * contract(s0, d);
+  const double ss = 1.5 * contract(s0, s0) - yield * yield;
+  const double b = std::clamp((-sd + std::sqrt(std::max(sd * sd - dd * ss, 0.0))) / dd, 0.0, 1.0);
+  const Deviator entry = s0 + b * d;
+  const Deviator n0 = (1.5 / von_mises(entry)) * entry;
+  const double x = detail::consistent_multiplier(law, e,
+                                                 [&](double multiplier)
+                                                 {
+                                                   const Deviator r = q - (mu * multiplier) * n0;
+                                                   const double size = von_mises(r);
+                                                   const double slope = -1.5 * mu * contract(r, n0) / size;
+                                                   return std::pair{size - 1.5 * mu * multiplier, slope - 1.5 * mu};
+                                                 });
+  const Deviator r = q - (mu * x) * n0;
+  const Deviator s1 = (law.yield_stress_at(e + x) / von_mises(r)) * r;
+  const Deviator strain = (0.5 / mu) * (q - s1);
+  return {strain, x, 0.5 * contract(entry + s1, strain)};
+}
+
+} // namespace brinell::constitutive

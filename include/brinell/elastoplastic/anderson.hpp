@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace brinell::elastoplastic
+{
+
+/// Anderson acceleration of a fixed point x <- g(x) (Anderson 1965; Walker, Ni 2011, type II): the next x is that
+/// combination of the last evaluations whose residual is smallest in the least-squares sense.
+class Anderson
+{
+public:
+  /// @param depth  earlier evaluations kept; 0 gives the plain fixed point.
+  Anderson(std::size_t size, int depth);
+
+  /// Replaces x by the next iterate, given g(x). Both have the length `size`.
+  void advance(std::span<double> x, std::span<const double> g);
+  /// Forgets the history.
+  void reset() { count_ = 0; }
+
+private:
+  std::size_t size_;
+  std::size_t depth_;
+  std::size_t count_ = 0; ///< evaluations seen since the last reset
+  std::vector<double> previous_x_, previous_f_;
+  std::vector<std::vector<double>> dx_, df_; ///< ring buffers of differences
+};
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/constitutive/material.hpp"
+#include "brinell/elastoplastic/settings.hpp"
+#include "brinell/halfspace/half_space.hpp"
+
+#include <span>
+#include <vector>
+
+namespace brinell::elastoplastic
+{
+
+/// All history of one body, on its own material grid.
+struct BodyState
+{
+  std::vector<double> plastic_strain;        ///< deviator field, 5 values per cell
+  std::vector<double> equivalent;            ///< accumulated equivalent plastic strain
+  std::vector<double> stress;                ///< deviatoric stress at the end of the last increment [Pa]
+  std::vector<double> residual_displacement; ///< of the surface, into the body positive [m]
+  double dissipation = 0.0;                  ///< plastic work since the start [J]
+  double locked_in_energy = 0.0;             ///< elastic energy of the residual stress [J]
+};
+
+/// One body of a contact: material, operators, history, and the trial of the increment at hand.
+///
+/// The unknown of an increment is the trial deviator q in the active cells (those near or beyond yield); everywhere else
+/// the stress is elastic and follows.
+class Body
+{
+public:
+  Body(const VolumeGrid& grid, const constitutive::Material& material);
+
+  [[nodiscard]] const VolumeGrid& grid() const { return half_space_.grid(); }
+  [[nodiscard]] const constitutive::Material& material() const { return material_; }
+  [[nodiscard]] const halfspace::HalfSpace& half_space() const { return half_space_; }
+  [[nodiscard]] const BodyState& state() const { return state_; }
+  [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
+
+  /// Starts an increment: the guess of q is the last one, carried along by `shift` cells in x with the contact.
+  void begin(int shift);
+  /// Integrates the plastic strain for the present q and computes the residual displacement it gives.
+  void integrate(Integration integration);
+  /// Stress under `pressure` (on the whole surface grid) and, from it, the next fixed-point value g of q.
+  /// @returns whether cells outside the active set yield; they have been added to it.
+  bool update(std::span<const double> pressure);
+  /// Makes the present trial the new state.
+  void commit(std::span<const double> pressure);
+
+  [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
+  [[nodiscard]] std::vector<double>& trial() { return q_; }             ///< q, unknowns() values
+  [[nodiscard]] const std::vector<double>& image() const { return g_; } ///< g(q)
+  /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
+  [[nodiscard]] double yield_error() const;
+  [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
+  /// Locked-in elastic energy plus dissipation of the present trial [J], for the pressure of the last update.
+  [[nodiscard]] double energy(std::span<const double> pressure) const;
+
+private:
+  void collect_active(const std::vector<double>& q_field, double fraction);
+  [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
+
+  constitutive::Material material_;
+  halfspace::HalfSpace half_space_;
+  halfspace::HalfSpace::Work work_;
+  BodyState state_;
+  std::vector<std::size_t> active_;    ///< cells that may yield
+  std::vector<char> is_active_;
+  std::vector<double> q_, g_;          ///< trial deviator and its image, [active][component]
+  std::vector<double> q_field_;        ///< the same on the grid, kept from step to step as a guess
+  std::vector<double> equivalent_, dissipation_; ///< increments in the active cells
+  std::vector<double> strain_, stress_;          ///< trial fields
+  std::vector<double> displacement_;
+};
+
+} // namespace brinell::elastoplastic

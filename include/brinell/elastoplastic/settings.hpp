@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace brinell::elastoplastic
+{
+
+/// How the plastic strain of one increment is integrated at a point.
+enum class Integration
+{
+  path,          ///< along the straight path of the trial stress between two steps: second order in the step
+  backward_euler ///< one radial return at the end of the step, as in the paper: first order
+};
+
+/// Tolerances and choices of the coupled increment.
+struct Settings
+{
+  double yield_tolerance = 1e-4;        ///< largest violation of the yield condition, relative to the yield stress
+  double displacement_tolerance = 1e-5; ///< largest change of residual displacement, relative to alpha_c
+  double contact_tolerance = 1e-7;      ///< complementarity of the contact: gap relative to the interference
+  int max_iterations = 60;              ///< evaluations per increment before it is split
+  int anderson_depth = 6;               ///< 0: plain fixed point
+  Integration integration = Integration::path;
+};
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace brinell
+{
+
+/// A symmetric traceless tensor as five components; zz = -xx - yy.
+/// Fields of deviators are stored component after component (SoA), each one a volume field.
+struct Deviator
+{
+  static constexpr int size = 5;
+  enum Component : int
+  {
+    xx,
+    yy,
+    yz,
+    xz,
+    xy
+  };
+
+  std::array<double, size> v{};
+
+  double& operator[](int i) { return v[static_cast<std::size_t>(i)]; }
+  double operator[](int i) const { return v[static_cast<std::size_t>(i)]; }
+};
+
+[[nodiscard]] inline Deviator operator+(const Deviator& a, const Deviator& b)
+{
+  Deviator c;
+  for (int i = 0; i < Deviator::size; ++i)
+    c[i] = a[i] + b[i];
+  return c;
+}
+
+[[nodiscard]] inline Deviator operator-(const Deviator& a, const Deviator& b)
+{
+  Deviator c;
+  for (int i = 0; i < Deviator::size; ++i)
+    c[i] = a[i] - b[i];
+  return c;
+}
+
+[[nodiscard]] inline Deviator operator*(double f, const Deviator& a)
+{
+  Deviator c;
+  for (int i = 0; i < Deviator::size; ++i)
+    c[i] = f * a[i];
+  return c;
+}
+
+/// Double contraction a : b of two deviators.
+[[nodiscard]] inline double contract(const Deviator& a, const Deviator& b)
+{
+  using D = Deviator;
+  return 2.0 * (a[D::xx] * b[D::xx] + a[D::yy] * b[D::yy] + a[D::yz] * b[D::yz] + a[D::xz] * b[D::xz] +
+                a[D::xy] * b[D::xy]) +
+         a[D::xx] * b[D::yy] + a[D::yy] * b[D::xx];
+}
+
+/// von Mises equivalent of a deviatoric stress, sqrt(3/2 s : s).
+[[nodiscard]] inline double von_mises(const Deviator& s)
+{
+  return std::sqrt(1.5 * contract(s, s));
+}
+
+} // namespace brinell

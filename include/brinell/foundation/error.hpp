@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+
+/// Two kinds of error: those a user can mend (input, convergence, files) and those that are ours (internal).
+namespace brinell
+{
+
+/// What the user gave cannot be computed: a bad key, value, unit or combination. The text says where, what was found,
+/// what is allowed.
+class InputError : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// An increment did not reach its tolerance, also after splitting. The text carries the residuals in physical units.
+class ConvergenceError : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// A file could not be read or written.
+class IoError : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// A broken promise between two parts of brinell: a bug, never the user's doing.
+class InternalError : public std::logic_error
+{
+  using std::logic_error::logic_error;
+};
+
+} // namespace brinell

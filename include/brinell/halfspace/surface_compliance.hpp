@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/fft.hpp"
+
+#include <span>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// Pressure -> sum of the elastic normal displacements of two half spaces on one surface grid, non-periodic
+/// (DC-FFT of the rectangle's closed form, Love 1929).
+class SurfaceCompliance
+{
+public:
+  /// @param contact_modulus  E' of the pair [Pa]: u = 1/(pi E') * integral of p / r.
+  SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus);
+
+  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
+  /// Displacement [m] of the pressure [Pa]; both one value per cell; symmetric and positive definite.
+  /// `scratch` holds at least one plane of the transform (see scratch_size).
+  void apply(std::span<const double> pressure, std::span<double> displacement, std::span<Complex> scratch) const;
+  [[nodiscard]] std::size_t scratch_size() const { return fft_.plane(); }
+  /// Spectrum of the operator [m/Pa], real and even, one value per stored wavenumber.
+  [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
+  [[nodiscard]] const PaddedFft& fft() const { return fft_; }
+
+private:
+  PaddedFft fft_;
+  std::vector<double> spectrum_;
+};
+
+} // namespace brinell::halfspace

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/io/schema.hpp"
+#include "brinell/reference/critical.hpp"
+#include "brinell/simulation/tugging.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace brinell::io
+{
+
+/// The values of a case, defaults filled in, in the order of the schema; keys that stay unset are missing.
+class CaseValues
+{
+public:
+  void set(std::string_view key, Value value) { m_values.emplace_back(key, std::move(value)); }
+
+  /// nullptr if unset.
+  [[nodiscard]] const Value* find(std::string_view key) const;
+
+  /// @throws InternalError if unset or of another type: a key that the schema does not declare that way.
+  template <class T>
+  [[nodiscard]] const T& get(std::string_view key) const;
+
+  [[nodiscard]] const std::vector<std::pair<std::string, Value>>& all() const { return m_values; }
+
+private:
+  std::vector<std::pair<std::string, Value>> m_values;
+};
+
+/// Which body yields first in their normal contact: the one with the smaller C(nu) S_y.
+enum class YieldsFirst
+{
+  lower,
+  upper,
+  both
+};
+
+/// First yield of the normal contact of the two bodies.
+struct FirstYield
+{
+  reference::CriticalValues critical;
+  YieldsFirst body = YieldsFirst::both;
+};
+
+/// Something the user should look at, although it can be computed.
+using Warning = std::string;
+
+/// A case as read: typed, in SI, defaults filled in.
+struct Case
+{
+  std::filesystem::path file;
+  std::string name;  ///< of the folder if the file is called case.toml, else of the file
+  std::string title; ///< may be empty
+  simulation::TuggingCase tugging;
+  SnapshotRule snapshots;
+  std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
+  std::optional<FirstYield> first_yield;          ///< empty if both bodies are elastic
+  CaseValues values;
+  std::string grid_source; ///< "file:line: grid.spacing = ..." for messages about the size of the grid
+  std::vector<Warning> warnings;
+};
+
+/// Equivalent radius 1 / (1/R1 + 1/R2) [m].
+[[nodiscard]] double equivalent_radius(const simulation::TuggingCase& tugging);
+/// E' of the two bodies [Pa].
+[[nodiscard]] double contact_modulus(const simulation::TuggingCase& tugging);
+
+/// Reads a case file.
+/// @param overrides  "key=value" as given to --set; the value is TOML, or a bare word taken as a string.
+/// @throws InputError with all problems found, one per line, each with its place.
+[[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The same from text; `file` is only named in messages.
+[[nodiscard]] Case parse_case(std::string_view text, const std::filesystem::path& file,
+                              const std::vector<std::string>& overrides = {});
+
+/// The resolved case as a case file.
+[[nodiscard]] std::string resolved_text(const CaseValues& values);
+
+} // namespace brinell::io

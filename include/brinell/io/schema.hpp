@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/io/units.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and
+/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there, and the line in
+/// src/io/case_build.cpp that puts its value where it belongs.
+namespace brinell::io
+{
+
+/// Steps whose fields are stored.
+struct SnapshotRule
+{
+  enum class Kind
+  {
+    none,
+    aligned, ///< the step nearest to X = 0 of each pass
+    all,
+    every, ///< every n-th step, from step 0
+    listed
+  };
+  Kind kind = Kind::aligned;
+  int every = 1;
+  std::vector<int> steps{}; ///< ascending
+  bool operator==(const SnapshotRule&) const = default;
+};
+
+using Vector3 = std::array<double, 3>;
+
+/// A value of the case in SI.
+using Value = std::variant<bool, std::int64_t, double, std::string, Vector3, SnapshotRule>;
+
+enum class Type
+{
+  text,
+  choice,  ///< one of Entry::choices
+  boolean, ///< true, false
+  integer,
+  number,
+  vector3,  ///< three numbers, x y z
+  snapshots ///< SnapshotRule
+};
+
+/// Allowed interval of a number (of each component of a vector).
+struct Range
+{
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_allowed = true, max_allowed = true;
+
+  /// Also false for NaN and infinities.
+  [[nodiscard]] bool contains(double x) const;
+  /// "> 0", "in [1, 20]"; empty if everything is allowed.
+  [[nodiscard]] std::string text() const;
+};
+
+/// The entry applies if another key has one of these values. No key: always.
+struct Condition
+{
+  std::string key;
+  std::vector<std::string> values;
+};
+
+/// One key of the case file.
+struct Entry
+{
+  std::string key; ///< dotted, from the root of the file
+  Type type = Type::text;
+  Dimension dimension{};
+  Range range{};
+  std::vector<std::string> choices{};
+  bool required = false;          ///< where the condition holds
+  std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset
+  std::string unset{};            ///< what happens then
+  std::string text;               ///< meaning
+  std::string hint{};             ///< what a usual value is, for messages
+  Condition when{};
+  std::string excludes{};         ///< a key that cannot stand beside this one
+  std::string pure_if{};          ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
+};
+
+/// All keys, parents before children, keys that others depend on before these.
+[[nodiscard]] const std::vector<Entry>& case_schema();
+
+/// Entry of a key, or nullptr.
+[[nodiscard]] const Entry* find_entry(std::string_view key);
+
+/// Whether some entry lies in the table `key`.
+[[nodiscard]] bool is_table(std::string_view key);
+
+/// What may stand there: "length > 0, in m or with a unit, such as \"3.85 mm\"".
+[[nodiscard]] std::string allowed_values(const Entry& entry);
+
+/// The table for a terminal.
+[[nodiscard]] std::string schema_text();
+
+/// The page docs/reference/case-file.md.
+[[nodiscard]] std::string schema_markdown();
+
+} // namespace brinell::io

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Case files in, results out. Units exist only here: everything below computes in SI.
+namespace brinell::io
+{
+
+/// Physical dimension as exponents of kg, m, s, K.
+struct Dimension
+{
+  int mass = 0, length = 0, time = 0, temperature = 0;
+  bool operator==(const Dimension&) const = default;
+};
+
+namespace dimension
+{
+inline constexpr Dimension none{};
+inline constexpr Dimension length{.length = 1};
+inline constexpr Dimension pressure{.mass = 1, .length = -1, .time = -2};
+} // namespace dimension
+
+/// "length", "pressure", ...; "quantity in kg m^2" if the dimension has no name here.
+[[nodiscard]] std::string dimension_name(Dimension dimension);
+
+/// SI unit, "m", "Pa", ...; empty for a pure number.
+[[nodiscard]] std::string si_unit(Dimension dimension);
+
+/// A value like "3.85 mm", for help texts.
+[[nodiscard]] std::string_view example_quantity(Dimension dimension);
+
+/// A number with its dimension, in SI.
+struct Quantity
+{
+  double value = 0.0;
+  Dimension dimension;
+};
+
+/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/m/K", "2 µm". Every factor is a power of ten and is put into the exponent
+/// of the number before that is read, so "3.85 mm" is the same double as 0.00385.
+/// @throws InputError; its text continues a sentence that begins with the value ("has the unknown unit ...").
+[[nodiscard]] Quantity quantity(std::string_view text);
+
+} // namespace brinell::io

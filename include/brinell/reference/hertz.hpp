@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/sym_tensor.hpp"
+
+/// Closed-form solutions that users want beside a computation.
+namespace brinell::reference
+{
+
+/// Hertz contact of two spheres, or of any surfaces with one relative curvature 1/R.
+struct PointContact
+{
+  double load = 0.0;           ///< P = 4/3 E' sqrt(R) approach^1.5 [N]
+  double approach = 0.0;       ///< of distant points, a^2/R [m]
+  double contact_radius = 0.0; ///< a [m]
+  double peak_pressure = 0.0;  ///< p0 = 3 P/(2 pi a^2) [Pa]; p = p0 sqrt(1 - r^2/a^2)
+};
+
+/// Point contact under a load (Hertz 1882; Johnson 1985, Eqs. 4.22-4.24).
+/// @param radius           equivalent radius R, 1/R = 1/R1 + 1/R2 [m], > 0.
+/// @param contact_modulus  E', 1/E' = sum of (1 - nu^2)/E [Pa], > 0.
+/// @param load             [N], >= 0, compressive.
+/// @throws InputError
+[[nodiscard]] PointContact point_contact_at_load(double radius, double contact_modulus, double load);
+
+/// The same at a given approach [m], >= 0.
+/// @throws InputError
+[[nodiscard]] PointContact point_contact_at_approach(double radius, double contact_modulus, double approach);
+
+/// Hertz contact with an elliptical area.
+struct EllipticalContact
+{
+  double load = 0.0;          ///< P = 2/3 pi a b p0 [N]
+  double approach = 0.0;      ///< [m]
+  double semi_axis_x = 0.0;   ///< [m]
+  double semi_axis_y = 0.0;   ///< [m]
+  double peak_pressure = 0.0; ///< p0 [Pa]; p = p0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2)
+};
+
+/// Elliptical contact under a load (Hertz 1882; Johnson 1985, Eqs. 4.26-4.33).
+/// @param radius_x, radius_y  radii of relative curvature: the undeformed gap is x^2/(2 R_x) + y^2/(2 R_y) [m], > 0.
+/// @param contact_modulus     E' [Pa], > 0.
+/// @param load                [N], >= 0.
+/// @throws InputError
+[[nodiscard]] EllipticalContact elliptical_contact_at_load(double radius_x, double radius_y, double contact_modulus,
+                                                           double load);
+
+/// The same at a given approach [m], >= 0.
+/// @throws InputError
+[[nodiscard]] EllipticalContact elliptical_contact_at_approach(double radius_x, double radius_y,
+                                                               double contact_modulus, double approach);
+
+/// Stress under the pressure p0 sqrt(1 - r^2/a^2) on the circle r < a [Pa], tension positive, in Cartesian components
+/// (Huber 1904; Hamilton 1983 without friction). In units of a, with oblate spheroidal coordinates
+/// z = xi eta, r^2 = (1 + xi^2)(1 - eta^2), and per p0,
+///     sigma_zz = -eta^3/(xi^2 + eta^2)                    sigma_rz = -r xi eta^2/((xi^2 + eta^2)(1 + xi^2))
+///     sigma_rr =  q + eta^3/(xi^2 + eta^2) + eta ((1 - nu) xi^2/(1 + xi^2) + (1 + nu) xi acot(xi) - 2)
+///     sigma_tt = -q - eta (2 nu + (1 - nu) xi^2/(1 + xi^2) - (1 + nu) xi acot(xi))
+///     q = (1 - 2 nu)/3 (1 + eta + eta^2)/((1 + xi^2)(1 + eta)).
+/// @param x, y, z         point, the contact's centre at the origin [m], z >= 0 into the body.
+/// @param contact_radius  a [m], > 0.
+/// @param peak_pressure   p0 [Pa].
+[[nodiscard]] SymTensor point_contact_stress(double x, double y, double z, double contact_radius, double peak_pressure,
+                                             double poisson_ratio);
+
+/// Where a frictionless point contact yields first.
+struct FirstYield
+{
+  double pressure_ratio = 0.0; ///< C = p0/S_y = p0/(largest von Mises stress) [-]
+  double depth_ratio = 0.0;    ///< depth over contact radius [-]
+};
+
+/// First yield by von Mises on the axis of a point contact, exact: the largest of
+///     sigma_vm/p0 = 3/2/(1 + s^2) - (1 + nu)(1 - s acot(s)),   s = z/a.
+/// Green's fit `critical_pressure_ratio` is within 0.15 % of C.
+/// @param poisson_ratio  [0, 0.5].
+/// @throws InputError
+[[nodiscard]] FirstYield first_yield(double poisson_ratio);
+
+} // namespace brinell::reference

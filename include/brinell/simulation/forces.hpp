@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/grid.hpp"
+
+#include <span>
+
+namespace brinell::simulation
+{
+
+/// Forces on the upper body, read from the pressure in the plane of contact.
+struct Forces
+{
+  double F_n = 0.0;                        ///< along the line of centres [N]
+  double F_X = 0.0, F_Y = 0.0, F_Z = 0.0;  ///< on the mean contact plane; F_X > 0 resists the motion [N]
+  double F_X_macro = 0.0, F_Z_macro = 0.0; ///< without pile-up, Eqs. 15 and 17 [N]
+  double F_X_lower = 0.0, F_X_upper = 0.0; ///< Eq. 18 on the slope of each body's own residual surface [N]
+};
+
+/// Residual displacement of one body under the contact grid, and its share of the arc.
+struct ResidualSurface
+{
+  std::span<const double> displacement; ///< into the body positive [m]
+  double share = 0.5;                   ///< R_i / (R1 + R2)
+};
+
+/// Projection of the pressure to the global axes (paper, Eqs. 15-22, without the factor n: a sum over cells counts each
+/// cell once). The mean contact plane weighs both slopes with the arc that the contact moves on each body: this is the
+/// reading whose work is the energy that the bodies take up (docs/theory.md).
+/// @param pressure  on the contact grid [Pa]
+[[nodiscard]] Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure, double theta,
+                                    const ResidualSurface& lower, const ResidualSurface& upper);
+
+} // namespace brinell::simulation

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace brinell::simulation
+{
+
+/// Relation between the arc rolled on each body and the sliding distance.
+enum class Kinematics
+{
+  exact, ///< X = omega tan(theta)
+  paper  ///< Eqs. 9-13 of the paper: increments omega atan(2 Delta / omega')
+};
+
+/// Where two spheres are while one passes the other at constant height.
+struct Position
+{
+  int index = 0;             ///< step index: 0 at alignment (exact) or at first touch (paper)
+  double X = 0.0;            ///< sliding coordinate, 0 at alignment [m]
+  double theta = 0.0;        ///< angle of the line of centres to Z, sign of X
+  double interference = 0.0; ///< alpha = R1 + R2 - omega'; negative before first touch [m]
+  double arc_lower = 0.0;    ///< contact centre on the lower body, from its top [m]
+  double arc_upper = 0.0;    ///< contact centre on the upper body, from its bottom [m]; moves against x'
+};
+
+/// Passing of two spheres (paper, Eqs. 1-14). Bodies do not rotate: while theta grows by d_theta the contact moves by
+/// R1 d_theta along the lower and by -R2 d_theta along the upper body, whatever the radii.
+class Passing
+{
+public:
+  /// @param relative_shift  (R1 + R2) d_theta per step [m].
+  Passing(double radius_lower, double radius_upper, double interference, double relative_shift, Kinematics kinematics);
+
+  [[nodiscard]] Position start(int steps_before) const; ///< first touch or just before it, minus some steps
+  [[nodiscard]] Position next(const Position& position) const;
+  /// Index of the first position at or before first touch, and steps from there to the last touch of rigid spheres.
+  [[nodiscard]] int first_index() const { return first_; }
+  [[nodiscard]] int step_count() const { return count_; }
+  [[nodiscard]] double start_distance() const { return d0_; } ///< Eq. 2 [m]
+  [[nodiscard]] double separation() const { return omega_; }  ///< constant height omega of the centres [m]
+  [[nodiscard]] double angle_at_touch() const { return theta0_; }
+
+private:
+  [[nodiscard]] Position at(int index, double X, double arc) const;
+
+  double r1_, r2_, omega_, shift_, d0_, theta0_;
+  Kinematics kinematics_;
+  int first_ = 0, count_ = 0;
+};
+
+} // namespace brinell::simulation

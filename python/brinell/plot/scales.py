@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a quantity is divided by before it is drawn, and how its axis says so.
+
+A complete run with a body that yields is drawn over its values at first yield, which the label gives in SI. Where these
+do not exist (an elastic pair, a run that has not finished) the axis is in SI.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from brinell.plot import style
+from brinell.results import Run
+
+__all__ = ["Scale", "Scales"]
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A divisor and the words around it."""
+
+    size: float
+    """What to divide the SI value by."""
+    symbol: str
+    """Symbol of the divisor (LaTeX), empty for SI."""
+    unit: str
+    """SI unit with its prefix, or that of the divisor without."""
+
+    def label(self, name: str, symbol: str, *, value: bool = True) -> str:
+        """Axis label: the quantity over its scale and what the scale is worth, or the quantity and its unit.
+
+        Args:
+            name: in words; may be empty.
+            symbol: LaTeX of the quantity.
+            value: whether to say what the scale is worth.
+        """
+        head = f"{name}  " if name else ""
+        if not self.symbol:
+            return f"{head}${symbol}$  [{self.unit}]"
+        note = f"    (${self.symbol}$ = {style.quantity(self.size, self.unit)})" if value else ""
+        return f"{head}${symbol}/{self.symbol}${note}"
+
+
+def _si(largest: float, unit: str) -> Scale:
+    """SI with the prefix that suits the largest value."""
+    for size, prefix in style.PREFIXES:
+        if abs(largest) >= size:
+            return Scale(size, "", f"{prefix}{unit}")
+    return Scale(1.0, "", unit)
+
+
+class Scales:
+    """Scales of one run; each takes the largest value to be drawn [SI], which only matters for SI axes."""
+
+    def __init__(self, run: Run):
+        self._critical = run.critical if run.complete and not run.is_elastic else None
+        self._radius = run.equivalent_radius if run.complete else None
+
+    @property
+    def normalised(self) -> bool:
+        """Whether values at first yield exist."""
+        return self._critical is not None
+
+    def radius(self, largest: float) -> Scale:
+        """Of the sliding coordinate: the equivalent radius R."""
+        return Scale(self._radius, "R", "m") if self._radius is not None else _si(largest, "m")
+
+    def length(self, largest: float) -> Scale:
+        """Of lengths along the surface and depths under it: a_c."""
+        return Scale(self._critical.contact_radius, "a_c", "m") if self._critical else _si(largest, "m")
+
+    def displacement(self, largest: float) -> Scale:
+        """Of displacements: alpha_c."""
+        return Scale(self._critical.interference, r"\alpha_c", "m") if self._critical else _si(largest, "m")
+
+    def pressure(self, largest: float) -> Scale:
+        """Of contact pressures: the peak pressure at first yield, p0_c."""
+        return Scale(self._critical.peak_pressure, r"p_{0,c}", "Pa") if self._critical else _si(largest, "Pa")
+
+    def stress(self, largest: float) -> Scale:
+        """Of stresses: the yield stress S_y."""
+        return Scale(self._critical.yield_stress, "S_y", "Pa") if self._critical else _si(largest, "Pa")
+
+    def force(self, largest: float) -> Scale:
+        """Of forces: P_c."""
+        return Scale(self._critical.load, "P_c", "N") if self._critical else _si(largest, "N")
+
+    def energy(self, largest: float) -> Scale:
+        """Of energies: U_c."""
+        return Scale(self._critical.energy, "U_c", "J") if self._critical else _si(largest, "J")
+
+    def area(self, largest: float) -> Scale:
+        """Of contact areas: A_c = pi a_c^2."""
+        if self._critical:
+            return Scale(float(np.pi) * self._critical.contact_radius**2, "A_c", "m²")
+        return Scale(1e-6, "", "mm²") if largest < 1.0 else Scale(1.0, "", "m²")

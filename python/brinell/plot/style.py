@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One look for all figures: fonts, colours, colour maps, how a quantity is written.
+
+Colours are safe for colour-blind readers: Okabe and Ito's palette for the two bodies, matplotlib's perceptually
+uniform maps for fields and for families of curves.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
+
+import matplotlib
+import numpy as np
+from matplotlib.colors import Colormap, to_hex
+from matplotlib.figure import Figure
+
+__all__ = [
+    "CONTACT_LINE",
+    "FORMATS",
+    "LOWER",
+    "MINUS",
+    "PREFIXES",
+    "PRESSURE_MAP",
+    "REFERENCE",
+    "RESIDUAL_MAP",
+    "STRAIN_MAP",
+    "STRESS_MAP",
+    "UPPER",
+    "family_colours",
+    "figure",
+    "new_figure",
+    "number",
+    "quantity",
+    "save",
+]
+
+LOWER = "#0072B2"  # Okabe-Ito blue
+UPPER = "#D55E00"  # Okabe-Ito vermilion
+REFERENCE = "#666666"  # closed-form curves, asymptotes, zero lines
+CONTACT_LINE = "#000000"
+
+PRESSURE_MAP = "viridis"
+STRESS_MAP = "magma"
+STRAIN_MAP = "cividis"
+RESIDUAL_MAP = "PuOr"  # diverging about the undeformed surface: pile-up against depth
+
+MINUS = "\N{MINUS SIGN}"
+FORMATS = ("png", "pdf", "svg")
+
+_RC: Any = {
+    "axes.axisbelow": True,
+    "axes.edgecolor": "#333333",
+    "axes.labelsize": 10,
+    "axes.linewidth": 0.8,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 10,
+    "axes.titlepad": 6,
+    "figure.constrained_layout.h_pad": 0.06,
+    "figure.constrained_layout.w_pad": 0.06,
+    "figure.dpi": 100,
+    "figure.facecolor": "white",
+    "font.family": "DejaVu Sans",  # comes with matplotlib: the same picture on every machine
+    "font.size": 9,
+    "image.cmap": "viridis",
+    "legend.fontsize": 9,
+    "legend.frameon": False,
+    "legend.handlelength": 1.6,
+    "legend.title_fontsize": 9,
+    "lines.linewidth": 1.6,
+    "lines.markersize": 3.5,
+    "mathtext.fontset": "dejavusans",
+    "pdf.fonttype": 42,
+    "savefig.bbox": "tight",
+    "savefig.dpi": 200,
+    "savefig.pad_inches": 0.08,
+    "svg.hashsalt": "brinell",  # two runs write the same file
+    "xtick.color": "#333333",
+    "xtick.labelcolor": "black",
+    "xtick.labelsize": 9,
+    "ytick.color": "#333333",
+    "ytick.labelcolor": "black",
+    "ytick.labelsize": 9,
+}
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def figure(draw: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Decorator: draws within this style, whatever the caller's matplotlib settings are."""
+
+    @functools.wraps(draw)
+    def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+        with matplotlib.rc_context(), matplotlib.rc_context(rc=matplotlib.rcParamsDefault):
+            matplotlib.rcParams.update(_RC)
+            return draw(*args, **kwargs)
+
+    return wrapper
+
+
+def new_figure(width: float, height: float, *, to_scale: bool = False) -> Figure:
+    """An empty figure that belongs to no window and no global list.
+
+    Args:
+        width: [inch].
+        height: [inch].
+        to_scale: its axes have equal units along both directions, so their boxes cannot stretch to fill the sheet.
+    """
+    return Figure(figsize=(width, height), layout="compressed" if to_scale else "constrained")
+
+
+def save(fig: Figure, folder: str | Path, name: str, formats: Sequence[str] = ("png",)) -> list[Path]:
+    """Writes a figure as FOLDER/NAME.png (and .pdf, .svg).
+
+    Args:
+        fig: what to write.
+        folder: where; made if it is not there.
+        name: file name without its ending.
+        formats: endings out of FORMATS.
+
+    Returns:
+        The files written.
+    """
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    # No date, no version of matplotlib in the file: equal results give equal files.
+    metadata = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}
+    written = []
+    for ending in formats:
+        path = folder / f"{name}.{ending}"
+        with matplotlib.rc_context(rc=_RC):
+            fig.savefig(path, metadata=metadata[ending])
+        written.append(path)
+    return written
+
+
+def family_colours(count: int) -> list[str]:
+    """Colours of an ordered family of curves, the last one darkest; without the yellow that vanishes on white."""
+    cmap: Colormap = matplotlib.colormaps["viridis"]
+    return [to_hex(cmap(v)) for v in np.linspace(0.8, 0.0, count)] if count > 1 else [to_hex(cmap(0.0))]
+
+
+def number(value: float, digits: int = 3) -> str:
+    """A number for a label: 3 significant digits, a true minus sign, no exponent for everyday sizes.
+
+    >>> number(0.0223), number(-27.0), number(1234.5)
+    ('0.0223', '−27', '1230')
+    """
+    if value == 0.0:
+        return "0"
+    rounded = float(f"{value:.{digits}g}")
+    if 1e-3 <= abs(rounded) < 1e5:
+        text = f"{rounded:.6f}".rstrip("0").rstrip(".")
+    else:
+        mantissa, exponent = f"{rounded:.{digits - 1}e}".split("e")
+        if "." in mantissa:
+            mantissa = mantissa.rstrip("0").rstrip(".")
+        power = str(int(exponent)).replace("-", MINUS)
+        text = rf"{mantissa}$\times 10^{{{power}}}$"
+    return text.replace("-", MINUS)
+
+
+PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
+
+
+def quantity(value: float, unit: str, digits: int = 3) -> str:
+    """A quantity with the prefix that keeps its number between 1 and 1000.
+
+    >>> quantity(1.4925e9, "Pa"), quantity(2.214e-4, "m")
+    ('1.49 GPa', '221 µm')
+    """
+    for scale, prefix in PREFIXES:
+        if abs(float(f"{value:.{digits}g}")) >= scale * (1.0 - 1e-12):
+            return f"{number(value / scale, digits)} {prefix}{unit}"
+    return f"{number(value, digits)} {unit}"

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+import brinell
+from brinell.results import HISTORY_COLUMNS, RunError, open_run
+
+MakeRun = Callable[..., Path]
+
+
+def test_version_is_that_of_the_repository() -> None:
+    version_file = Path(__file__).parents[2] / "VERSION"
+    if not version_file.is_file():
+        pytest.skip("not in the repository")
+    project = (Path(__file__).parents[1] / "pyproject.toml").read_text(encoding="utf-8")
+    assert f'version = "{version_file.read_text(encoding="utf-8").strip()}"' in project
+    assert brinell.open_run is open_run
+
+
+def test_history_holds_every_column_and_row(make_run: MakeRun) -> None:
+    folder = make_run(9.0, steps=25)
+    run = open_run(folder)
+    assert tuple(run.history) == HISTORY_COLUMNS
+    table = np.loadtxt(folder / "history.csv", delimiter=",", skiprows=1)
+    assert run.history.steps == 25
+    for i, name in enumerate(HISTORY_COLUMNS):
+        np.testing.assert_array_equal(run.history[name], table[:, i])
+
+
+def test_columns_are_those_of_the_specification() -> None:
+    specification = Path(__file__).parents[2] / "docs" / "reference" / "results-format.md"
+    if not specification.is_file():
+        pytest.skip("not in the repository")
+    text = specification.read_text(encoding="utf-8")
+    missing = [name for name in HISTORY_COLUMNS if f"`{name}`" not in text]
+    assert not missing
+
+
+def test_scales_come_from_the_summary(make_run: MakeRun) -> None:
+    run = open_run(make_run(4.0))
+    assert run.complete
+    assert run.critical.load == 3.460928e5
+    assert run.critical.yield_stress == pytest.approx(0.9115e9)
+    assert run.equivalent_radius == 0.5
+    assert (run.lower_radius, run.upper_radius) == (1.0, 1.0)
+    assert run.normalised_interference == pytest.approx(4.0)
+
+
+def test_passes_are_split_where_x_jumps_back(make_run: MakeRun) -> None:
+    run = open_run(make_run(4.0, passes=3, steps=11))
+    passes = run.history.passes()
+    assert [one.steps for one in passes] == [11, 11, 11]
+    assert all(np.all(np.diff(one["X"]) > 0.0) for one in passes)
+    np.testing.assert_array_equal(np.concatenate([one["work"] for one in passes]), run.history["work"])
+
+
+def test_one_pass_is_one_history(make_run: MakeRun) -> None:
+    assert len(open_run(make_run(4.0)).history.passes()) == 1
+
+
+@pytest.mark.parametrize("which", [6, 12, "aligned", "final"])
+def test_snapshot_holds_the_stored_fields(make_run: MakeRun, which: int | str) -> None:
+    folder = make_run(9.0)
+    run = open_run(folder)
+    assert run.stored_steps() == [6, 12]
+    snapshot = run.snapshot(which, tensors=True)  # type: ignore[arg-type]
+    name = "final" if which == "final" else f"steps/{12 if which == 'aligned' else which:06d}"
+    with h5py.File(folder / "result.h5") as file:
+        group = file[name]
+        assert group.attrs["X"] == snapshot.X
+        assert snapshot.is_final == (which == "final")
+        np.testing.assert_array_equal(snapshot.contact.pressure, group["contact/pressure"])
+        np.testing.assert_array_equal(snapshot.contact.gap, group["contact/gap"])
+        for body, data in ((snapshot.lower, group["lower"]), (snapshot.upper, group["upper"])):
+            np.testing.assert_array_equal(body.residual_displacement, data["residual_displacement"])
+            np.testing.assert_array_equal(body.equivalent_plastic_strain, data["equivalent_plastic_strain"])
+            np.testing.assert_array_equal(body.von_mises_stress, data["von_mises_stress"])
+            np.testing.assert_array_equal(body.stress["xz"], data["stress/xz"])
+            np.testing.assert_array_equal(body.plastic_strain["yy"], data["plastic_strain/yy"])
+            assert body.equivalent_plastic_strain.shape == (len(body.z), len(body.y), len(body.x))
+            assert body.contact_x == data.attrs["contact_x"]
+            assert (body.x[0], body.y[0], body.z[0]) == tuple(data.attrs["origin"])
+            assert body.x[1] - body.x[0] == pytest.approx(data.attrs["spacing"][0])
+
+
+def test_tensors_are_read_only_if_asked_for(make_run: MakeRun) -> None:
+    assert open_run(make_run()).snapshot("aligned").lower.stress == {}
+
+
+def test_elastic_body_has_zero_plastic_fields(make_run: MakeRun) -> None:
+    upper = open_run(make_run(elastic_upper=True)).snapshot("aligned", tensors=True).upper
+    assert upper.equivalent_plastic_strain.shape == (20, 15, 61)
+    assert not np.any(upper.equivalent_plastic_strain)
+    assert upper.plastic_strain == {}
+
+
+def test_aligned_is_searched_in_the_first_pass_only(make_run: MakeRun) -> None:
+    folder = make_run()
+    with h5py.File(folder / "result.h5", "a") as file:
+        file.copy("steps/000012", "steps/000037")
+        file["steps/000037"].attrs["pass"] = 1
+        file["steps/000037"].attrs["X"] = 0.0
+        file["steps/000037"].attrs["step"] = 37
+        file["steps/000012"].attrs["X"] = 0.001
+    assert open_run(folder).snapshot("aligned").step == 12
+
+
+# --- Stopped runs -----------------------------------------------------------------------------------------------------
+
+
+def test_unfinished_run_is_refused_unless_asked_for(make_run: MakeRun) -> None:
+    folder = make_run(finished=False)
+    with pytest.raises(RunError, match=r"no summary\.json, the run has not finished \(25 steps"):
+        open_run(folder)
+    run = open_run(folder, allow_unfinished=True)
+    assert not run.complete
+    assert run.history.steps == 25
+    with pytest.raises(RunError, match="has not finished"):
+        _ = run.critical
+    with pytest.raises(RunError, match="no final state, the run has not finished"):
+        run.snapshot("final")
+
+
+def test_half_a_row_at_the_end_is_dropped(make_run: MakeRun) -> None:
+    folder = make_run(finished=False)
+    text = (folder / "history.csv").read_text()
+    (folder / "history.csv").write_text(text[:-7])
+    assert open_run(folder, allow_unfinished=True).history.steps == 24
+
+
+def test_linked_snapshots_of_a_killed_run(make_run: MakeRun) -> None:
+    folder = make_run(finished=False)
+    (folder / "snapshots").mkdir()
+    with h5py.File(folder / "result.h5", "a") as file:
+        with h5py.File(folder / "snapshots" / "000012.h5", "w") as part:
+            file.copy("steps/000012", part, "step")
+        del file["steps/000012"]
+        file["steps/000012"] = h5py.ExternalLink("snapshots/000012.h5", "/step")
+    run = open_run(folder, allow_unfinished=True)
+    assert run.snapshot(12).step == 12
+    assert not run.snapshot(12).is_final
+    shutil.rmtree(folder / "snapshots")
+    with pytest.raises(RunError, match="snapshots missing"):
+        run.snapshot(12)
+
+
+# --- What can be wrong with a folder ----------------------------------------------------------------------------------
+
+
+def test_no_such_folder(tmp_path: Path) -> None:
+    with pytest.raises(RunError, match="nowhere: no such folder"):
+        open_run(tmp_path / "nowhere")
+
+
+def test_a_file_is_not_a_folder(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(RunError, match="file: not a folder"):
+        open_run(tmp_path / "file")
+
+
+def test_empty_folder(tmp_path: Path) -> None:
+    with pytest.raises(RunError, match=r"no history\.csv"):
+        open_run(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda t: t.replace("step,X", "X,step", 1), r"history\.csv:1: the header"),
+        (lambda t: "", r"history\.csv:1: the header"),
+        (lambda t: t.splitlines()[0] + "\n", "no finished step"),
+        (lambda t: t.replace("\n3,", "\nthree,"), r"history\.csv:5: could not convert"),
+        (lambda t: t.replace("\n3,", "\n3,4,"), r"history\.csv:5: 21 values, expected 20"),
+        (lambda t: t.replace("\n3,", "\nnan,"), r"history\.csv:5: step = nan is not a finite number"),
+    ],
+)
+def test_damaged_history(make_run: MakeRun, change: Callable[[str], str], message: str) -> None:
+    folder = make_run()
+    path = folder / "history.csv"
+    path.write_text(change(path.read_text()))
+    with pytest.raises(RunError, match=message):
+        open_run(folder)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("{", r"summary\.json:1: not valid JSON"),
+        ("[]", "not a summary of brinell"),
+        ('{"format": "brinell-summary", "format_version": 99}', "format version 99, this program reads version 1"),
+    ],
+)
+def test_damaged_summary(make_run: MakeRun, text: str, message: str) -> None:
+    folder = make_run()
+    (folder / "summary.json").write_text(text)
+    with pytest.raises(RunError, match=message):
+        open_run(folder)
+
+
+def test_missing_summary_entry(make_run: MakeRun) -> None:
+    folder = make_run()
+    path = folder / "summary.json"
+    summary = json.loads(path.read_text())
+    del summary["geometry"]["equivalent_radius_m"]
+    summary["critical"]["C"] = "1.6"
+    path.write_text(json.dumps(summary))
+    run = open_run(folder)
+    with pytest.raises(RunError, match=r"no entry geometry\.equivalent_radius_m"):
+        _ = run.equivalent_radius
+    with pytest.raises(RunError, match=r"critical\.C = '1\.6' is not a number"):
+        _ = run.critical
+
+
+def test_elastic_pair_has_no_critical_values(make_run: MakeRun) -> None:
+    folder = make_run()
+    path = folder / "summary.json"
+    summary = json.loads(path.read_text())
+    summary["critical"] = dict.fromkeys(summary["critical"])
+    path.write_text(json.dumps(summary))
+    run = open_run(folder)
+    assert run.is_elastic
+    with pytest.raises(RunError, match="both bodies are elastic"):
+        _ = run.critical
+
+
+def test_step_that_is_not_stored(make_run: MakeRun) -> None:
+    with pytest.raises(RunError, match=r"step 7 is not stored \(stored: 6, 12\)"):
+        open_run(make_run()).snapshot(7)
+
+
+def test_missing_and_damaged_fields(make_run: MakeRun) -> None:
+    folder = make_run()
+    run = open_run(folder)
+    with h5py.File(folder / "result.h5", "a") as file:
+        del file["steps/000012/contact/gap"]
+    with pytest.raises(RunError, match=r"/steps/000012 is damaged"):
+        run.snapshot(12)
+    with h5py.File(folder / "result.h5", "a") as file:
+        file.attrs["format_version"] = 2
+    with pytest.raises(RunError, match="format version 2"):
+        run.snapshot(6)
+    (folder / "result.h5").write_bytes(b"not HDF5")
+    with pytest.raises(RunError, match="not a readable HDF5 file"):
+        run.snapshot(6)
+    (folder / "result.h5").unlink()
+    with pytest.raises(RunError, match=r"no result\.h5"):
+        run.snapshot(6)

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/body.hpp"
+
+#include "brinell/constitutive/return_mapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+Deviator load(const std::vector<double>& field, std::size_t cells, std::size_t cell)
+{
+  Deviator d;
+  for (int c = 0; c < Deviator::size; ++c)
+    d[c] = field[static_cast<std::size_t>(c) * cells + cell];
+  return d;
+}
+
+void store(const Deviator& d, std::vector<double>& field, std::size_t cells, std::size_t cell)
+{
+  for (int c = 0; c < Deviator::size; ++c)
+    field[static_cast<std::size_t>(c) * cells + cell] = d[c];
+}
+
+Deviator load_packed(const std::vector<double>& packed, std::size_t n)
+{
+  Deviator d;
+  std::copy_n(packed.begin() + static_cast<std::ptrdiff_t>(n * Deviator::size), Deviator::size, d.v.begin());
+  return d;
+}
+
+void store_packed(const Deviator& d, std::vector<double>& packed, std::size_t n)
+{
+  std::copy(d.v.begin(), d.v.end(), packed.begin() + static_cast<std::ptrdiff_t>(n * Deviator::size));
+}
+
+/// Cells with more than this share of the yield stress take part in the fixed point from the start.
+constexpr double active_share = 0.8;
+
+} // namespace
+
+Body::Body(const VolumeGrid& grid, const constitutive::Material& material)
+    : material_(material), half_space_(grid, material.elastic), work_(half_space_.make_work()),
+      displacement_(grid.surface.size(), 0.0)
+{
+  const std::size_t n = grid.size();
+  state_.plastic_strain.assign(Deviator::size * n, 0.0);
+  state_.equivalent.assign(n, 0.0);
+  state_.stress.assign(Deviator::size * n, 0.0);
+  state_.residual_displacement.assign(grid.surface.size(), 0.0);
+  is_active_.assign(n, 0);
+  q_field_.assign(Deviator::size * n, 0.0);
+  strain_ = state_.plastic_strain;
+  stress_ = state_.stress;
+}
+
+void Body::begin(int shift)
+{
+  strain_ = state_.plastic_strain;
+  displacement_ = state_.residual_displacement;
+  active_.clear();
+  q_.clear();
+  std::fill(is_active_.begin(), is_active_.end(), static_cast<char>(0));
+  if (!is_plastic())
+    return;
+  const SurfaceGrid& s = grid().surface;
+  std::vector<double> guess(q_field_.size(), 0.0);
+  for (std::size_t row = 0; row < q_field_.size() / static_cast<std::size_t>(s.nx); ++row)
+    for (int i = std::max(0, shift); i < std::min(s.nx, s.nx + shift); ++i)
+      guess[row * static_cast<std::size_t>(s.nx) + static_cast<std::size_t>(i)] =
+          q_field_[row * static_cast<std::size_t>(s.nx) + static_cast<std::size_t>(i - shift)];
+  collect_active(guess, active_share);
+}
+
+void Body::collect_active(const std::vector<double>& q_field, double fraction)
+{
+  const std::size_t n = grid().size();
+  std::visit(
+      [&](const auto& law)
+      {
+        for (std::size_t cell = 0; cell < n; ++cell)
+        {
+          if (is_active_[cell] != 0)
+            continue;
+          const Deviator q = load(q_field, n, cell);
+          const double yield = fraction * law.yield_stress_at(state_.equivalent[cell]);
+          if (1.5 * contract(q, q) <= yield * yield)
+            continue;
+          is_active_[cell] = 1;
+          active_.push_back(cell);
+          q_.insert(q_.end(), q.v.begin(), q.v.end());
+        }
+      },
+      *material_.hardening);
+  g_.resize(q_.size());
+  equivalent_.resize(active_.size());
+  dissipation_.resize(active_.size());
+}
+
+void Body::integrate(Integration integration)
+{
+  if (!is_plastic())
+    return;
+  const std::size_t n = grid().size();
+  const double mu = material_.elastic.shear_modulus();
+  std::visit(
+      [&](const auto& law)
+      {
+#pragma omp parallel for schedule(static)
+        for (std::size_t a = 0; a < active_.size(); ++a)
+        {
+          const std::size_t cell = active_[a];
+          const double e = state_.equivalent[cell];
+          const Deviator q = load_packed(q_, a);
+          const constitutive::PlasticIncrement increment =
+              integration == Integration::path ? constitutive::path_return(load(state_.stress, n, cell), q, e, mu, law)
+                                               : constitutive::radial_return(q, e, mu, law);
+          store(load(state_.plastic_strain, n, cell) + increment.strain, strain_, n, cell);
+          equivalent_[a] = increment.equivalent;
+          dissipation_[a] = increment.dissipation;
+        }
+      },
+      *material_.hardening);
+  half_space_.load_strain(strain_, grid().nz, work_);
+  half_space_.residual_displacement(grid().nz, work_, displacement_);
+}
+
+bool Body::update(std::span<const double> pressure)
+{
+  if (!is_plastic())
+    return false;
+  const std::size_t n = grid().size();
+  half_space_.deviatoric_stress(pressure, strain_, grid().nz, work_, stress_);
+  const double two_mu = 2.0 * material_.elastic.shear_modulus();
+#pragma omp parallel for schedule(static)
+  for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    const std::size_t cell = active_[a];
+    const Deviator increment = load(strain_, n, cell) - load(state_.plastic_strain, n, cell);
+    store_packed(load(stress_, n, cell) + two_mu * increment, g_, a);
+  }
+  const std::size_t before = active_.size();
+  collect_active(stress_, 1.0);
+  return active_.size() != before;
+}
+
+double Body::yield_error() const
+{
+  double error = 0.0;
+  if (!is_plastic())
+    return error;
+  std::visit(
+      [&](const auto& law)
+      {
+        for (std::size_t a = 0; a < active_.size(); ++a)
+        {
+          const double yield = law.yield_stress_at(state_.equivalent[active_[a]] + equivalent_[a]);
+          const Deviator g = load_packed(g_, a);
+          if (equivalent_[a] > 0.0 || von_mises(g) > yield)
+            error = std::max(error, von_mises(g - load_packed(q_, a)) / yield);
+        }
+      },
+      *material_.hardening);
+  return error;
+}
+
+double Body::locked_in_energy(std::span<const double> pressure) const
+{
+  // 1/2 eps H eps, with H eps = (stress of the pressure - stress); the first part by Betti on the surface.
+  const std::size_t n = grid().size();
+  double volume_work = 0.0;
+  for (std::size_t cell = 0; cell < n; ++cell)
+    volume_work += contract(load(stress_, n, cell), load(strain_, n, cell));
+  double surface_work = 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    surface_work += pressure[i] * displacement_[i];
+  return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
+}
+
+double Body::energy(std::span<const double> pressure) const
+{
+  if (!is_plastic())
+    return 0.0;
+  double dissipation = 0.0;
+  for (const double d : dissipation_)
+    dissipation += d;
+  return dissipation * grid().cell_volume() + locked_in_energy(pressure);
+}
+
+void Body::commit(std::span<const double> pressure)
+{
+  if (!is_plastic())
+    return;
+  const std::size_t n = grid().size();
+  for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    state_.equivalent[active_[a]] += equivalent_[a];
+    state_.dissipation += dissipation_[a] * grid().cell_volume();
+  }
+  state_.plastic_strain = strain_;
+  state_.stress = stress_;
+  state_.residual_displacement = displacement_;
+  state_.locked_in_energy = locked_in_energy(pressure);
+  q_field_ = stress_;
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    store(load_packed(g_, a), q_field_, n, active_[a]);
+}
+
+} // namespace brinell::elastoplastic

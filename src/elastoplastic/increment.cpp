@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+
+#include "brinell/elastoplastic/anderson.hpp"
+#include "brinell/foundation/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace brinell::elastoplastic
+{
+
+CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
+                               const constitutive::Material& lower_material,
+                               const constitutive::Material& upper_material, const Scales& scales,
+                               const Settings& settings)
+    : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic)), contact_(compliance_),
+      lower_(lower, lower_material), upper_(upper, upper_material), scales_(scales), settings_(settings),
+      pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0), total_gap_(contact.size()), gathered_(contact.size()),
+      lower_pressure_(lower.surface.size()), upper_pressure_(upper.surface.size())
+{
+  for (const SurfaceGrid& s : {lower.surface, upper.surface})
+    if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy)
+      throw InternalError("CoupledContact: the three grids must have the same cells and rows");
+}
+
+void CoupledContact::gather(const Body& body, int offset, std::span<const double> field, std::span<double> out) const
+{
+  const SurfaceGrid& from = body.grid().surface;
+  for (int j = 0; j < grid().ny; ++j)
+    for (int i = 0; i < grid().nx; ++i)
+    {
+      const int column = i + offset;
+      out[static_cast<std::size_t>(i + grid().nx * j)] =
+          column >= 0 && column < from.nx ? field[static_cast<std::size_t>(column + from.nx * j)] : 0.0;
+    }
+}
+
+void CoupledContact::spread_pressure(const Body& body, int offset, std::vector<double>& out) const
+{
+  const SurfaceGrid& to = body.grid().surface;
+  std::fill(out.begin(), out.end(), 0.0);
+  for (int j = 0; j < grid().ny; ++j)
+    for (int i = 0; i < grid().nx; ++i)
+    {
+      const double p = pressure_[static_cast<std::size_t>(i + grid().nx * j)];
+      const int column = i + offset;
+      if (p <= 0.0)
+        continue;
+      if (column < 0 || column >= to.nx)
+        throw InputError("the contact has reached the end of the material grid: enlarge the grid along x");
+      out[static_cast<std::size_t>(column + to.nx * j)] = p;
+    }
+}
+
+double CoupledContact::elastic_energy() const
+{
+  std::vector<double> displacement(pressure_.size());
+  AlignedVector<Complex> scratch(compliance_.scratch_size());
+  compliance_.apply(pressure_, displacement, scratch);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    sum += pressure_[i] * displacement[i];
+  return 0.5 * sum * grid().cell_area();
+}
+
+namespace
+{
+
+/// Trial deviators of both bodies as one vector.
+void pack(std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper)
+{
+  x.resize(lower.size() + upper.size());
+  std::copy(upper.begin(), upper.end(), std::copy(lower.begin(), lower.end(), x.begin()));
+}
+
+void unpack(const std::vector<double>& x, std::vector<double>& lower, std::vector<double>& upper)
+{
+  std::copy_n(x.begin(), lower.size(), lower.begin());
+  std::copy(x.begin() + static_cast<std::ptrdiff_t>(lower.size()), x.end(), upper.begin());
+}
+
+double largest_change(std::span<const double> a, const std::vector<double>& b)
+{
+  double change = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    change = std::max(change, std::abs(a[i] - b[i]));
+  return change;
+}
+
+} // namespace
+
+IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const Placement& placement,
+                                        Integration integration, int max_evaluations, int anderson_depth)
+{
+  IncrementReport report;
+  lower_.begin(placement.lower - placement_.lower);
+  upper_.begin(placement.upper - placement_.upper);
+  std::optional<Anderson> anderson;
+  std::vector<double> x;
+  std::vector<double> g;
+  std::vector<double> last_lower;
+  std::vector<double> last_upper;
+  for (report.evaluations = 1;; ++report.evaluations)
+  {
+    last_lower.assign(lower_.residual_displacement().begin(), lower_.residual_displacement().end());
+    last_upper.assign(upper_.residual_displacement().begin(), upper_.residual_displacement().end());
+    lower_.integrate(integration);
+    upper_.integrate(integration);
+
+    gather(lower_, placement.lower, lower_.residual_displacement(), gathered_);
+    std::transform(rigid_gap.begin(), rigid_gap.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
+    gather(upper_, placement.upper, upper_.residual_displacement(), gathered_);
+    std::transform(total_gap_.begin(), total_gap_.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
+    const contact::Report contact =
+        contact_.solve(total_gap_, settings_.contact_tolerance * scales_.gap, 2000, pressure_, gap_);
+    report.contact_iterations += contact.iterations;
+    report.gap_error = std::max(contact.gap_error, contact.penetration);
+
+    spread_pressure(lower_, placement.lower, lower_pressure_);
+    spread_pressure(upper_, placement.upper, upper_pressure_);
+    const bool lower_grew = lower_.update(lower_pressure_);
+    const bool upper_grew = upper_.update(upper_pressure_);
+    report.yield_error = std::max(lower_.yield_error(), upper_.yield_error());
+    report.displacement_error = std::max(largest_change(lower_.residual_displacement(), last_lower),
+                                         largest_change(upper_.residual_displacement(), last_upper));
+    const bool settled = report.evaluations > 1 || lower_.unknowns() + upper_.unknowns() == 0;
+    report.converged = contact.converged && !lower_grew && !upper_grew && settled &&
+                       report.yield_error <= settings_.yield_tolerance &&
+                       report.displacement_error <= settings_.displacement_tolerance * scales_.displacement;
+    if (report.converged || report.evaluations >= max_evaluations)
+      break;
+    if (lower_grew || upper_grew || !anderson)
+      anderson.emplace(lower_.unknowns() + upper_.unknowns(), anderson_depth);
+    if (lower_grew || upper_grew)
+      continue;
+    pack(x, lower_.trial(), upper_.trial());
+    pack(g, lower_.image(), upper_.image());
+    anderson->advance(x, g);
+    unpack(x, lower_.trial(), upper_.trial());
+  }
+  if (!report.converged)
+    return report;
+  lower_.commit(lower_pressure_);
+  upper_.commit(upper_pressure_);
+  report.energy = lower_.energy(lower_pressure_) + upper_.energy(upper_pressure_) + elastic_energy();
+  placement_ = placement;
+  return report;
+}
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/green/rectangle.hpp"
+
+#include "green/boussinesq.hpp"
+
+#include <cmath>
+
+namespace brinell::green
+{
+namespace
+{
+
+/// a asinh(b/|a|), continued by zero to a = 0.
+double scaled_asinh(double a, double b)
+{
+  return a == 0.0 ? 0.0 : a * std::asinh(b / std::abs(a));
+}
+
+} // namespace
+
+double rectangle_displacement_corner(double X, double Y)
+{
+  return scaled_asinh(X, Y) + scaled_asinh(Y, X);
+}
+
+double rectangle_displacement(double x, double y, double dx, double dy)
+{
+  const double left = x - 0.5 * dx, right = x + 0.5 * dx;
+  const double front = y - 0.5 * dy, back = y + 0.5 * dy;
+  return rectangle_displacement_corner(right, back) - rectangle_displacement_corner(left, back) -
+         rectangle_displacement_corner(right, front) + rectangle_displacement_corner(left, front);
+}
+
+SymTensor rectangle_stress_corner(double X, double Y, double z, double nu)
+{
+  const double x2 = X * X, y2 = Y * Y, z2 = z * z;
+  const double rho = std::sqrt(x2 + y2 + z2);
+  BoussinesqTerms t;
+  t.v_z = -std::atan2(X * Y, z * rho);
+  // rho - z = (X^2 + Y^2)/(rho + z): both sides of the quotient are multiplied by rho + z.
+  t.chi_xx = std::atan2(X * Y * (x2 + y2), (x2 * rho + y2 * z) * (rho + z));
+  t.chi_xy = std::log(rho + z);
+  if (z > 0.0)
+  {
+    const double along_x = z / (rho * (x2 + z2));
+    const double along_y = z / (rho * (y2 + z2));
+    t.z_v_xx = -X * Y * along_x;
+    t.z_v_yy = -X * Y * along_y;
+    t.z_v_xz = -z * Y * along_x;
+    t.z_v_yz = -z * X * along_y;
+    t.z_v_xy = z / rho;
+  }
+  return boussinesq_stress(t, nu);
+}
+
+SymTensor rectangle_stress(double x, double y, double z, double dx, double dy, double nu)
+{
+  const double left = x - 0.5 * dx, right = x + 0.5 * dx;
+  const double front = y - 0.5 * dy, back = y + 0.5 * dy;
+  const SymTensor rb = rectangle_stress_corner(right, back, z, nu);
+  const SymTensor lb = rectangle_stress_corner(left, back, z, nu);
+  const SymTensor rf = rectangle_stress_corner(right, front, z, nu);
+  const SymTensor lf = rectangle_stress_corner(left, front, z, nu);
+  SymTensor stress;
+  for (std::size_t c = 0; c < stress.size(); ++c)
+    stress[c] = rb[c] - lb[c] - rf[c] + lf[c];
+  return stress;
+}
+
+} // namespace brinell::green

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/feasibility.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <unistd.h>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+constexpr double most_cells = 2e9; ///< beyond it indices of a grid would overflow; far beyond any machine
+
+/// "1.5 GB", "12 MB"
+std::string size_text(double bytes)
+{
+  constexpr std::array units{"kB", "MB", "GB", "TB"};
+  double value = bytes / 1e3;
+  std::size_t unit = 0;
+  for (; value >= 1000.0 && unit + 1 < units.size(); ++unit)
+    value /= 1e3;
+  return fmt::format("{:.3g} {}", value, units[unit]);
+}
+
+std::string duration_text(double seconds)
+{
+  if (seconds < 1.0)
+    return "less than a second";
+  if (seconds < 100.0)
+    return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000.0)
+    return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.0f} h", seconds / 3600.0);
+}
+
+/// Cells of one body's track, from the elastic contact: a lower bound, in doubles so that nothing overflows.
+double least_cells(const simulation::TuggingCase& t)
+{
+  const double a = std::sqrt(equivalent_radius(t) * t.interference);
+  const double separation = t.lower.radius + t.upper.radius - t.interference;
+  const double reach = std::sqrt(std::pow(t.lower.radius + t.upper.radius, 2) - separation * separation);
+  const double cell = a / t.resolution;
+  const Vector3 spacing = t.spacing.value_or(Vector3{cell, cell, cell});
+  return ((2.0 * a + reach) / spacing[0]) * (2.0 * a / spacing[1]) * (a / spacing[2]);
+}
+
+/// Seconds on one core, from measured runs: time per cell of the contact's box, per evaluation, growing as N log N.
+double rough_seconds(const simulation::TuggingCase& t, const simulation::TuggingPlan& plan)
+{
+  constexpr double evaluations = 12.0;             // per step
+  constexpr double seconds_per_cell_level = 5e-9;  // one cell, one evaluation, one level of the transforms
+  const double cells = 4.0 * static_cast<double>(plan.contact.size()) * std::max(plan.lower.nz, plan.upper.nz); // 4: zero padding
+  const int plastic_bodies = (t.lower.material.is_plastic() ? 1 : 0) + (t.upper.material.is_plastic() ? 1 : 0);
+  const double steps = static_cast<double>(plan.steps_per_pass) * t.passes;
+  return steps * (1 + plastic_bodies) * evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
+}
+
+std::string volume_text(const VolumeGrid& grid)
+{
+  return fmt::format("{} x {} x {} cells", grid.surface.nx, grid.surface.ny, grid.nz);
+}
+
+std::string critical_report(const Case& c)
+{
+  const auto& t = c.tugging;
+  std::string text = fmt::format("# Contact: E' = {:.6e} Pa, equivalent radius = {:.6e} m, interference = {:.6e} m\n",
+                                 contact_modulus(t), equivalent_radius(t), t.interference);
+  if (!c.first_yield)
+    return text + "# Both bodies stay elastic: there are no critical values.\n";
+  const auto& critical = c.first_yield->critical;
+  constexpr std::array bodies{"the lower body yields first", "the upper body yields first", "both bodies alike"};
+  text += fmt::format("# First yield ({}): C = {:.6f}, alpha_c = {:.6e} m, P_c = {:.6e} N, U_c = {:.6e} J,\n"
+                      "#   contact radius = {:.6e} m, peak pressure = {:.6e} Pa\n",
+                      bodies[static_cast<std::size_t>(c.first_yield->body)], critical.C, critical.interference, critical.load,
+                      critical.energy, critical.contact_radius, critical.peak_pressure);
+  return text + fmt::format("#   interference / alpha_c = {:.6g}\n", t.interference / critical.interference);
+}
+
+std::string plan_report(const Case& c, const simulation::TuggingPlan& plan)
+{
+  std::string text = fmt::format("# Motion: first touch at X = -{:.6e} m, {} steps per pass of {:.6e} m, {} pass{}\n",
+                                 plan.start_distance, plan.steps_per_pass, plan.shift, c.tugging.passes,
+                                 c.tugging.passes == 1 ? "" : "es");
+  text += fmt::format("# Cells: dx = {:.4e} m, dy = {:.4e} m, dz = {:.4e} m; elastic contact radius {:.4e} m\n",
+                      plan.contact.dx, plan.contact.dy, plan.lower.dz, plan.elastic_contact_radius);
+  text += fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx, plan.contact.ny,
+                      volume_text(plan.lower), volume_text(plan.upper));
+  return text
+         + fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(plan.memory_bytes),
+                       duration_text(rough_seconds(c.tugging, plan)));
+}
+
+} // namespace
+
+double machine_memory()
+{
+  double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  std::ifstream limit("/sys/fs/cgroup/memory.max"); // control groups v2; "max" if there is no limit
+  if (double group = 0.0; limit >> group)
+    bytes = std::min(bytes, group);
+  return bytes;
+}
+
+simulation::TuggingPlan plan_case(const Case& c, double available_memory)
+{
+  constexpr std::string_view advice = "allowed: larger cells, or a smaller interference";
+  if (const double cells = least_cells(c.tugging); !(cells < most_cells))
+    throw InputError(fmt::format("{} makes at least {:.1e} cells; {}", c.grid_source, cells, advice));
+  simulation::TuggingPlan plan;
+  try
+  {
+    plan = simulation::plan(c.tugging);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(fmt::format("{}: {}", c.grid_source, error.what()));
+  }
+  if (plan.memory_bytes > available_memory)
+    throw InputError(fmt::format("{} needs {} of memory, this machine has {}; {}", c.grid_source,
+                                 size_text(plan.memory_bytes), size_text(available_memory), advice));
+  return plan;
+}
+
+std::string check_report(const Case& c, const simulation::TuggingPlan& plan)
+{
+  return fmt::format("# Resolved case of {}\n{}\n{}{}", c.file.string(), resolved_text(c.values), critical_report(c),
+                     plan_report(c, plan));
+}
+
+} // namespace brinell::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <hdf5.h>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// The little of HDF5 that the results need: handles that close themselves, errors as exceptions.
+namespace brinell::io::h5
+{
+
+/// An HDF5 identifier and the function that closes it.
+class Handle
+{
+public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle(hid_t id, Close close) : m_id(id), m_close(close) {}
+  Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
+  Handle& operator=(Handle&& other) noexcept
+  {
+    std::swap(m_id, other.m_id);
+    std::swap(m_close, other.m_close);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle()
+  {
+    if (m_id >= 0)
+      m_close(m_id);
+  }
+  [[nodiscard]] hid_t id() const { return m_id; }
+
+private:
+  hid_t m_id;
+  Close m_close;
+};
+
+/// A new file, replacing what is there.
+/// @throws IoError (all of this header)
+[[nodiscard]] Handle create_file(const std::filesystem::path& path);
+[[nodiscard]] Handle open_file(const std::filesystem::path& path);
+/// Closes the file; unlike the destructor it reports data that could not be written.
+void close_file(Handle file);
+
+[[nodiscard]] Handle create_group(const Handle& parent, const std::string& name);
+[[nodiscard]] Handle open_group(const Handle& parent, const std::string& name);
+
+void write_attribute(const Handle& object, const char* name, std::string_view text);
+void write_attribute(const Handle& object, const char* name, double value);
+void write_attribute(const Handle& object, const char* name, int value);
+void write_attribute(const Handle& object, const char* name, std::span<const double> values);
+
+/// Writes doubles, compressed in chunks, with their unit and meaning.
+/// @param shape  slowest index first
+void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
+                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name);
+
+/// A link `name` in `group` to an object of another file, whose path is relative to the folder of this one.
+void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object);
+
+/// Copies a group from another file without decompressing it.
+void copy_group(const Handle& from, const std::string& object, const Handle& to, const std::string& name);
+
+} // namespace brinell::io::h5

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "raw_case.hpp"
+
+#include "brinell/io/schema.hpp"
+#include "suggestion.hpp"
+#include "value_text.hpp"
+
+#include <optional>
+#include <toml++/toml.h>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+constexpr std::size_t longest_shown = 60;
+
+std::string article(std::string_view noun) { return fmt::format("{} {}", noun.front() == 'i' ? "an" : "a", noun); }
+
+Raw raw_value(const toml::node& node)
+{
+  if (const auto* b = node.as_boolean())
+    return {b->get()};
+  if (const auto* i = node.as_integer())
+    return {i->get()};
+  if (const auto* x = node.as_floating_point())
+    return {x->get()};
+  if (const auto* s = node.as_string())
+    return {s->get()};
+  if (const auto* array = node.as_array())
+  {
+    std::vector<Raw> items;
+    for (const toml::node& item : *array)
+      items.push_back(raw_value(item));
+    return {std::move(items)};
+  }
+  return {Raw::Other{node.is_table() ? "table" : "date or time"}};
+}
+
+/// What a flattened tree is written into, and how it names its places.
+struct Target
+{
+  RawCase& raw_case;
+  Problems& problems;
+  std::string override_place; ///< empty for the file itself
+
+  [[nodiscard]] std::string place(const toml::source_region& region) const
+  {
+    if (!override_place.empty())
+      return override_place;
+    return region.begin ? fmt::format("{}:{}", raw_case.file, region.begin.line) : raw_case.file;
+  }
+};
+
+/// Walks a table; `prefix` is empty or ends with a dot.
+void flatten(const toml::table& table, const std::string& prefix, Target& target)
+{
+  for (const auto& [key, node] : table)
+  {
+    const std::string path = prefix + std::string(key.str());
+    const std::string place = target.place(key.source());
+    if (find_entry(path))
+      target.raw_case.values.insert_or_assign(path, Given{raw_value(node), place, !target.override_place.empty()});
+    else if (is_table(path) && node.is_table())
+    {
+      target.raw_case.tables.try_emplace(path, place);
+      flatten(*node.as_table(), path + ".", target);
+    }
+    else if (is_table(path))
+      target.problems.add(place, fmt::format("{} = {} is {}, but must be a table with the keys {}", path,
+                                             shown(raw_value(node)), type_name(raw_value(node)), known_keys(path)));
+    else if (node.is_table())
+      target.problems.add(place, fmt::format("unknown table {}; {}", path, suggestion(path)));
+    else
+      target.problems.add(place, fmt::format("unknown key {} = {}; {}", path, shown(raw_value(node)), suggestion(path)));
+  }
+}
+
+/// The value of an override as TOML; a bare word, or a bare quantity such as 3.85 mm, is a string.
+toml::table override_table(const std::string& value)
+{
+  try
+  {
+    toml::table parsed = toml::parse("value = " + value);
+    if (parsed.size() == 1)
+      return parsed;
+  }
+  catch (const toml::parse_error&)
+  {
+  }
+  toml::table text;
+  text.insert("value", value);
+  return text;
+}
+
+std::string trimmed(std::string_view text)
+{
+  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == text.npos ? "" : std::string(text.substr(first, last - first + 1));
+}
+
+/// A table given to --set replaces that table as a whole.
+void forget_table(RawCase& raw_case, const std::string& key)
+{
+  std::erase_if(raw_case.values, [&](const auto& item) { return item.first.starts_with(key + "."); });
+}
+
+void apply_override(const std::string& text, RawCase& raw_case, Problems& problems)
+{
+  Target target{raw_case, problems, "--set " + text};
+  const auto equals = text.find('=');
+  const std::string key = trimmed(std::string_view(text).substr(0, equals));
+  if (equals == text.npos || key.empty())
+  {
+    problems.add(target.override_place, "must have the form section.key=value, as in --set tugging.interference=4");
+    return;
+  }
+  toml::table parsed = override_table(trimmed(std::string_view(text).substr(equals + 1)));
+  const toml::node& node = *parsed.get("value");
+  if (node.is_table() && is_table(key))
+  {
+    forget_table(raw_case, key);
+    flatten(*node.as_table(), key + ".", target);
+    return;
+  }
+  toml::table wrapped; // the same checks as for a key of the file, whose last part alone is a key here
+  const auto dot = key.rfind('.');
+  wrapped.insert(dot == key.npos ? key : key.substr(dot + 1), node);
+  flatten(wrapped, dot == key.npos ? "" : key.substr(0, dot + 1), target);
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file)
+{
+  try
+  {
+    return toml::parse(text, file);
+  }
+  catch (const toml::parse_error& error)
+  {
+    const auto& position = error.source().begin;
+    throw InputError(
+        fmt::format("{}:{}:{}: not valid TOML: {}", file, position.line, position.column, error.description()));
+  }
+}
+
+} // namespace
+
+std::string type_name(const Raw& raw)
+{
+  constexpr std::array names{"boolean", "integer", "number", "string", "list"};
+  if (const auto* other = std::get_if<Raw::Other>(&raw.value))
+    return article(other->type);
+  return article(names[raw.value.index()]);
+}
+
+std::string shown(const Raw& raw)
+{
+  std::string text;
+  if (const auto* items = std::get_if<std::vector<Raw>>(&raw.value))
+  {
+    for (const Raw& item : *items)
+      text += (text.empty() ? "" : ", ") + shown(item);
+    text = "[" + text + "]";
+  }
+  else
+    std::visit(
+        [&](const auto& value)
+        {
+          using T = std::decay_t<decltype(value)>;
+          if constexpr (std::is_same_v<T, Raw::Other>)
+            text = "(" + value.type + ")";
+          else if constexpr (!std::is_same_v<T, std::vector<Raw>>)
+            text = toml_text(value);
+        },
+        raw.value);
+  return text.size() <= longest_shown ? text : text.substr(0, longest_shown - 3) + "...";
+}
+
+const Given* RawCase::find(std::string_view key) const
+{
+  const auto found = values.find(key);
+  return found == values.end() ? nullptr : &found->second;
+}
+
+std::string RawCase::place_for(std::string_view missing_key) const
+{
+  for (auto dot = missing_key.rfind('.'); dot != missing_key.npos; dot = missing_key.rfind('.', dot - 1))
+  {
+    if (const auto table = tables.find(missing_key.substr(0, dot)); table != tables.end())
+      return table->second;
+    if (dot == 0)
+      break;
+  }
+  return file;
+}
+
+RawCase read_raw_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                      Problems& problems)
+{
+  RawCase raw_case;
+  raw_case.file = file.string();
+  Target target{raw_case, problems, ""};
+  flatten(parse_toml(text, raw_case.file), "", target);
+  for (const std::string& item : overrides)
+    apply_override(item, raw_case, problems);
+  return raw_case;
+}
+
+} // namespace brinell::io

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/schema.hpp"
+#include "value_text.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+std::string quoted_list(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += fmt::format("{}\"{}\"", i == 0 ? "" : (i + 1 == words.size() ? " or " : ", "), words[i]);
+  return text;
+}
+
+std::string unit_note(Dimension dimension)
+{
+  if (dimension == dimension::none)
+    return "";
+  return fmt::format(", in {} or with a unit as in \"{}\"", si_unit(dimension), example_quantity(dimension));
+}
+
+std::string with_range(std::string text, const Range& range)
+{
+  const std::string interval = range.text();
+  return interval.empty() ? text : text + " " + interval;
+}
+
+/// The key inside its top-level table, and that table.
+std::string_view section(std::string_view key) { return key.find('.') == key.npos ? "" : key.substr(0, key.find('.')); }
+std::string_view tail(std::string_view key) { return key.find('.') == key.npos ? key : key.substr(key.find('.') + 1); }
+
+std::string default_text(const Entry& entry)
+{
+  if (entry.fallback)
+    return toml_text(*entry.fallback);
+  return entry.required ? "required" : entry.unset;
+}
+
+/// What cannot be said by type and range.
+std::string notes(const Entry& entry, std::string_view quote)
+{
+  std::string text;
+  // The scenario is the section's own condition: not repeated at each key.
+  if (!entry.when.key.empty() && entry.when.key != "scenario")
+    text += fmt::format(" Only with {0}{1}{0} = {2}.", quote, tail(entry.when.key), quoted_list(entry.when.values));
+  if (!entry.excludes.empty())
+    text += fmt::format(" Not together with {0}{1}{0}.", quote, tail(entry.excludes));
+  return text;
+}
+
+std::string section_note(std::string_view name)
+{
+  if (name == "lower")
+    return "The lower body. `[upper]`, the moving one, has the same keys.\n\n";
+  if (name == "grid")
+    return "Give `spacing` or `resolution`, or neither.\n\n";
+  if (name == "tugging")
+    return "With `scenario = \"tugging\"`.\n\n";
+  return "";
+}
+
+constexpr std::string_view markdown_head = R"(<!-- Written by `brinell schema --markdown`; do not edit. -->
+# The case file
+
+A case is a [TOML](https://toml.io) file. Dotted keys and tables mean the same: `lower.shape.radius = 1` is
+`[lower]` with `shape = {radius = 1}`.
+
+**Units.** A bare number is SI. A string carries its unit: `"3.85 mm"`, `"200 GPa"`, `"911.5 N/mm^2"`, `"2 µm"`.
+Units are products of m, g, s, K, N, Pa, bar, J, W with the prefixes p n u (or µ) c m k M G T, `*` or a space between,
+`/` before each one that divides. A quantity of the wrong dimension is an error.
+
+**Errors.** Unknown keys, missing keys, wrong types and impossible values are errors, all reported at once with file and line.
+
+**Command line.** `--set key=value` replaces or adds a key, as in `--set tugging.interference=4 --set lower.shape.radius="2 mm"`.
+Where it excludes a key of the file (`grid.resolution` for `grid.spacing`) or makes it pointless
+(`lower.material.hardening.law=none`), that key of the file is ignored.
+
+`brinell check case.toml` prints the case with all defaults filled in.
+)";
+
+} // namespace
+
+std::string Range::text() const
+{
+  const bool low = std::isfinite(min), high = std::isfinite(max);
+  if (low && high)
+    return fmt::format("in {}{}, {}{}", min_allowed ? '[' : '(', min, max, max_allowed ? ']' : ')');
+  if (low)
+    return fmt::format("{} {}", min_allowed ? ">=" : ">", min);
+  return high ? fmt::format("{} {}", max_allowed ? "<=" : "<", max) : "";
+}
+
+bool Range::contains(double x) const
+{
+  if (!std::isfinite(x))
+    return false;
+  return (min_allowed ? x >= min : x > min) && (max_allowed ? x <= max : x < max);
+}
+
+std::string allowed_values(const Entry& entry)
+{
+  const bool pure = entry.dimension == dimension::none;
+  switch (entry.type)
+  {
+  case Type::text: return "text";
+  case Type::choice: return quoted_list(entry.choices);
+  case Type::boolean: return "true or false";
+  case Type::integer: return with_range("integer", entry.range);
+  case Type::number:
+    return with_range(pure ? "number" : dimension_name(entry.dimension), entry.range) + unit_note(entry.dimension)
+           + (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
+  case Type::vector3:
+    return with_range(fmt::format("three {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range)
+           + unit_note(entry.dimension);
+  case Type::snapshots: return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";
+  }
+  return "";
+}
+
+std::string schema_text()
+{
+  std::string text;
+  for (const Entry& entry : case_schema())
+  {
+    const std::string preset = default_text(entry);
+    text += fmt::format("{}\n    {}\n    {}{}\n    {}{}\n\n", entry.key, allowed_values(entry),
+                        entry.required ? "" : "default: ", preset, entry.text, notes(entry, ""));
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string schema_markdown()
+{
+  std::string text(markdown_head);
+  std::string_view current = "-";
+  for (const Entry& entry : case_schema())
+  {
+    const auto name = section(entry.key);
+    if (name == "upper")
+      continue;
+    if (name != current)
+    {
+      text += name.empty() ? std::string("\n## Top of the file\n\n") : fmt::format("\n## `[{}]`\n\n", name);
+      text += section_note(name);
+      text += "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
+    }
+    current = name;
+    const std::string preset = default_text(entry);
+    text += fmt::format("| `{}` | {} | {} | {}{} |\n", tail(entry.key), allowed_values(entry),
+                        entry.fallback ? fmt::format("`{}`", preset) : preset, entry.text, notes(entry, "`"));
+  }
+  return text;
+}
+
+} // namespace brinell::io

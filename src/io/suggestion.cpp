@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "suggestion.hpp"
+
+#include "brinell/io/schema.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+/// Key and its table.
+std::pair<std::string_view, std::string_view> split(std::string_view key)
+{
+  const auto dot = key.rfind('.');
+  return dot == key.npos ? std::pair{std::string_view{}, key} : std::pair{key.substr(0, dot), key.substr(dot + 1)};
+}
+
+std::vector<std::string> children(std::string_view parent)
+{
+  std::vector<std::string> names;
+  const std::string prefix = parent.empty() ? "" : fmt::format("{}.", parent);
+  for (const Entry& entry : case_schema())
+  {
+    if (!entry.key.starts_with(prefix))
+      continue;
+    std::string name = entry.key.substr(prefix.size());
+    name = name.substr(0, name.find('.'));
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  }
+  return names;
+}
+
+/// The word that is near enough to be what was meant.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates)
+{
+  for (const auto& candidate : candidates) // "poisson" for "poisson_ratio"
+    if (word.size() > 2 && (candidate.starts_with(word) || candidate.ends_with(word)))
+      return candidate;
+  std::string best;
+  int best_distance = std::max(2, static_cast<int>(word.size()) / 3) + 1;
+  for (const auto& candidate : candidates)
+    if (const int distance = edit_distance(word, candidate); distance < best_distance)
+    {
+      best = candidate;
+      best_distance = distance;
+    }
+  return best;
+}
+
+/// A key of that name in some other table, as close to the root of the unknown one as there is.
+std::string misplaced(std::string_view key)
+{
+  const auto name = split(key).second;
+  std::string found;
+  for (const Entry& entry : case_schema())
+  {
+    const bool same_top = entry.key.substr(0, entry.key.find('.')) == key.substr(0, key.find('.'));
+    if (split(entry.key).second == name && (found.empty() || same_top))
+    {
+      found = entry.key;
+      if (same_top)
+        break;
+    }
+  }
+  return found;
+}
+
+} // namespace
+
+int edit_distance(std::string_view a, std::string_view b)
+{
+  const std::size_t n = a.size(), m = b.size();
+  std::vector<std::vector<int>> d(n + 1, std::vector<int>(m + 1));
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t j = 0; j <= m; ++j)
+    {
+      if (i == 0 || j == 0)
+      {
+        d[i][j] = static_cast<int>(i + j);
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[n][m];
+}
+
+std::string known_keys(std::string_view parent) { return fmt::format("{}", fmt::join(children(parent), ", ")); }
+
+std::string suggestion(std::string_view unknown_key)
+{
+  const auto [parent, name] = split(unknown_key);
+  if (!parent.empty() && !is_table(parent)) // the mistake is further up
+    return suggestion(parent);
+  const std::string near = nearest(name, children(parent));
+  if (!near.empty())
+    return fmt::format("did you mean {}{}{}?", parent, parent.empty() ? "" : ".", near);
+  if (const std::string elsewhere = misplaced(unknown_key); !elsewhere.empty())
+    return fmt::format("did you mean {}?", elsewhere);
+  return fmt::format("allowed {}: {}", parent.empty() ? "here" : fmt::format("in {}", parent), known_keys(parent));
+}
+
+} // namespace brinell::io

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/units.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+/// A unit is 10^power of the SI unit of its dimension.
+struct Unit
+{
+  std::string_view symbol;
+  Dimension dimension;
+  int power = 0;
+  bool prefixed = true; ///< may carry a prefix
+};
+
+constexpr std::array units{
+    Unit{"m", {.length = 1}},
+    Unit{"g", {.mass = 1}, -3},
+    Unit{"s", {.time = 1}},
+    Unit{"K", {.temperature = 1}},
+    Unit{"N", {.mass = 1, .length = 1, .time = -2}},
+    Unit{"Pa", {.mass = 1, .length = -1, .time = -2}},
+    Unit{"bar", {.mass = 1, .length = -1, .time = -2}, 5},
+    Unit{"J", {.mass = 1, .length = 2, .time = -2}},
+    Unit{"W", {.mass = 1, .length = 2, .time = -3}},
+    Unit{"%", {}, -2, false},
+};
+
+struct Prefix
+{
+  std::string_view symbol;
+  int power;
+};
+
+constexpr std::array prefixes{
+    Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"\u00b5", -6}, Prefix{"\u03bc", -6}, Prefix{"m", -3},
+    Prefix{"c", -2},  Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9},       Prefix{"T", 12},
+};
+
+struct NamedDimension
+{
+  Dimension dimension;
+  std::string_view name, unit, example;
+};
+
+constexpr std::array named_dimensions{
+    NamedDimension{{}, "pure number", "", "0.3"},
+    NamedDimension{{.length = 1}, "length", "m", "3.85 mm"},
+    NamedDimension{{.length = 2}, "area", "m^2", "2 mm^2"},
+    NamedDimension{{.mass = 1, .length = -1, .time = -2}, "pressure", "Pa", "200 GPa"},
+    NamedDimension{{.mass = 1, .length = 1, .time = -2}, "force", "N", "10 kN"},
+    NamedDimension{{.mass = 1, .length = 2, .time = -2}, "energy", "J", "3 J"},
+    NamedDimension{{.mass = 1}, "mass", "kg", "1 kg"},
+    NamedDimension{{.time = 1}, "time", "s", "2 ms"},
+    NamedDimension{{.length = 1, .time = -1}, "velocity", "m/s", "3 m/s"},
+    NamedDimension{{.temperature = 1}, "temperature", "K", "300 K"},
+};
+
+const NamedDimension* find(Dimension dimension)
+{
+  for (const auto& named : named_dimensions)
+    if (named.dimension == dimension)
+      return &named;
+  return nullptr;
+}
+
+std::string base_units(Dimension d)
+{
+  std::string text;
+  const auto add = [&](std::string_view symbol, int exponent)
+  {
+    if (exponent == 0)
+      return;
+    text += text.empty() ? "" : " ";
+    text += exponent == 1 ? std::string(symbol) : fmt::format("{}^{}", symbol, exponent);
+  };
+  add("kg", d.mass);
+  add("m", d.length);
+  add("s", d.time);
+  add("K", d.temperature);
+  return text;
+}
+
+std::optional<Unit> find_unit(std::string_view symbol)
+{
+  for (const Unit& unit : units) // exact names first: "m" is a metre, "Pa" not a pico-something
+    if (unit.symbol == symbol)
+      return unit;
+  for (const Prefix& prefix : prefixes)
+    for (const Unit& unit : units)
+      if (unit.prefixed && symbol.size() == prefix.symbol.size() + unit.symbol.size() && symbol.starts_with(prefix.symbol)
+          && symbol.ends_with(unit.symbol))
+        return Unit{symbol, unit.dimension, unit.power + prefix.power};
+  return std::nullopt;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+void skip_spaces(std::string_view& text)
+{
+  while (text.starts_with(' ') || text.starts_with('\t'))
+    text.remove_prefix(1);
+}
+
+/// Takes the longest number off the front; split into mantissa and decimal exponent.
+struct Number
+{
+  std::string mantissa;
+  int exponent = 0;
+};
+
+std::optional<Number> take_number(std::string_view& text)
+{
+  std::string_view rest = text;
+  Number number;
+  if (rest.starts_with('+') || rest.starts_with('-'))
+  {
+    if (rest.front() == '-')
+      number.mantissa = "-";
+    rest.remove_prefix(1);
+  }
+  bool has_digit = false;
+  for (bool has_point = false; !rest.empty(); rest.remove_prefix(1))
+  {
+    const char c = rest.front();
+    if (!is_digit(c) && (c != '.' || has_point))
+      break;
+    has_point = has_point || c == '.';
+    has_digit = has_digit || is_digit(c);
+    number.mantissa += c;
+  }
+  if (!has_digit)
+    return std::nullopt;
+  if (rest.size() > 1 && (rest[0] == 'e' || rest[0] == 'E'))
+  {
+    const char* first = rest.data() + (rest[1] == '+' ? 2 : 1);
+    const auto [end, error] = std::from_chars(first, rest.data() + rest.size(), number.exponent);
+    if (error == std::errc{} && std::abs(number.exponent) < 10000)
+      rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    else
+      return std::nullopt;
+  }
+  text = rest;
+  return number;
+}
+
+/// Exponent behind a unit: "^2", "^-1", "2", a superscript; 1 if there is none.
+int take_exponent(std::string_view& text)
+{
+  if (text.starts_with("\u00b2") || text.starts_with("\u00b3")) // superscript 2, 3
+  {
+    const int exponent = text.starts_with("\u00b2") ? 2 : 3;
+    text.remove_prefix(2);
+    return exponent;
+  }
+  std::string_view digits = text.starts_with('^') ? text.substr(1) : text;
+  int exponent = 1;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  if (error != std::errc{})
+    return 1;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return exponent;
+}
+
+std::string_view take_symbol(std::string_view& text)
+{
+  std::size_t n = 0;
+  while (n < text.size() && std::string_view("*/^ \t-+.0123456789").find(text[n]) == std::string_view::npos
+         && !text.substr(n).starts_with("\u00b7") && !text.substr(n).starts_with("\u00b2")
+         && !text.substr(n).starts_with("\u00b3"))
+    ++n;
+  const auto symbol = text.substr(0, n);
+  text.remove_prefix(n);
+  return symbol;
+}
+
+void multiply(Unit& product, const Unit& factor, int exponent)
+{
+  product.power += factor.power * exponent;
+  product.dimension.mass += factor.dimension.mass * exponent;
+  product.dimension.length += factor.dimension.length * exponent;
+  product.dimension.time += factor.dimension.time * exponent;
+  product.dimension.temperature += factor.dimension.temperature * exponent;
+}
+
+/// Products and quotients of units; each "/" concerns the one unit behind it.
+Unit unit_expression(std::string_view text)
+{
+  const std::string_view whole = text;
+  const auto bad = [&](std::string_view what)
+  { return InputError(fmt::format("has the {} \"{}\"; known are m, g, s, K, N, Pa, bar, J, W with the prefixes p n u c m k M G T, "
+                                  "as in \"mm\", \"GPa\", \"N/mm^2\"",
+                                  what, whole)); };
+  Unit product;
+  int sign = 1;
+  while (true)
+  {
+    skip_spaces(text);
+    const auto symbol = take_symbol(text);
+    const auto unit = find_unit(symbol);
+    if (!unit)
+      throw bad("unknown unit");
+    const int exponent = take_exponent(text);
+    if (std::abs(exponent) > 9)
+      throw bad("impossible unit");
+    multiply(product, *unit, sign * exponent);
+    skip_spaces(text);
+    if (text.empty())
+      return product;
+    sign = text.starts_with('/') ? -1 : 1;
+    if (text.starts_with('/') || text.starts_with('*'))
+      text.remove_prefix(1);
+    else if (text.starts_with("\u00b7")) // middle dot
+      text.remove_prefix(2);
+  }
+}
+
+} // namespace
+
+std::string dimension_name(Dimension dimension)
+{
+  const auto* named = find(dimension);
+  return named ? std::string(named->name) : "quantity in " + base_units(dimension);
+}
+
+std::string si_unit(Dimension dimension)
+{
+  const auto* named = find(dimension);
+  return named ? std::string(named->unit) : base_units(dimension);
+}
+
+std::string_view example_quantity(Dimension dimension)
+{
+  const auto* named = find(dimension);
+  return named ? named->example : std::string_view{};
+}
+
+Quantity quantity(std::string_view text)
+{
+  skip_spaces(text);
+  const auto number = take_number(text);
+  if (!number)
+    throw InputError("is not a number with a unit, such as \"3.85 mm\"");
+  skip_spaces(text);
+  while (text.ends_with(' ') || text.ends_with('\t'))
+    text.remove_suffix(1);
+  const Unit unit = text.empty() ? Unit{} : unit_expression(text);
+  const std::string decimal = fmt::format("{}e{}", number->mantissa, number->exponent + unit.power);
+  Quantity result{0.0, unit.dimension};
+  const auto [end, error] = std::from_chars(decimal.data(), decimal.data() + decimal.size(), result.value);
+  if (error != std::errc{} || end != decimal.data() + decimal.size())
+    throw InputError("is too large or too small for a number");
+  return result;
+}
+
+} // namespace brinell::io

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "value_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+template <class... Ts>
+struct Overload : Ts...
+{
+  using Ts::operator()...;
+};
+
+/// A TOML float needs a point or an exponent, else it is an integer; fmt's "1" would change the type.
+std::string number_text(double x)
+{
+  const std::string text = fmt::format("{}", x);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string rule_word(const SnapshotRule& rule)
+{
+  switch (rule.kind)
+  {
+  case SnapshotRule::Kind::none: return "none";
+  case SnapshotRule::Kind::aligned: return "aligned";
+  case SnapshotRule::Kind::all: return "all";
+  default: return fmt::format("every {}", rule.every);
+  }
+}
+
+} // namespace
+
+std::string toml_string(std::string_view text)
+{
+  std::string result = "\"";
+  for (const char c : text)
+  {
+    if (c == '"' || c == '\\')
+      (result += '\\') += c;
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      result += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    else
+      result += c;
+  }
+  return result + '"';
+}
+
+std::string toml_text(const Value& value)
+{
+  return std::visit(
+      Overload{[](bool b) { return std::string(b ? "true" : "false"); },
+               [](std::int64_t i) { return fmt::format("{}", i); },
+               [](double x) { return number_text(x); },
+               [](const std::string& s) { return toml_string(s); },
+               [](const Vector3& v)
+               { return fmt::format("[{}, {}, {}]", number_text(v[0]), number_text(v[1]), number_text(v[2])); },
+               [](const SnapshotRule& rule)
+               {
+                 return rule.kind == SnapshotRule::Kind::listed ? fmt::format("[{}]", fmt::join(rule.steps, ", "))
+                                                                : toml_string(rule_word(rule));
+               }},
+      value);
+}
+
+nlohmann::ordered_json json_value(const Value& value)
+{
+  using Json = nlohmann::ordered_json;
+  return std::visit(Overload{[](const SnapshotRule& rule)
+                             { return rule.kind == SnapshotRule::Kind::listed ? Json(rule.steps) : Json(rule_word(rule)); },
+                             [](const auto& plain) { return Json(plain); }},
+                    value);
+}
+
+} // namespace brinell::io

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/versions.hpp"
+
+#include "brinell/version.hpp"
+
+#include <fftw3.h>
+#include <fmt/format.h>
+#include <hdf5.h>
+
+namespace brinell::io
+{
+
+Versions library_versions()
+{
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return {.brinell = std::string(version),
+          .git_hash = std::string(git_hash),
+          .fftw = fftw_version,
+          .hdf5 = fmt::format("{}.{}.{}", major, minor, release)};
+}
+
+} // namespace brinell::io

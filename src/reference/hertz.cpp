@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/reference/hertz.hpp"
+
+#include "reference/bisection.hpp"
+#include "reference/require.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace brinell::reference
+{
+namespace
+{
+
+using std::numbers::pi;
+
+PointContact point_contact(double radius, double contact_modulus, double contact_radius)
+{
+  const double a = contact_radius;
+  return {.load = 4.0 / 3.0 * contact_modulus * a * a * a / radius,
+          .approach = a * a / radius,
+          .contact_radius = a,
+          .peak_pressure = 2.0 * contact_modulus * a / (pi * radius)};
+}
+
+/// Complete elliptic integrals K and D = (K - E)/k^2 as functions of k' = sqrt(1 - k^2).
+struct EllipticIntegrals
+{
+  double K, D;
+};
+
+/// Arithmetic-geometric mean (Abramowitz & Stegun 1964, 17.6). D comes without the cancellation of K - E at small k, nor
+/// k from k' at large k, as std::comp_ellint_2(k) would have it.
+EllipticIntegrals elliptic_integrals(double k_prime)
+{
+  double a = 0.5 * (1.0 + k_prime), b = std::sqrt(k_prime);
+  double c = 0.5 * (1.0 - k_prime);
+  double c_over_k = 0.5 * std::sqrt((1.0 - k_prime) / (1.0 + k_prime)); // k^2 = (1 - k')(1 + k')
+  double weight = 2.0, sum = 1.0;
+  while (weight * c_over_k * c_over_k > 1e-17 * sum)
+  {
+    sum += weight * c_over_k * c_over_k;
+    weight *= 2.0;
+    const double next = c * c_over_k / (4.0 * 0.5 * (a + b)); // c_{n+1} = c_n^2/(4 a_{n+1})
+    c = c * c / (4.0 * 0.5 * (a + b));
+    c_over_k = next;
+    a = std::exchange(b, std::sqrt(a * b)) * 0.5 + 0.5 * a;
+  }
+  const double K = pi / (2.0 * a);
+  return {.K = K, .D = 0.5 * K * sum};
+}
+
+/// Shape of the ellipse for a ratio of the radii of curvature >= 1: k' = b/a <= 1 and its integrals.
+struct EllipseShape
+{
+  double axis_ratio;
+  EllipticIntegrals integrals;
+};
+
+/// Solves R_long/R_short = (K - D)/(k'^2 D), Johnson 1985, Eq. 4.28; the right side falls with k'.
+EllipseShape ellipse_shape(double radius_ratio)
+{
+  const auto excess = [radius_ratio](double log_axis_ratio) {
+    const double k_prime = std::exp(log_axis_ratio);
+    const auto [K, D] = elliptic_integrals(k_prime);
+    return (K - D) / (k_prime * k_prime * D) - radius_ratio;
+  };
+  const double k_prime = std::exp(bisected_root(excess, -std::log(radius_ratio), 0.0));
+  return {k_prime, elliptic_integrals(k_prime)};
+}
+
+EllipseShape ellipse_shape(double radius_x, double radius_y)
+{
+  return radius_x > radius_y ? ellipse_shape(radius_x / radius_y) : ellipse_shape(radius_y / radius_x);
+}
+
+/// The contact with a long semi-axis a: p0 = E' a^2/(b D 2 R_long), approach = p0 b K/E' (Johnson 1985, Eqs. 4.26-4.29).
+EllipticalContact elliptical_contact(double radius_x, double radius_y, double contact_modulus,
+                                     const EllipseShape& shape, double a)
+{
+  const double b = a * shape.axis_ratio;
+  const double p0 = contact_modulus * a * a / (2.0 * b * shape.integrals.D * std::max(radius_x, radius_y));
+  const bool along_x = radius_x >= radius_y;
+  return {.load = 2.0 / 3.0 * pi * a * b * p0,
+          .approach = p0 * b * shape.integrals.K / contact_modulus,
+          .semi_axis_x = along_x ? a : b,
+          .semi_axis_y = along_x ? b : a,
+          .peak_pressure = p0};
+}
+
+void require_contact(double radius_x, double radius_y, double contact_modulus)
+{
+  require_positive(radius_x, "radius");
+  require_positive(radius_y, "radius");
+  require_positive(contact_modulus, "contact modulus");
+}
+
+/// Oblate spheroidal coordinates, both >= 0, of a point r, z in units of the contact radius.
+std::pair<double, double> spheroidal(double r2, double z)
+{
+  const double A = r2 + z * z - 1.0;
+  const double S = std::hypot(A, 2.0 * z);
+  if (A > 0.0)
+  {
+    const double xi = std::sqrt(0.5 * (S + A));
+    return {xi, z / xi};
+  }
+  const double eta = std::sqrt(0.5 * (S - A));
+  return {eta > 0.0 ? z / eta : 0.0, eta};
+}
+
+} // namespace
+
+PointContact point_contact_at_load(double radius, double contact_modulus, double load)
+{
+  require_contact(radius, radius, contact_modulus);
+  require_not_negative(load, "load");
+  return point_contact(radius, contact_modulus, std::cbrt(0.75 * load * radius / contact_modulus));
+}
+
+PointContact point_contact_at_approach(double radius, double contact_modulus, double approach)
+{
+  require_contact(radius, radius, contact_modulus);
+  require_not_negative(approach, "approach");
+  return point_contact(radius, contact_modulus, std::sqrt(radius * approach));
+}
+
+EllipticalContact elliptical_contact_at_load(double radius_x, double radius_y, double contact_modulus, double load)
+{
+  require_contact(radius_x, radius_y, contact_modulus);
+  require_not_negative(load, "load");
+  const EllipseShape shape = ellipse_shape(radius_x, radius_y);
+  const double R = std::max(radius_x, radius_y);
+  const double a = std::cbrt(3.0 * load * shape.integrals.D * R / (pi * contact_modulus));
+  return elliptical_contact(radius_x, radius_y, contact_modulus, shape, a);
+}
+
+EllipticalContact elliptical_contact_at_approach(double radius_x, double radius_y, double contact_modulus,
+                                                 double approach)
+{
+  require_contact(radius_x, radius_y, contact_modulus);
+  require_not_negative(approach, "approach");
+  const EllipseShape shape = ellipse_shape(radius_x, radius_y);
+  const double R = std::max(radius_x, radius_y);
+  const double a = std::sqrt(2.0 * R * approach * shape.integrals.D / shape.integrals.K);
+  return elliptical_contact(radius_x, radius_y, contact_modulus, shape, a);
+}
+
+SymTensor point_contact_stress(double x, double y, double z, double contact_radius, double peak_pressure,
+                               double poisson_ratio)
+{
+  const double nu = poisson_ratio;
+  const double r = std::hypot(x, y);
+  const auto [xi, eta] = spheroidal(r * r / (contact_radius * contact_radius), z / contact_radius);
+  const double sum = xi * xi + eta * eta;
+  const double inverse = sum > 0.0 ? 1.0 / sum : 0.0; // zero on the rim, where numerators vanish faster
+  const double spread = 1.0 / (1.0 + xi * xi);
+  const double q = (1.0 - 2.0 * nu) / 3.0 * (1.0 + eta + eta * eta) * spread / (1.0 + eta);
+  const double w = (1.0 - nu) * xi * xi * spread, acot = (1.0 + nu) * xi * std::atan2(1.0, xi);
+  const double normal = peak_pressure * -eta * eta * eta * inverse;
+  const double radial = peak_pressure * (q + eta * (w + acot - 2.0)) - normal;
+  const double hoop = peak_pressure * (-q - eta * (2.0 * nu + w - acot));
+  const double shear = -peak_pressure * xi * eta * eta * inverse * spread / contact_radius; // sigma_rz / r
+
+  const double c = r > 0.0 ? x / r : 1.0, s = r > 0.0 ? y / r : 0.0;
+  return {radial * c * c + hoop * s * s, radial * s * s + hoop * c * c, normal, shear * y, shear * x,
+          (radial - hoop) * c * s};
+}
+
+FirstYield first_yield(double poisson_ratio)
+{
+  require_within(poisson_ratio, -1e-300, 0.5, "Poisson's ratio");
+  const double g = 1.0 + poisson_ratio;
+  const auto slope = [g](double s) {
+    const double f = 1.0 / (1.0 + s * s);
+    return g * (std::atan2(1.0, s) - s * f) - 3.0 * s * f * f;
+  };
+  const double s = bisected_root(slope, 0.0, 1.0);
+  const double largest = 1.5 / (1.0 + s * s) - g * (1.0 - s * std::atan2(1.0, s));
+  return {.pressure_ratio = 1.0 / largest, .depth_ratio = s};
+}
+
+} // namespace brinell::reference

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// Central difference along one direction, one-sided at the edge of the grid.
+double slope(std::span<const double> field, int index, int stride, int position, int count, double spacing)
+{
+  const int low = position > 0 ? index - stride : index;
+  const int high = position < count - 1 ? index + stride : index;
+  if (low == high)
+    return 0.0;
+  const double cells = static_cast<double>(high - low) / stride;
+  return (field[static_cast<std::size_t>(high)] - field[static_cast<std::size_t>(low)]) / (cells * spacing);
+}
+
+} // namespace
+
+Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure, double theta,
+                      const ResidualSurface& lower, const ResidualSurface& upper)
+{
+  Forces f;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+    {
+      const int n = i + grid.nx * j;
+      const double p = pressure[static_cast<std::size_t>(n)] * grid.cell_area();
+      if (p == 0.0)
+        continue;
+      const double lower_x = slope(lower.displacement, n, 1, i, grid.nx, grid.dx);
+      const double upper_x = slope(upper.displacement, n, 1, i, grid.nx, grid.dx);
+      const double lower_y = slope(lower.displacement, n, grid.nx, j, grid.ny, grid.dy);
+      const double upper_y = slope(upper.displacement, n, grid.nx, j, grid.ny, grid.dy);
+      // The upper body's displacement points the other way, so its slope enters the common plane with a minus.
+      const double tilt_x = std::atan(lower.share * lower_x - upper.share * upper_x);
+      const double tilt_y = std::atan(lower.share * lower_y - upper.share * upper_y);
+      f.F_n += p;
+      f.F_X -= p * std::sin(theta + tilt_x);
+      f.F_Y -= p * std::sin(tilt_y);
+      f.F_Z += p * std::cos(theta + tilt_x) * std::cos(tilt_y);
+      f.F_X_lower -= p * std::sin(theta + std::atan(lower_x));
+      f.F_X_upper -= p * std::sin(theta - std::atan(upper_x));
+    }
+  f.F_X_macro = -f.F_n * std::sin(theta);
+  f.F_Z_macro = f.F_n * std::cos(theta);
+  return f;
+}
+
+} // namespace brinell::simulation

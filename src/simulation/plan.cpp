@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/foundation/fft.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+// Extent of the grids in elastic contact radii. Fully plastic spheres reach about 1.15 elastic radii; the plastic zone
+// stays within 1.3 of them sideways and above 1.6 in depth up to interferences of some tens of alpha_c.
+constexpr double contact_extent_x = 2.0;
+constexpr double contact_extent_y = 1.5;
+constexpr double depth_extent = 1.85;
+constexpr double track_extent = 1.6;
+constexpr int track_margin = 4; ///< cells: material pushed ahead
+
+/// Half-width in whole cells around a central one that covers `length`.
+int half_cells(double length, double cell)
+{
+  return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
+}
+
+double equivalent_radius(const TuggingCase& tugging)
+{
+  return 1.0 / (1.0 / tugging.lower.radius + 1.0 / tugging.upper.radius);
+}
+
+/// Farthest place from the top of a body that the contact's edge passes, from first touch to alignment.
+double track_half_length(const TuggingCase& tugging, double radius, double angle_at_touch)
+{
+  const double sum = tugging.lower.radius + tugging.upper.radius;
+  const double separation = sum - tugging.interference;
+  double farthest = 0.0;
+  constexpr int samples = 200;
+  for (int i = 0; i <= samples; ++i)
+  {
+    const double theta = angle_at_touch * i / samples;
+    const double interference = std::max(0.0, sum - separation / std::cos(theta));
+    farthest = std::max(farthest,
+                        radius * theta + track_extent * std::sqrt(equivalent_radius(tugging) * interference));
+  }
+  return farthest;
+}
+
+VolumeGrid material_grid(const TuggingCase& tugging, const SurfaceGrid& contact, double radius, double angle, double dz,
+                         double contact_radius)
+{
+  VolumeGrid grid;
+  grid.surface = contact;
+  grid.surface.nx =
+      2 * (half_cells(track_half_length(tugging, radius, angle), contact.dx) + track_margin) + 1;
+  grid.nz = static_cast<int>(std::ceil(depth_extent * contact_radius / dz - 1e-9));
+  grid.dz = dz;
+  return grid;
+}
+
+/// Bytes of one body: spectra of strain and stress, kernels, state and trial fields, accelerator.
+double body_bytes(const VolumeGrid& grid, int anderson_depth)
+{
+  const double padded = static_cast<double>(fast_length(2 * grid.surface.nx - 1)) *
+                        fast_length(2 * grid.surface.ny - 1) * grid.nz * sizeof(double);
+  const double cells = static_cast<double>(grid.size()) * sizeof(double);
+  const double active_share = 0.25;
+  return padded * (2 * 5 + 6.0 / 4.0) + cells * (6 * 5 + 4 + active_share * 5 * (2 * anderson_depth + 4));
+}
+
+} // namespace
+
+int relative_cells(const TuggingCase& tugging, double dx)
+{
+  const double shift = tugging.shift.value_or(dx);
+  const double cells = 2.0 * shift / dx;
+  const int whole = static_cast<int>(std::lround(cells));
+  if (whole < 1 || std::abs(cells - whole) > 1e-6 * cells)
+    throw InputError(fmt::format("tugging.shift = {:g} m is {:g} cells of dx = {:g} m; allowed are whole multiples of "
+                                 "half a cell, so that the strain of both bodies is carried along without interpolation",
+                                 shift, shift / dx, dx));
+  return whole;
+}
+
+TuggingPlan plan(const TuggingCase& tugging)
+{
+  TuggingPlan plan;
+  plan.elastic_contact_radius = std::sqrt(equivalent_radius(tugging) * tugging.interference);
+  const double a = plan.elastic_contact_radius;
+  const double cell = a / tugging.resolution;
+  const std::array<double, 3> spacing = tugging.spacing.value_or(std::array<double, 3>{cell, cell, 0.5 * cell});
+  const auto [dx, dy, dz] = spacing;
+  constexpr double most_cells = 1e5;
+  if (const double finest = std::min({dx, dy, dz}); a / finest > most_cells)
+    throw InputError(fmt::format("grid: cells of {:g} m are too small for a contact radius of {:g} m", finest, a));
+  plan.contact = {2 * half_cells(contact_extent_x * a, dx) + 1, 2 * half_cells(contact_extent_y * a, dy) + 1, dx, dy};
+  const int cells = relative_cells(tugging, dx);
+  const Passing passing(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells * dx,
+                        tugging.kinematics);
+  plan.lower = material_grid(tugging, plan.contact, tugging.lower.radius, passing.angle_at_touch(), dz, a);
+  plan.upper = material_grid(tugging, plan.contact, tugging.upper.radius, passing.angle_at_touch(), dz, a);
+  plan.steps_per_pass = passing.step_count();
+  plan.shift = 0.5 * cells * dx;
+  plan.start_distance = passing.start_distance();
+  plan.memory_bytes =
+      body_bytes(plan.lower, tugging.solver.anderson_depth) + body_bytes(plan.upper, tugging.solver.anderson_depth);
+  return plan;
+}
+
+} // namespace brinell::simulation

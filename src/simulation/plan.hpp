@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/tugging.hpp"
+
+namespace brinell::simulation
+{
+
+/// Cells by which the bodies move against each other per step.
+/// @throws InputError if the shift is no whole multiple of dx / 2.
+[[nodiscard]] int relative_cells(const TuggingCase& tugging, double dx);
+
+} // namespace brinell::simulation

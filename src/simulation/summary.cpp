@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::simulation
+{
+
+void Summariser::add(StepRecord record)
+{
+  const bool continues = record.step > 0 && record.pass == last_.pass;
+  record.work = last_.work;
+  if (continues)
+    record.work += 0.5 * (record.F_X + last_.F_X) * (record.X - last_.X);
+  ++summary_.steps;
+  summary_.iterations += record.iterations;
+  if (record.F_X > summary_.peak_F_X)
+  {
+    summary_.peak_F_X = record.F_X;
+    summary_.X_at_peak_F_X = record.X;
+  }
+  summary_.min_F_X = std::min(summary_.min_F_X, record.F_X);
+  summary_.peak_F_Z = std::max(summary_.peak_F_Z, record.F_Z);
+  if (record.F_Z > 0.0)
+    summary_.load_ratio_end = record.F_X / record.F_Z;
+  if (continues && record.pass == 0 && last_.X < 0.0 && record.X >= 0.0)
+    at_alignment(last_, record);
+  largest_work_ = std::max(largest_work_, std::abs(record.work));
+  last_ = record;
+}
+
+void Summariser::at_alignment(const StepRecord& before, const StepRecord& now)
+{
+  const double t = before.X / (before.X - now.X);
+  const auto between = [t](double a, double b) { return a + t * (b - a); };
+  summary_.F_X_aligned = between(before.F_X, now.F_X);
+  summary_.F_Z_aligned = between(before.F_Z, now.F_Z);
+  summary_.work_to_alignment = between(before.work, now.work);
+  if (summary_.F_Z_aligned > 0.0)
+    summary_.load_ratio_aligned = summary_.F_X_aligned / summary_.F_Z_aligned;
+}
+
+TuggingSummary Summariser::result() const
+{
+  TuggingSummary s = summary_;
+  s.work = last_.work;
+  s.dissipation_lower = last_.dissipation_lower;
+  s.dissipation_upper = last_.dissipation_upper;
+  s.energy_residual = last_.energy_residual;
+  if (largest_work_ > 0.0)
+    s.energy_balance_error = (s.work - s.dissipation_lower - s.dissipation_upper - s.energy_residual) / largest_work_;
+  s.max_residual_lower = last_.max_residual_lower;
+  s.max_residual_upper = last_.max_residual_upper;
+  s.max_equivalent_plastic_strain = last_.max_equivalent_plastic_strain;
+  return s;
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/case_file.hpp"
+#include "sample.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+using sample::parsed;
+
+TEST(Case, IsTypedAndInSi)
+{
+  const Case c = parsed();
+  const auto& t = c.tugging;
+  EXPECT_EQ(c.title, "sample");
+  EXPECT_EQ(c.name, "sample");
+  EXPECT_EQ(t.lower.radius, 1.0);
+  EXPECT_EQ(t.upper.radius, 2.0);
+  EXPECT_EQ(t.lower.material.elastic, (Elastic{200e9, 0.32}));
+  EXPECT_EQ(std::get<constitutive::PerfectPlasticity>(t.lower.material.hardening.value()).yield_stress, 0.9115e9);
+  EXPECT_FALSE(t.upper.material.is_plastic());
+  EXPECT_EQ(t.spacing.value(), (std::array{0.00385, 0.0077, 0.001925}));
+}
+
+TEST(Case, FillsInTheDefaultsOfTheEngine)
+{
+  const Case c = parsed();
+  const simulation::TuggingCase defaults;
+  EXPECT_EQ(c.tugging.passes, defaults.passes);
+  EXPECT_EQ(c.tugging.kinematics, defaults.kinematics);
+  EXPECT_EQ(c.tugging.solver.max_iterations, defaults.solver.max_iterations);
+  EXPECT_EQ(c.tugging.solver.yield_tolerance, defaults.solver.yield_tolerance);
+  EXPECT_EQ(c.tugging.solver.integration, defaults.solver.integration);
+  EXPECT_FALSE(c.tugging.shift.has_value());
+  EXPECT_EQ(c.snapshots.kind, SnapshotRule::Kind::aligned);
+}
+
+// alpha_c = (pi C S_y / (2 E'))^2 R, Eq. 24 of the paper.
+TEST(Case, NormalisedInterferenceIsInCriticalOnes)
+{
+  const Case c = parsed({"upper.shape.radius=1"});
+  EXPECT_NEAR(c.first_yield.value().critical.interference, 2.214290e-4, 5e-10);
+  EXPECT_EQ(c.tugging.interference, 9.0 * c.first_yield->critical.interference);
+  const Case length = parsed({"tugging.normalised=false", "tugging.interference=2 mm"});
+  EXPECT_EQ(length.tugging.interference, 0.002);
+}
+
+TEST(Case, TheWeakerBodyGivesTheCriticalValues)
+{
+  const auto hardening = [](const char* stress) { return std::string("upper.material.hardening={law=\"perfect\", yield_stress=\"") + stress + "\"}"; };
+  EXPECT_EQ(parsed().first_yield->body, YieldsFirst::lower);
+  EXPECT_EQ(parsed({hardening("2 GPa")}).first_yield->body, YieldsFirst::lower);
+  EXPECT_EQ(parsed({hardening("0.5 GPa")}).first_yield->body, YieldsFirst::upper);
+  EXPECT_EQ(parsed({hardening("0.9115 GPa")}).first_yield->body, YieldsFirst::both);
+  // Not the smaller yield stress counts, but the smaller C(nu) S_y.
+  EXPECT_EQ(parsed({hardening("0.92 GPa"), "upper.material.poisson_ratio=0.2"}).first_yield->body, YieldsFirst::upper);
+}
+
+TEST(Case, ResolvedTextReadsBackTheSame)
+{
+  for (const auto& overrides : std::vector<std::vector<std::string>>{
+           {}, {"grid.resolution=12.5", "tugging.passes=3"}, {"output.snapshots=[5, 1, 5]"}, {"output.snapshots=every 4"}, {"title=a \"b\" \\ c"}})
+  {
+    const Case c = parsed(overrides);
+    const std::string text = resolved_text(c.values);
+    const Case again = parse_case(text, "again.toml");
+    EXPECT_EQ(again.values.all(), c.values.all()) << text;
+    EXPECT_EQ(again.tugging.interference, c.tugging.interference);
+  }
+}
+
+TEST(Case, OverridesWin)
+{
+  const Case c = parsed({"tugging.interference=4", "tugging.interference=6", "tugging.kinematics=paper", "lower.shape.radius=3 mm",
+                         "output.snapshots=[5, 1, 5]", "tugging.shift='1 mm'"});
+  EXPECT_EQ(c.values.get<double>("tugging.interference"), 6.0); // the last of several
+  EXPECT_EQ(c.tugging.kinematics, simulation::Kinematics::paper);
+  EXPECT_EQ(c.tugging.lower.radius, 0.003);
+  EXPECT_EQ(c.snapshots.steps, (std::vector{1, 5}));
+  EXPECT_EQ(c.tugging.shift, 0.001);
+}
+
+TEST(Case, OverridesPushOutWhatTheyExclude)
+{
+  EXPECT_FALSE(parsed({"grid.resolution=10"}).tugging.spacing.has_value());
+  const std::vector<std::string> elastic{"tugging.normalised=false", "tugging.interference=1 mm"};
+  for (const char* law : {"lower.material.hardening.law=none", "lower.material.hardening={law = \"none\"}", "lower.material.hardening={}"})
+    EXPECT_FALSE(parsed({law, elastic[0], elastic[1]}).first_yield.has_value()) << law;
+}
+
+TEST(Case, NameComesFromTheFolderOfCaseToml)
+{
+  EXPECT_EQ(parse_case(sample::case_text, "cases/here/case.toml").name, "here");
+  EXPECT_EQ(parse_case(sample::case_text, "cases/here/there.toml").name, "there");
+}
+
+TEST(Case, WarnsOfAForgottenUnit)
+{
+  const Case c = parsed({"upper.material.young_modulus=200", "tugging.normalised=false", "tugging.interference=1 mm"});
+  ASSERT_FALSE(c.warnings.empty());
+  EXPECT_NE(c.warnings[0].find("\"200 GPa\""), std::string::npos) << c.warnings[0];
+  EXPECT_TRUE(parsed().warnings.empty());
+}
+
+struct Bad
+{
+  const char* override;
+  std::vector<const char*> fragments; ///< of the message
+};
+
+class BadCase : public testing::TestWithParam<Bad>
+{
+};
+
+TEST_P(BadCase, SaysWhatIsWrong)
+{
+  try
+  {
+    (void)parsed({GetParam().override});
+    FAIL() << GetParam().override << " was accepted";
+  }
+  catch (const InputError& error)
+  {
+    const std::string text = error.what();
+    EXPECT_EQ(text.rfind("--set " + std::string(GetParam().override), 0), 0u) << text;
+    for (const char* fragment : GetParam().fragments)
+      EXPECT_NE(text.find(fragment), text.npos) << "no \"" << fragment << "\" in: " << text;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, BadCase,
+    testing::Values(Bad{"lower.shape.radius=-1", {"lower.shape.radius = -1", "> 0"}}, Bad{"lower.shape.radius=0", {"> 0"}},
+                    Bad{"lower.shape.radius=nan", {"nan", "finite"}}, Bad{"lower.shape.radius=inf", {"inf", "finite"}},
+                    Bad{"lower.shape.radius=3 GPa", {"\"3 GPa\"", "is a pressure", "allowed: length"}},
+                    Bad{"lower.shape.radius='3'", {"has no unit", "without quotes"}},
+                    Bad{"lower.shape.radius=3 lightyears", {"unknown unit \"lightyears\""}},
+                    Bad{"lower.shape.radius=true", {"is a boolean"}}, Bad{"lower.shape.radius=[1]", {"is a list"}},
+                    Bad{"lower.shape.type=cube", {"\"cube\"", "allowed: \"sphere\""}},
+                    Bad{"lower.shape=3", {"must be a table", "type, radius"}},
+                    Bad{"lower.material.poisson_ratio=0.5", {"in (-1, 0.5)", "steel"}},
+                    Bad{"lower.material.poisson_ratio=-1", {"in (-1, 0.5)"}},
+                    Bad{"lower.material.poisson_ratio='0.3'", {"is a string"}},
+                    Bad{"lower.material.hardening.yield_stress=0", {"> 0", "law = \"none\""}},
+                    Bad{"upper.material.hardening.yield_stress=1 GPa", {"applies only with", "\"perfect\" or \"linear\"", "by default"}},
+                    Bad{"lower.material.hardening.modulus=1 GPa", {"applies only with", "\"linear\""}},
+                    Bad{"tugging.passes=1.5", {"not an integer"}}, Bad{"tugging.passes=0", {"integer in [1"}},
+                    Bad{"tugging.interference=0", {"> 0"}}, Bad{"tugging.interference=2 mm", {"normalised = true", "normalised = false"}},
+                    Bad{"tugging.interference=1e6", {"more than the radius", "alpha_c"}},
+                    Bad{"tugging.kinematics=other", {"\"exact\" or \"paper\""}},
+                    Bad{"tugging.normalised=1", {"is an integer", "true or false"}}, Bad{"grid.spacing=[1, 2]", {"has 2 elements", "three lengths"}},
+                    Bad{"grid.spacing=[1, 2, -3]", {"element -3", "> 0"}}, Bad{"grid.spacing=1", {"is an integer"}},
+                    Bad{"solver.anderson_depth=-1", {"in [0, 50]"}}, Bad{"output.snapshots=[1.5]", {"not a step number"}},
+                    Bad{"output.snapshots=every 0", {"every N"}}, Bad{"output.snapshots=3", {"is an integer"}},
+                    Bad{"title=1979-05-27", {"date"}}, Bad{"gird.spacing=1", {"unknown key", "did you mean grid?"}},
+                    Bad{"grid.spacin=1", {"unknown key grid.spacin = 1", "did you mean grid.spacing?"}},
+                    Bad{"nothing", {"section.key=value"}}, Bad{"=3", {"section.key=value"}}));
+
+/// The message of a case that must not be accepted.
+std::string message(const std::string& text)
+{
+  try
+  {
+    (void)parse_case(text, "cases/bad.toml");
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted: " << text;
+  return "";
+}
+
+/// The sample with one line replaced.
+std::string with(const std::string& old_line, const std::string& new_line)
+{
+  std::string text(sample::case_text);
+  const auto at = text.find(old_line);
+  EXPECT_NE(at, text.npos);
+  return text.replace(at, old_line.size(), new_line);
+}
+
+TEST(CaseErrors, NameFileAndLine)
+{
+  EXPECT_EQ(message(with("interference = 9", "interference = -9")).rfind("cases/bad.toml:10: tugging.interference = -9 ", 0), 0u);
+  EXPECT_EQ(message(with("interference = 9", "interferense = 9")).rfind("cases/bad.toml:10: unknown key tugging.interferense = 9; did you mean tugging.interference?", 0), 0u);
+}
+
+TEST(CaseErrors, MissingKeysNameTheirTable)
+{
+  const std::string text = message(with("interference = 9", ""));
+  EXPECT_EQ(text.rfind("cases/bad.toml:9: tugging.interference is missing; allowed: number > 0", 0), 0u) << text;
+  EXPECT_NE(message("").find("cases/bad.toml: scenario is missing"), std::string::npos);
+}
+
+TEST(CaseErrors, SyntaxNamesLineAndColumn)
+{
+  const std::string text = message(with("interference = 9", "interference = = 9"));
+  EXPECT_EQ(text.rfind("cases/bad.toml:10:16: not valid TOML", 0), 0u) << text;
+  EXPECT_NE(message(with("interference = 9", "interference = 9\ninterference = 8")).find("not valid TOML"), std::string::npos);
+}
+
+TEST(CaseErrors, AreAllReportedInTheOrderOfTheFile)
+{
+  std::string text = with("interference = 9", "interference = 'x'");
+  text.replace(text.find("0.32"), 4, "0.62");
+  const std::string found = message(text);
+  const auto first = found.find("bad.toml:5: lower.material.poisson_ratio"), second = found.find("bad.toml:10: tugging.interference");
+  EXPECT_NE(first, found.npos) << found;
+  EXPECT_NE(second, found.npos) << found;
+  EXPECT_LT(first, second);
+}
+
+TEST(CaseErrors, SpacingAndResolutionExclude)
+{
+  const std::string text = message(std::string(sample::case_text) + "resolution = 8\n");
+  EXPECT_NE(text.find("cannot stand together with"), text.npos) << text;
+  EXPECT_EQ(text.find('\n'), text.npos) << "said twice: " << text;
+}
+
+TEST(CaseErrors, ElasticBodiesHaveNoCriticalInterference)
+{
+  const std::string text = message(with(", hardening = {law = \"perfect\", yield_stress = \"0.9115 GPa\"}", ""));
+  EXPECT_NE(text.find("neither body can yield"), text.npos) << text;
+  EXPECT_NE(text.find("normalised = false"), text.npos) << text;
+}
+
+TEST(CaseErrors, MissingFileAndFolder)
+{
+  EXPECT_THROW((void)read_case("/nowhere/case.toml"), InputError);
+  EXPECT_THROW((void)read_case("/"), InputError);
+}
+
+} // namespace
+
+} // namespace brinell::io

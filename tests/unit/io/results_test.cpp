@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/result_directory.hpp"
+#include "io/hdf5.hpp"
+#include "sample.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::vector<double> dataset(const fs::path& file, const std::string& path, std::vector<hsize_t>* shape = nullptr)
+{
+  const h5::Handle h5 = h5::open_file(file);
+  const h5::Handle data(H5Dopen2(h5.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (data.id() < 0)
+    return {};
+  const h5::Handle space(H5Dget_space(data.id()), H5Sclose);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+  H5Dread(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  if (shape)
+  {
+    shape->resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.id())));
+    H5Sget_simple_extent_dims(space.id(), shape->data(), nullptr);
+  }
+  return values;
+}
+
+std::vector<double> numbers_attribute(const fs::path& file, const std::string& object, const char* name)
+{
+  const h5::Handle h5 = h5::open_file(file);
+  const h5::Handle attribute(H5Aopen_by_name(h5.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const h5::Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+  H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, values.data());
+  return values;
+}
+
+std::string text_attribute(const fs::path& file, const std::string& object, const char* name)
+{
+  const h5::Handle h5 = h5::open_file(file);
+  const h5::Handle attribute(H5Aopen_by_name(h5.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const h5::Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  char* data = nullptr;
+  H5Aread(attribute.id(), type.id(), &data);
+  std::string text = data ? data : "";
+  H5free_memory(data);
+  return text;
+}
+
+simulation::TuggingSummary hand_made_summary(const Case& c)
+{
+  simulation::TuggingSummary s;
+  s.steps = 2;
+  s.final_state = sample::snapshot(1);
+  if (c.first_yield)
+  {
+    s.peak_F_X = 0.25 * c.first_yield->critical.load;
+    s.work = 3.0 * c.first_yield->critical.energy;
+    s.max_residual_lower = 0.5 * c.first_yield->critical.interference;
+  }
+  s.X_at_peak_F_X = -0.3;
+  s.load_ratio_end = std::nan("");
+  return s;
+}
+
+void write_complete(const fs::path& folder, const Case& c)
+{
+  ResultDirectory results(folder, c);
+  results.add(sample::record(0));
+  results.add(sample::snapshot(0));
+  results.add(sample::record(1));
+  results.finish({}, hand_made_summary(c), {.wall_time = 1.5, .threads = 3});
+}
+
+TEST(Results, FieldsAreOrderedAndDescribed)
+{
+  const sample::TemporaryFolder folder;
+  write_complete(folder.path(), sample::parsed());
+  const fs::path file = folder.path() / "result.h5";
+  std::vector<hsize_t> shape;
+  EXPECT_EQ(dataset(file, "/steps/000000/lower/stress/xx", &shape), sample::numbered(5, 3, 2));
+  EXPECT_EQ(shape, (std::vector<hsize_t>{2, 3, 5})); // z, y, x
+  EXPECT_EQ(dataset(file, "/steps/000000/contact/pressure", &shape), sample::numbered(4, 3, 1));
+  EXPECT_EQ(shape, (std::vector<hsize_t>{3, 4}));
+  EXPECT_EQ(dataset(file, "/final/upper/von_mises_stress"), sample::numbered(5, 3, 2)); // of a uniaxial stress
+  EXPECT_EQ(dataset(file, "/final/lower/plastic_strain/xy"), sample::numbered(5, 3, 2));
+  EXPECT_TRUE(dataset(file, "/final/upper/plastic_strain/xy").empty()) << "the body is elastic";
+  EXPECT_EQ(numbers_attribute(file, "/final/lower", "spacing"), (std::vector{0.5, 0.25, 0.125}));
+  EXPECT_EQ(numbers_attribute(file, "/final/lower", "origin"), (std::vector{-1.0, -0.25, 0.0625}));
+  EXPECT_EQ(numbers_attribute(file, "/final/contact", "origin"), (std::vector{-0.75, -0.25}));
+  EXPECT_EQ(text_attribute(file, "/final/lower/stress/xx", "units"), "Pa");
+  EXPECT_EQ(text_attribute(file, "/final/lower/equivalent_plastic_strain", "units"), "1");
+  EXPECT_EQ(text_attribute(file, "/", "format"), "brinell-result");
+}
+
+TEST(Results, CarryTheirCase)
+{
+  const sample::TemporaryFolder folder;
+  const Case c = sample::parsed();
+  write_complete(folder.path(), c);
+  EXPECT_EQ(text_attribute(folder.path() / "result.h5", "/", "case"), resolved_text(c.values));
+  EXPECT_EQ(read_case(folder.path() / "resolved.toml").values.all(), c.values.all());
+}
+
+TEST(Results, SummaryIsNormalised)
+{
+  const sample::TemporaryFolder folder;
+  write_complete(folder.path(), sample::parsed());
+  const auto json = nlohmann::json::parse(sample::file_text(folder.path() / "summary.json"));
+  EXPECT_EQ(json["format_version"], 1);
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_DOUBLE_EQ(json["normalised"]["peak_F_X"], 0.25);
+  EXPECT_DOUBLE_EQ(json["normalised"]["X_over_R_at_peak_F_X"], -0.2); // radii 1 and 2
+  EXPECT_DOUBLE_EQ(json["normalised"]["net_energy"], 3.0);
+  EXPECT_DOUBLE_EQ(json["normalised"]["max_residual_lower"], 0.5);
+  EXPECT_DOUBLE_EQ(json["normalised"]["interference"], 9.0);
+  EXPECT_TRUE(json["load_ratio"]["end"].is_null()) << "a ratio that does not exist";
+  EXPECT_EQ(json["critical"]["yields_first"], "lower");
+  EXPECT_EQ(json["run"]["threads"], 3);
+  EXPECT_EQ(json["case"]["lower"]["material"]["hardening"]["yield_stress"], 0.9115e9);
+  EXPECT_EQ(json["case"]["grid"]["spacing"][2], 0.001925);
+}
+
+TEST(Results, ElasticSummaryHasNoScales)
+{
+  const sample::TemporaryFolder folder;
+  write_complete(folder.path(), sample::parsed({"lower.material.hardening.law=none", "tugging.normalised=false", "tugging.interference=1 mm"}));
+  const auto json = nlohmann::json::parse(sample::file_text(folder.path() / "summary.json"));
+  EXPECT_TRUE(json["critical"]["load_N"].is_null());
+  for (const auto& [key, value] : json["normalised"].items())
+    EXPECT_TRUE(value.is_null() || key == "X_over_R_at_peak_F_X") << key;
+}
+
+// What a process leaves that is killed between two steps: the object is never told that it ends.
+TEST(Results, FinishedStepsAreReadableAtAnyTime)
+{
+  const sample::TemporaryFolder folder;
+  ResultDirectory results(folder.path(), sample::parsed());
+  EXPECT_TRUE(fs::exists(folder.path() / "result.h5"));
+  for (int step = 0; step < 3; ++step)
+  {
+    results.add(sample::record(step));
+    results.add(sample::snapshot(step));
+    EXPECT_EQ(dataset(folder.path() / "result.h5", "/steps/00000" + std::to_string(step) + "/contact/pressure"), sample::numbered(4, 3, 1));
+    EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
+  }
+  results.stop();
+  EXPECT_FALSE(fs::exists(folder.path() / "snapshots"));
+  EXPECT_EQ(dataset(folder.path() / "result.h5", "/steps/000002/contact/pressure"), sample::numbered(4, 3, 1));
+}
+
+TEST(Results, EarlierResultGoesBeforeTheNewOneBegins)
+{
+  const sample::TemporaryFolder folder;
+  const Case c = sample::parsed();
+  std::ofstream(folder.path() / "notes.txt") << "of the user";
+  {
+    const ResultDirectory first(folder.path(), c);
+    EXPECT_FALSE(first.replaced()) << "a file of the user is no result";
+  }
+  write_complete(folder.path(), c);
+  const ResultDirectory again(folder.path(), c);
+  EXPECT_TRUE(again.replaced());
+  EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
+  EXPECT_TRUE(dataset(folder.path() / "result.h5", "/steps/000000/contact/pressure").empty());
+  EXPECT_TRUE(fs::exists(folder.path() / "notes.txt"));
+}
+
+TEST(Results, OneRunPerFolder)
+{
+  const sample::TemporaryFolder folder;
+  const Case c = sample::parsed();
+  ResultDirectory first(folder.path(), c);
+  first.add(sample::record(0));
+  const std::string before = sample::file_text(folder.path() / "history.csv");
+  EXPECT_THROW(ResultDirectory(folder.path(), c), IoError);
+  EXPECT_EQ(sample::file_text(folder.path() / "history.csv"), before);
+}
+
+TEST(Results, XdmfPointsAtEveryStoredState)
+{
+  const sample::TemporaryFolder folder;
+  write_complete(folder.path(), sample::parsed());
+  const std::string lower = sample::file_text(folder.path() / "lower.xdmf"), upper = sample::file_text(folder.path() / "upper.xdmf");
+  for (const char* fragment : {"result.h5:/steps/000000/lower/stress/xy", "result.h5:/final/lower/plastic_strain/zz", "<Time Value=\"0\"/>",
+                               "<Time Value=\"2\"/>", "Dimensions=\"3 4 6\"", "Dimensions=\"2 3 5\"", "0 -0.375 -1.25"})
+    EXPECT_NE(lower.find(fragment), lower.npos) << fragment;
+  EXPECT_EQ(upper.find("plastic_strain"), upper.npos) << "the body is elastic";
+  EXPECT_NE(sample::file_text(folder.path() / "contact.xdmf").find("result.h5:/final/contact/gap"), std::string::npos);
+}
+
+TEST(Results, FieldsMustFitTheirGrid)
+{
+  const sample::TemporaryFolder folder;
+  ResultDirectory results(folder.path(), sample::parsed());
+  simulation::Snapshot snapshot = sample::snapshot(0);
+  snapshot.pressure.pop_back();
+  EXPECT_THROW(results.add(snapshot), InternalError);
+}
+
+TEST(Results, SaysThatItCannotBeWritten)
+{
+  const sample::TemporaryFolder folder;
+  std::ofstream(folder.path() / "file") << "x";
+  EXPECT_THROW(ResultDirectory(folder.path() / "file", sample::parsed()), IoError);
+  EXPECT_THROW(ResultDirectory(folder.path() / "file" / "below", sample::parsed()), IoError);
+  EXPECT_THROW(replace_file("/nowhere/file", "text"), IoError);
+}
+
+} // namespace
+
+} // namespace brinell::io

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/schema.hpp"
+
+#include "io/suggestion.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+TEST(Schema, IsConsistent)
+{
+  std::set<std::string> seen;
+  for (const Entry& entry : case_schema())
+  {
+    SCOPED_TRACE(entry.key);
+    EXPECT_TRUE(seen.insert(entry.key).second) << "declared twice";
+    EXPECT_FALSE(is_table(entry.key)) << "a key cannot be a table as well";
+    EXPECT_FALSE(entry.text.empty());
+    // Exactly one answer to the question what happens if the key is left out; an exclusive pair may have both.
+    EXPECT_TRUE(entry.required || entry.fallback || !entry.unset.empty());
+    EXPECT_FALSE(entry.required && entry.fallback);
+    EXPECT_EQ(entry.type == Type::choice, !entry.choices.empty());
+    for (const std::string& other : {entry.when.key, entry.pure_if})
+      EXPECT_TRUE(other.empty() || seen.contains(other)) << "depends on " << other << ", which must come before";
+    if (!entry.excludes.empty())
+    {
+      ASSERT_NE(find_entry(entry.excludes), nullptr);
+      EXPECT_EQ(find_entry(entry.excludes)->excludes, entry.key) << "exclusion is mutual";
+    }
+  }
+}
+
+TEST(Schema, DefaultsAreInRange)
+{
+  for (const Entry& entry : case_schema())
+    if (entry.fallback)
+    {
+      if (const auto* x = std::get_if<double>(&*entry.fallback))
+        EXPECT_TRUE(entry.range.contains(*x)) << entry.key;
+      if (const auto* i = std::get_if<std::int64_t>(&*entry.fallback))
+        EXPECT_TRUE(entry.range.contains(static_cast<double>(*i))) << entry.key;
+    }
+}
+
+TEST(Schema, RangesKnowTheirEnds)
+{
+  const Range poisson{.min = -1.0, .max = 0.5, .min_allowed = false, .max_allowed = false};
+  EXPECT_FALSE(poisson.contains(0.5));
+  EXPECT_FALSE(poisson.contains(-1.0));
+  EXPECT_TRUE(poisson.contains(0.4999));
+  EXPECT_EQ(poisson.text(), "in (-1, 0.5)");
+  EXPECT_FALSE(Range{}.contains(std::nan("")));
+  EXPECT_FALSE(Range{}.contains(INFINITY));
+  EXPECT_EQ((Range{.min = 0.0, .min_allowed = false}.text()), "> 0");
+}
+
+TEST(Schema, PrintsEveryKey)
+{
+  const std::string text = schema_text(), page = schema_markdown();
+  for (const Entry& entry : case_schema())
+  {
+    EXPECT_NE(text.find(entry.key + "\n"), text.npos) << entry.key;
+    const auto tail = entry.key.substr(entry.key.find('.') + 1);
+    EXPECT_NE(page.find("| `" + tail + "` |"), page.npos) << entry.key;
+  }
+}
+
+TEST(Suggestion, CountsEdits)
+{
+  EXPECT_EQ(edit_distance("radius", "radius"), 0);
+  EXPECT_EQ(edit_distance("raduis", "radius"), 1); // two neighbours swapped
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+}
+
+TEST(Suggestion, FindsWhatWasMeant)
+{
+  EXPECT_EQ(suggestion("lower.shape.raduis"), "did you mean lower.shape.radius?");
+  EXPECT_EQ(suggestion("upper.material.poisson"), "did you mean upper.material.poisson_ratio?");
+  EXPECT_EQ(suggestion("upper.young_modulus"), "did you mean upper.material.young_modulus?");
+  EXPECT_EQ(suggestion("kinematics"), "did you mean tugging.kinematics?");
+  EXPECT_EQ(suggestion("grid.colour"), "allowed in grid: spacing, resolution");
+}
+
+} // namespace
+
+} // namespace brinell::io

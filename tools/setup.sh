@@ -1,0 +1,46 @@
+#!/bin/bash
+# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|tidy
+# Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+build_packages=(build-essential cmake ninja-build pkg-config git clang-format
+  libfftw3-dev libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
+  libgtest-dev libbenchmark-dev python3 python3-venv)
+tidy_packages=(clang-tidy clang-tools libomp-dev)
+
+fail() { echo "setup: $*" >&2; exit 1; }
+
+is_installed() { [[ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]; }
+
+install_packages() {
+  command -v dpkg-query >/dev/null || fail "this is not Debian or a relative; install by hand the equivalents of: $*"
+  local missing=() as_root=() package
+  for package in "$@"; do is_installed "$package" || missing+=("$package"); done
+  (( ${#missing[@]} )) || return 0
+  if (( EUID != 0 )); then
+    command -v sudo >/dev/null || fail "run this as root or install sudo; missing packages: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  echo "setup: installing ${missing[*]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# The virtual environment .venv: the plotting package with numpy, h5py, matplotlib; pytest. Versions: python/pyproject.toml.
+make_venv() {
+  local python=/usr/bin/python3
+  [[ -x $python ]] || python=$(command -v python3) || fail "no python3"
+  [[ -x .venv/bin/pip ]] || "$python" -m venv --clear .venv || fail "cannot make .venv with $python"
+  [[ -f python/pyproject.toml ]] || fail "python/pyproject.toml is missing"
+  .venv/bin/pip install --quiet --disable-pip-version-check -e "./python[test]" ||
+    fail "pip could not install ./python[test] into .venv (see above). It needs the Python package index or a mirror
+       set in pip's own configuration; then say 'make setup' again."
+}
+
+case "${1:-}" in
+  packages) install_packages "${build_packages[@]}" ;;
+  python) make_venv ;;
+  tidy) install_packages "${tidy_packages[@]}" ;;
+  *) fail "usage: tools/setup.sh packages|python|tidy" ;;
+esac
