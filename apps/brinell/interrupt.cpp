@@ -26,6 +26,9 @@ InterruptGuard::~InterruptGuard()
   std::signal(SIGTERM, m_terminate);
 }
 
-int InterruptGuard::signal() { return noted_signal; }
+int InterruptGuard::signal()
+{
+  return noted_signal;
+}
 
 } // namespace brinell::app

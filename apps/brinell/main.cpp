@@ -18,7 +18,8 @@ namespace
 std::string version_text()
 {
   const auto versions = io::library_versions();
-  return fmt::format("brinell {} ({}), FFTW {}, HDF5 {}", versions.brinell, versions.git_hash, versions.fftw, versions.hdf5);
+  return fmt::format("brinell {} ({}), FFTW {}, HDF5 {}", versions.brinell, versions.git_hash, versions.fftw,
+                     versions.hdf5);
 }
 
 constexpr const char* footer = R"(
@@ -81,7 +82,8 @@ int guarded(const std::function<int()>& command)
 
 int main_program(int argc, char** argv)
 {
-  CLI::App app("brinell: elastic-plastic contact of bodies that are pressed, rolled or slid (semi-analytical method)", "brinell");
+  CLI::App app("brinell: elastic-plastic contact of bodies that are pressed, rolled or slid (semi-analytical method)",
+               "brinell");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   app.footer(footer);
@@ -89,7 +91,8 @@ int main_program(int argc, char** argv)
   RunOptions run_options;
   auto* run = app.add_subcommand("run", "Compute a case and write its results");
   add_case_options(*run, run_options.input);
-  run->add_option("-o,--output", run_options.directory, "Folder of the results; default: the case's, or results/<name of the case>")
+  run->add_option("-o,--output", run_options.directory,
+                  "Folder of the results; default: the case's, or results/<name of the case>")
       ->type_name("DIR");
   run->add_option("--threads", run_options.threads, "Number of threads; default: all cores, or OMP_NUM_THREADS")
       ->type_name("N")
@@ -97,7 +100,8 @@ int main_program(int argc, char** argv)
   run->add_flag("-q,--quiet", run_options.quiet, "Print nothing but warnings and errors");
 
   CaseOptions check_options;
-  auto* check = app.add_subcommand("check", "Show the resolved case, critical values, grids, memory and cost, without running");
+  auto* check =
+      app.add_subcommand("check", "Show the resolved case, critical values, grids, memory and cost, without running");
   add_case_options(*check, check_options);
 
   bool markdown = false;

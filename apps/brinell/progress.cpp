@@ -26,7 +26,9 @@ std::string duration_text(double seconds)
 
 } // namespace
 
-Progress::Progress(double radius, bool quiet) : m_radius(radius), m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(double radius, bool quiet) : m_radius(radius), m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) == 1)
+{
+}
 
 Progress::~Progress()
 {
@@ -41,9 +43,9 @@ void Progress::step(const simulation::StepRecord& record, int step_count)
   const int done = record.step + 1;
   const int total = std::max(step_count, done); // the count is an estimate
   const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
-  const std::string text = fmt::format("step {}/{}  X/R {:+.4f}  {} iteration{}  {} left", done, total, record.X / m_radius,
-                                       record.iterations, record.iterations == 1 ? "" : "s",
-                                       duration_text(seconds / done * (total - done)));
+  const std::string text =
+      fmt::format("step {}/{}  X/R {:+.4f}  {} iteration{}  {} left", done, total, record.X / m_radius,
+                  record.iterations, record.iterations == 1 ? "" : "s", duration_text(seconds / done * (total - done)));
   if (m_terminal)
   {
     const auto filled = static_cast<std::size_t>(bar_width * done / total);

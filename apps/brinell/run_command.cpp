@@ -33,7 +33,10 @@ void print_warnings(const io::Case& c)
     fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning);
 }
 
-double mean_radius(const simulation::TuggingCase& t) { return 0.5 * (t.lower.radius + t.upper.radius); }
+double mean_radius(const simulation::TuggingCase& t)
+{
+  return 0.5 * (t.lower.radius + t.upper.radius);
+}
 
 void print_summary(const io::Case& c, const simulation::TuggingSummary& s, double seconds, const fs::path& folder)
 {
@@ -44,12 +47,15 @@ void print_summary(const io::Case& c, const simulation::TuggingSummary& s, doubl
   if (c.first_yield)
   {
     const auto& critical = c.first_yield->critical;
-    fmt::print("peak F_X  {:>11.5f} P_c at X/R = {:+.5f}\nmin F_X   {:>11.5f} P_c\npeak F_Z  {:>11.5f} P_c\nnet work  {:>11.5f} U_c\n",
-               s.peak_F_X / critical.load, X, s.min_F_X / critical.load, s.peak_F_Z / critical.load, s.work / critical.energy);
+    fmt::print("peak F_X  {:>11.5f} P_c at X/R = {:+.5f}\nmin F_X   {:>11.5f} P_c\npeak F_Z  {:>11.5f} P_c\nnet work  "
+               "{:>11.5f} U_c\n",
+               s.peak_F_X / critical.load, X, s.min_F_X / critical.load, s.peak_F_Z / critical.load,
+               s.work / critical.energy);
   }
   else
-    fmt::print("peak F_X  {:>13.6e} N at X/R = {:+.5f}\nmin F_X   {:>13.6e} N\npeak F_Z  {:>13.6e} N\nnet work  {:>13.6e} J\n",
-               s.peak_F_X, X, s.min_F_X, s.peak_F_Z, s.work);
+    fmt::print(
+        "peak F_X  {:>13.6e} N at X/R = {:+.5f}\nmin F_X   {:>13.6e} N\npeak F_Z  {:>13.6e} N\nnet work  {:>13.6e} J\n",
+        s.peak_F_X, X, s.min_F_X, s.peak_F_Z, s.work);
   fmt::print("energy balance error {:.2e}\nresults in {}\n", s.energy_balance_error, folder.string());
 }
 

@@ -134,8 +134,9 @@ def test_equal_interferences_are_told_apart(make_run: MakeRun) -> None:
 
 def test_overview_has_all_panels(runs: list[Run]) -> None:
     fig = paper.overview(runs)
-    assert len(fig.axes) == 6
-    assert [ax.get_title(loc="left")[:3] for ax in fig.axes] == ["(a)", "(b)", "(c)", "(d)", "(e)", "(f)"]
+    *panels, legend = fig.axes
+    assert [ax.get_title(loc="left")[:3] for ax in panels] == ["(a)", "(b)", "(c)", "(d)", "(e)", "(f)"]
+    assert legend_of(legend)[1:] == ["1", "2", "4", "9", "elastic (Hertz)"]
     texts(fig)
 
 
@@ -279,7 +280,7 @@ def test_history_of_two_passes(make_run: MakeRun) -> None:
 def test_history_of_an_unfinished_run_is_in_si(make_run: MakeRun) -> None:
     run = open_run(make_run(4.0, finished=False), allow_unfinished=True)
     written = texts(run_history(run))
-    assert any(t == "$F_X$  [MN]" for t in written)
+    assert any(t == "$F_X$  [kN]" for t in written)
     assert any("[J]" in t or "[kJ]" in t for t in written)
 
 

@@ -7,32 +7,39 @@
 namespace brinell::elastoplastic
 {
 
-Anderson::Anderson(std::size_t size, int depth)
-    : size_(size), depth_(static_cast<std::size_t>(std::max(depth, 0))), previous_x_(size), previous_f_(size),
-      dx_(depth_, std::vector<double>(size)), df_(depth_, std::vector<double>(size))
-{
-}
+Anderson::Anderson(int depth) : depth_(static_cast<std::size_t>(std::max(depth, 0))), dx_(depth_), df_(depth_) {}
 
 void Anderson::advance(std::span<double> x, std::span<const double> g)
 {
-  const auto as_vector = [this](const std::vector<double>& v)
-  { return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(size_)); };
+  const auto as_vector = [](const std::vector<double>& v)
+  { return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())); };
   if (depth_ == 0)
   {
     std::copy(g.begin(), g.end(), x.begin());
     return;
   }
+  const std::size_t size = x.size();
+  for (std::size_t i = previous_x_.size(); i < size; ++i)
+  {
+    previous_x_.push_back(x[i]);
+    previous_f_.push_back(g[i] - x[i]);
+  }
+  for (std::size_t d = 0; d < depth_; ++d)
+  {
+    dx_[d].resize(size, 0.0);
+    df_[d].resize(size, 0.0);
+  }
   std::vector<double>& f = previous_f_; // overwritten by this residual below
   if (count_ > 0)
   {
     const std::size_t slot = (count_ - 1) % depth_;
-    for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t i = 0; i < size; ++i)
     {
       dx_[slot][i] = x[i] - previous_x_[i];
       df_[slot][i] = (g[i] - x[i]) - previous_f_[i];
     }
   }
-  for (std::size_t i = 0; i < size_; ++i)
+  for (std::size_t i = 0; i < size; ++i)
   {
     previous_x_[i] = x[i];
     f[i] = g[i] - x[i];
@@ -61,7 +68,7 @@ void Anderson::advance(std::span<double> x, std::span<const double> g)
   for (std::size_t a = 0; a < used; ++a)
   {
     const double w = weight(static_cast<Eigen::Index>(a));
-    for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t i = 0; i < size; ++i)
       x[i] -= w * (dx_[a][i] + df_[a][i]);
   }
 }

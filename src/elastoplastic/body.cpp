@@ -58,21 +58,29 @@ Body::Body(const VolumeGrid& grid, const constitutive::Material& material)
   stress_ = state_.stress;
 }
 
-void Body::begin(int shift)
+void Body::begin(int shift, double stiffness_share)
 {
+  stiffness_ = 2.0 * stiffness_share * material_.elastic.shear_modulus();
   strain_ = state_.plastic_strain;
   displacement_ = state_.residual_displacement;
   active_.clear();
   q_.clear();
+  g_.clear();
+  equivalent_.clear();
+  dissipation_.clear();
   std::fill(is_active_.begin(), is_active_.end(), static_cast<char>(0));
   if (!is_plastic())
     return;
   const SurfaceGrid& s = grid().surface;
+  // Seen from the contact, q changes little from step to step: carry it along.
   std::vector<double> guess(q_field_.size(), 0.0);
   for (std::size_t row = 0; row < q_field_.size() / static_cast<std::size_t>(s.nx); ++row)
     for (int i = std::max(0, shift); i < std::min(s.nx, s.nx + shift); ++i)
-      guess[row * static_cast<std::size_t>(s.nx) + static_cast<std::size_t>(i)] =
-          q_field_[row * static_cast<std::size_t>(s.nx) + static_cast<std::size_t>(i - shift)];
+    {
+      const std::size_t to = row * static_cast<std::size_t>(s.nx) + static_cast<std::size_t>(i);
+      const std::size_t from = to - static_cast<std::size_t>(shift);
+      guess[to] = q_field_[from];
+    }
   collect_active(guess, active_share);
 }
 
@@ -93,10 +101,10 @@ void Body::collect_active(const std::vector<double>& q_field, double fraction)
           is_active_[cell] = 1;
           active_.push_back(cell);
           q_.insert(q_.end(), q.v.begin(), q.v.end());
+          g_.insert(g_.end(), q.v.begin(), q.v.end());
         }
       },
       *material_.hardening);
-  g_.resize(q_.size());
   equivalent_.resize(active_.size());
   dissipation_.resize(active_.size());
 }
@@ -106,7 +114,7 @@ void Body::integrate(Integration integration)
   if (!is_plastic())
     return;
   const std::size_t n = grid().size();
-  const double mu = material_.elastic.shear_modulus();
+  const double mu = 0.5 * stiffness_;
   std::visit(
       [&](const auto& law)
       {
@@ -135,14 +143,22 @@ bool Body::update(std::span<const double> pressure)
     return false;
   const std::size_t n = grid().size();
   half_space_.deviatoric_stress(pressure, strain_, grid().nz, work_, stress_);
-  const double two_mu = 2.0 * material_.elastic.shear_modulus();
+  std::visit(
+      [&](const auto& law)
+      {
 #pragma omp parallel for schedule(static)
-  for (std::size_t a = 0; a < active_.size(); ++a)
-  {
-    const std::size_t cell = active_[a];
-    const Deviator increment = load(strain_, n, cell) - load(state_.plastic_strain, n, cell);
-    store_packed(load(stress_, n, cell) + two_mu * increment, g_, a);
-  }
+        for (std::size_t a = 0; a < active_.size(); ++a)
+        {
+          const std::size_t cell = active_[a];
+          const Deviator increment = load(strain_, n, cell) - load(state_.plastic_strain, n, cell);
+          const Deviator g = load(stress_, n, cell) + stiffness_ * increment;
+          store_packed(g, g_, a);
+          // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
+          if (equivalent_[a] == 0.0 && von_mises(g) <= law.yield_stress_at(state_.equivalent[cell]))
+            store_packed(g, q_, a);
+        }
+      },
+      *material_.hardening);
   const std::size_t before = active_.size();
   collect_active(stress_, 1.0);
   return active_.size() != before;

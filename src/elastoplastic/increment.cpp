@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace brinell::elastoplastic
 {
@@ -68,18 +67,43 @@ double CoupledContact::elastic_energy() const
 namespace
 {
 
-/// Trial deviators of both bodies as one vector.
-void pack(std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper)
+/// The trial deviators of both bodies as one vector, in which cells that become active later come at the end.
+class Unknowns
 {
-  x.resize(lower.size() + upper.size());
-  std::copy(upper.begin(), upper.end(), std::copy(lower.begin(), lower.end(), x.begin()));
-}
+public:
+  /// Appends what the bodies have gained since the last call.
+  void grow(const Body& lower, const Body& upper)
+  {
+    append(lower_, lower.unknowns());
+    append(upper_, upper.unknowns());
+  }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  void pack(const std::vector<double>& lower, const std::vector<double>& upper, std::vector<double>& x) const
+  {
+    x.resize(size_);
+    for (std::size_t i = 0; i < lower.size(); ++i)
+      x[lower_[i]] = lower[i];
+    for (std::size_t i = 0; i < upper.size(); ++i)
+      x[upper_[i]] = upper[i];
+  }
+  void unpack(const std::vector<double>& x, std::vector<double>& lower, std::vector<double>& upper) const
+  {
+    for (std::size_t i = 0; i < lower.size(); ++i)
+      lower[i] = x[lower_[i]];
+    for (std::size_t i = 0; i < upper.size(); ++i)
+      upper[i] = x[upper_[i]];
+  }
 
-void unpack(const std::vector<double>& x, std::vector<double>& lower, std::vector<double>& upper)
-{
-  std::copy_n(x.begin(), lower.size(), lower.begin());
-  std::copy(x.begin() + static_cast<std::ptrdiff_t>(lower.size()), x.end(), upper.begin());
-}
+private:
+  void append(std::vector<std::size_t>& slots, std::size_t count)
+  {
+    while (slots.size() < count)
+      slots.push_back(size_++);
+  }
+
+  std::vector<std::size_t> lower_, upper_; ///< places in the common vector
+  std::size_t size_ = 0;
+};
 
 double largest_change(std::span<const double> a, const std::vector<double>& b)
 {
@@ -95,9 +119,11 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
                                         Integration integration, int max_evaluations, int anderson_depth)
 {
   IncrementReport report;
-  lower_.begin(placement.lower - placement_.lower);
-  upper_.begin(placement.upper - placement_.upper);
-  std::optional<Anderson> anderson;
+  const double stiffness_share = anderson_depth > 0 ? 0.6 : 1.0; // without acceleration: certain descent
+  lower_.begin(placement.lower - placement_.lower, stiffness_share);
+  upper_.begin(placement.upper - placement_.upper, stiffness_share);
+  Anderson anderson(anderson_depth);
+  Unknowns unknowns;
   std::vector<double> x;
   std::vector<double> g;
   std::vector<double> last_lower;
@@ -131,14 +157,11 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
                        report.displacement_error <= settings_.displacement_tolerance * scales_.displacement;
     if (report.converged || report.evaluations >= max_evaluations)
       break;
-    if (lower_grew || upper_grew || !anderson)
-      anderson.emplace(lower_.unknowns() + upper_.unknowns(), anderson_depth);
-    if (lower_grew || upper_grew)
-      continue;
-    pack(x, lower_.trial(), upper_.trial());
-    pack(g, lower_.image(), upper_.image());
-    anderson->advance(x, g);
-    unpack(x, lower_.trial(), upper_.trial());
+    unknowns.grow(lower_, upper_);
+    unknowns.pack(lower_.trial(), upper_.trial(), x);
+    unknowns.pack(lower_.image(), upper_.image(), g);
+    anderson.advance(x, g);
+    unknowns.unpack(x, lower_.trial(), upper_.trial());
   }
   if (!report.converged)
     return report;

@@ -8,8 +8,9 @@
 namespace brinell::green
 {
 
-/// Derivatives of Boussinesq's potentials of a surface pressure p, V = integral of p/r and chi = integral of p ln(r + z),
-/// both harmonic, chi,z = V. Second derivatives of V are multiplied by the depth, which keeps them finite at the surface.
+/// Derivatives of Boussinesq's potentials of a surface pressure p, V = integral of p/r and chi = integral of p ln(r +
+/// z), both harmonic, chi,z = V. Second derivatives of V are multiplied by the depth, which keeps them finite at the
+/// surface.
 struct BoussinesqTerms
 {
   double v_z = 0.0;

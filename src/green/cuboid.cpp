@@ -11,11 +11,11 @@ namespace
 
 /// Position in CuboidPotentials::psi of the derivative by two components, both in the order of SymTensor.
 constexpr std::array<std::array<std::size_t, 6>, 6> psi_index{{{0, 3, 5, 12, 7, 6},
-                                                                 {3, 1, 4, 9, 13, 8},
-                                                                 {5, 4, 2, 11, 10, 14},
-                                                                 {12, 9, 11, 4, 14, 13},
-                                                                 {7, 13, 10, 14, 5, 12},
-                                                                 {6, 8, 14, 13, 12, 3}}};
+                                                               {3, 1, 4, 9, 13, 8},
+                                                               {5, 4, 2, 11, 10, 14},
+                                                               {12, 9, 11, 4, 14, 13},
+                                                               {7, 13, 10, 14, 5, 12},
+                                                               {6, 8, 14, 13, 12, 3}}};
 
 /// -atan(Y Z/(X R)), the mean of both sides on the face X = 0.
 double face_angle(double X, double YZ, double R)
@@ -131,8 +131,8 @@ SymTensor eigenstrain_stress(const CuboidPotentials& potentials, double inside, 
   const SymTensor biharmonic = contracted(potentials.psi, eigenstrain);
   const SymTensor product = symmetric_product(eigenstrain, potentials.phi);
   // Trace of the elastic strain times nu/(1 - 2 nu), with the factor 1 - 2 nu cancelled.
-  const double dilatation = -nu / (1.0 - nu) *
-                            (double_contraction(eigenstrain, potentials.phi) / (4.0 * std::numbers::pi) + inside * theta);
+  const double dilatation =
+      -nu / (1.0 - nu) * (double_contraction(eigenstrain, potentials.phi) / (4.0 * std::numbers::pi) + inside * theta);
   const double f = 1.0 / (8.0 * std::numbers::pi * (1.0 - nu));
   SymTensor stress;
   for (std::size_t c = 0; c < 6; ++c)
@@ -146,8 +146,8 @@ SymTensor eigenstrain_stress(const CuboidPotentials& potentials, double inside, 
 SymTensor cuboid_stress(double x, double y, double z, double dx, double dy, double dz, const SymTensor& eigenstrain,
                         const Elastic& elastic)
 {
-  const double inside = between(x + 0.5 * dx, x - 0.5 * dx) * between(y + 0.5 * dy, y - 0.5 * dy) *
-                        between(z + 0.5 * dz, z - 0.5 * dz);
+  const double inside =
+      between(x + 0.5 * dx, x - 0.5 * dx) * between(y + 0.5 * dy, y - 0.5 * dy) * between(z + 0.5 * dz, z - 0.5 * dz);
   return eigenstrain_stress(cuboid_potentials(x, y, z, dx, dy, dz), inside, eigenstrain, elastic);
 }
 

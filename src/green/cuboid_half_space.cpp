@@ -44,8 +44,8 @@ struct Needed
   const Derivatives<N + 2>&t2_2, &t3_2; ///< two orders higher: T_{s+2}, T_{s+3}
 };
 
-/// Bracket W = -(1 - nu) V/mu of one corner (see `cuboid_stress_half_space`) and its derivatives, for s = 0; any other s
-/// raises the power of 1/k by s: -1 for -V,z, +1 for -chi. z_prime is the depth of the corner.
+/// Bracket W = -(1 - nu) V/mu of one corner (see `cuboid_stress_half_space`) and its derivatives, for s = 0; any other
+/// s raises the power of 1/k by s: -1 for -V,z, +1 for -chi. z_prime is the depth of the corner.
 template <std::size_t N>
 Derivatives<N> release(const SymTensor& eps, double nu, double z_prime, const Needed<N>& t)
 {
@@ -98,11 +98,13 @@ SymTensor cuboid_stress_half_space(double x, double y, double z, double zc, doub
 
   const double nu = elastic.poisson_ratio;
   SymTensor freeing{};
-  for_each_corner(x, y, zc, dx, dy, dz, [&](double X, double Y, double z_prime, double sign) {
-    const SymTensor part = boussinesq_stress(corner_terms(X, Y, z, z_prime, eigenstrain, nu), nu);
-    for (std::size_t c = 0; c < 6; ++c)
-      freeing[c] += sign * part[c];
-  });
+  for_each_corner(x, y, zc, dx, dy, dz,
+                  [&](double X, double Y, double z_prime, double sign)
+                  {
+                    const SymTensor part = boussinesq_stress(corner_terms(X, Y, z, z_prime, eigenstrain, nu), nu);
+                    for (std::size_t c = 0; c < 6; ++c)
+                      freeing[c] += sign * part[c];
+                  });
   for (std::size_t c = 0; c < 6; ++c)
     stress[c] += image[c] - elastic.shear_modulus() / (1.0 - nu) * freeing[c];
   return stress;
@@ -112,10 +114,13 @@ double cuboid_surface_displacement(double x, double y, double zc, double dx, dou
                                    const SymTensor& eigenstrain, double poisson_ratio)
 {
   double sum = 0.0;
-  for_each_corner(x, y, zc, dx, dy, dz, [&](double X, double Y, double z_prime, double sign) {
-    const ImagePotentials t = image_potentials(X, Y, z_prime);
-    sum += sign * release<1>(eigenstrain, poisson_ratio, z_prime, {t.t0_0, t.t1_0, t.t1_1, t.t2_1, t.t2_2, t.t3_2})[0];
-  });
+  for_each_corner(x, y, zc, dx, dy, dz,
+                  [&](double X, double Y, double z_prime, double sign)
+                  {
+                    const ImagePotentials t = image_potentials(X, Y, z_prime);
+                    sum += sign * release<1>(eigenstrain, poisson_ratio, z_prime,
+                                             {t.t0_0, t.t1_0, t.t1_1, t.t2_1, t.t2_2, t.t3_2})[0];
+                  });
   return -0.5 * std::numbers::inv_pi * sum;
 }
 

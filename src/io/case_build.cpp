@@ -53,7 +53,7 @@ simulation::TuggingCase tugging_case(const CaseValues& values)
   if (values.find("tugging.shift"))
     tugging.shift = values.get<double>("tugging.shift");
   tugging.kinematics = values.get<std::string>("tugging.kinematics") == "paper" ? simulation::Kinematics::paper
-                                                                               : simulation::Kinematics::exact;
+                                                                                : simulation::Kinematics::exact;
   tugging.passes = static_cast<int>(values.get<std::int64_t>("tugging.passes"));
   if (values.find("grid.spacing"))
     tugging.spacing = values.get<Vector3>("grid.spacing");
@@ -68,7 +68,8 @@ double yield_pressure(const constitutive::Material& body)
 {
   if (!body.hardening)
     return std::numeric_limits<double>::infinity();
-  return reference::critical_pressure_ratio(body.elastic.poisson_ratio) * constitutive::initial_yield_stress(*body.hardening);
+  return reference::critical_pressure_ratio(body.elastic.poisson_ratio) *
+         constitutive::initial_yield_stress(*body.hardening);
 }
 
 std::optional<FirstYield> first_yield(const simulation::TuggingCase& tugging)
@@ -104,18 +105,22 @@ void set_interference(Case& result, const RawCase& raw, Problems& problems)
   const double given = result.values.get<double>(key);
   if (normalised && !result.first_yield)
   {
-    problems.add(raw.find(key)->place,
-                 cited(raw, key)
-                     + " is in units of the critical interference alpha_c, but neither body can yield, so there is none; allowed: "
-                       "tugging.normalised = false with a length, or a yield stress for a body");
+    problems.add(
+        raw.find(key)->place,
+        cited(raw, key) +
+            " is in units of the critical interference alpha_c, but neither body can yield, so there is none; allowed: "
+            "tugging.normalised = false with a length, or a yield stress for a body");
     return;
   }
   result.tugging.interference = normalised ? given * result.first_yield->critical.interference : given;
   const double limit = std::min(result.tugging.lower.radius, result.tugging.upper.radius);
   if (!(result.tugging.interference < limit))
-    problems.add(raw.find(key)->place, fmt::format("{} makes {:.4g} m, more than the radius of a sphere; allowed: < {:.4g} m{}",
-                                                   cited(raw, key), result.tugging.interference, limit,
-                                                   normalised ? fmt::format(" = {:.4g} alpha_c", limit / result.first_yield->critical.interference) : ""));
+    problems.add(raw.find(key)->place,
+                 fmt::format("{} makes {:.4g} m, more than the radius of a sphere; allowed: < {:.4g} m{}",
+                             cited(raw, key), result.tugging.interference, limit,
+                             normalised
+                                 ? fmt::format(" = {:.4g} alpha_c", limit / result.first_yield->critical.interference)
+                                 : ""));
 }
 
 /// What can be computed, but is seldom meant.
@@ -125,10 +130,12 @@ std::vector<Warning> body_warnings(const std::string& name, const simulation::As
   std::vector<Warning> result;
   const double E = body.material.elastic.young_modulus;
   if (E < softest)
-    result.push_back(fmt::format("{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
-                                 name, E, E));
+    result.push_back(fmt::format(
+        "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?", name,
+        E, E));
   if (body.material.hardening && constitutive::initial_yield_stress(*body.material.hardening) > 0.1 * E)
-    result.push_back(fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name));
+    result.push_back(
+        fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name));
   return result;
 }
 
@@ -137,17 +144,20 @@ std::vector<Warning> contact_warnings(const simulation::TuggingCase& t)
   std::vector<Warning> result;
   const double contact_radius = std::sqrt(equivalent_radius(t) * t.interference);
   if (contact_radius > 0.3 * std::min(t.lower.radius, t.upper.radius))
-    result.push_back(fmt::format("the contact radius, {:.3g} m, is large beside the spheres, which are computed as half spaces",
-                                 contact_radius));
+    result.push_back(
+        fmt::format("the contact radius, {:.3g} m, is large beside the spheres, which are computed as half spaces",
+                    contact_radius));
   if (t.spacing && std::max((*t.spacing)[0], (*t.spacing)[1]) > 0.8 * contact_radius)
-    result.push_back(fmt::format("about one cell per contact radius ({:.3g} m): the results will be coarse", contact_radius));
+    result.push_back(
+        fmt::format("about one cell per contact radius ({:.3g} m): the results will be coarse", contact_radius));
   return result;
 }
 
 /// Checks that need more than one value.
 void finish(Case& result, const RawCase& raw, Problems& problems)
 {
-  for (const auto& [name, body] : {std::pair{"lower", &result.tugging.lower}, std::pair{"upper", &result.tugging.upper}})
+  for (const auto& [name, body] :
+       {std::pair{"lower", &result.tugging.lower}, std::pair{"upper", &result.tugging.upper}})
     for (Warning& warning : body_warnings(name, *body))
       result.warnings.push_back(std::move(warning));
   set_interference(result, raw, problems);
@@ -163,7 +173,8 @@ void finish(Case& result, const RawCase& raw, Problems& problems)
 
 const Value* CaseValues::find(std::string_view key) const
 {
-  const auto found = std::find_if(m_values.begin(), m_values.end(), [&](const auto& item) { return item.first == key; });
+  const auto found =
+      std::find_if(m_values.begin(), m_values.end(), [&](const auto& item) { return item.first == key; });
   return found == m_values.end() ? nullptr : &found->second;
 }
 
@@ -220,7 +231,8 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
   if (std::filesystem::is_directory(file))
-    throw InputError(fmt::format("{} is a folder; name the case file in it, as in {}", file.string(), (file / "case.toml").string()));
+    throw InputError(fmt::format("{} is a folder; name the case file in it, as in {}", file.string(),
+                                 (file / "case.toml").string()));
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     throw InputError(fmt::format("{}: cannot be opened: no such file, or not readable", file.string()));

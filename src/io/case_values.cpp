@@ -48,9 +48,10 @@ private:
     const Given* rival = entry.excludes.empty() ? nullptr : m_raw.find(entry.excludes);
     if (given && rival && overridden(*given, entry.excludes))
       given = nullptr;
-    else if (given && rival && !overridden(*rival, entry.key) && m_reported_rivals.insert(entry.excludes).second
-             && m_reported_rivals.insert(entry.key).second)
-      add(entry, *given, fmt::format("cannot stand together with {} ({}); keep one of them", entry.excludes, rival->place));
+    else if (given && rival && !overridden(*rival, entry.key) && m_reported_rivals.insert(entry.excludes).second &&
+             m_reported_rivals.insert(entry.key).second)
+      add(entry, *given,
+          fmt::format("cannot stand together with {} ({}); keep one of them", entry.excludes, rival->place));
     if (given)
       convert(entry, *given);
     else if (entry.required)
@@ -97,13 +98,15 @@ private:
 
   void missing(const Entry& entry)
   {
-    const bool pure = !entry.pure_if.empty() && m_values.find(entry.pure_if) && std::get<bool>(*m_values.find(entry.pure_if));
+    const bool pure =
+        !entry.pure_if.empty() && m_values.find(entry.pure_if) && std::get<bool>(*m_values.find(entry.pure_if));
     Entry plain = entry;
     plain.pure_if.clear();
     if (pure)
       plain.dimension = dimension::none;
-    m_problems.add(m_raw.place_for(entry.key), fmt::format("{} is missing; allowed: {}{}{}", entry.key, allowed_values(plain),
-                                                           entry.hint.empty() ? "" : "; ", entry.hint));
+    m_problems.add(m_raw.place_for(entry.key),
+                   fmt::format("{} is missing; allowed: {}{}{}", entry.key, allowed_values(plain),
+                               entry.hint.empty() ? "" : "; ", entry.hint));
     m_broken.insert(entry.key);
   }
 
@@ -130,6 +133,9 @@ private:
 
 } // namespace
 
-CaseValues resolved_values(const RawCase& raw_case, Problems& problems) { return Resolver(raw_case, problems).resolve(); }
+CaseValues resolved_values(const RawCase& raw_case, Problems& problems)
+{
+  return Resolver(raw_case, problems).resolve();
+}
 
 } // namespace brinell::io

@@ -55,9 +55,10 @@ double least_cells(const simulation::TuggingCase& t)
 /// Seconds on one core, from measured runs: time per cell of the contact's box, per evaluation, growing as N log N.
 double rough_seconds(const simulation::TuggingCase& t, const simulation::TuggingPlan& plan)
 {
-  constexpr double evaluations = 12.0;             // per step
-  constexpr double seconds_per_cell_level = 5e-9;  // one cell, one evaluation, one level of the transforms
-  const double cells = 4.0 * static_cast<double>(plan.contact.size()) * std::max(plan.lower.nz, plan.upper.nz); // 4: zero padding
+  constexpr double evaluations = 12.0;            // per step
+  constexpr double seconds_per_cell_level = 5e-9; // one cell, one evaluation, one level of the transforms
+  const double cells =
+      4.0 * static_cast<double>(plan.contact.size()) * std::max(plan.lower.nz, plan.upper.nz); // 4: zero padding
   const int plastic_bodies = (t.lower.material.is_plastic() ? 1 : 0) + (t.upper.material.is_plastic() ? 1 : 0);
   const double steps = static_cast<double>(plan.steps_per_pass) * t.passes;
   return steps * (1 + plastic_bodies) * evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
@@ -79,8 +80,8 @@ std::string critical_report(const Case& c)
   constexpr std::array bodies{"the lower body yields first", "the upper body yields first", "both bodies alike"};
   text += fmt::format("# First yield ({}): C = {:.6f}, alpha_c = {:.6e} m, P_c = {:.6e} N, U_c = {:.6e} J,\n"
                       "#   contact radius = {:.6e} m, peak pressure = {:.6e} Pa\n",
-                      bodies[static_cast<std::size_t>(c.first_yield->body)], critical.C, critical.interference, critical.load,
-                      critical.energy, critical.contact_radius, critical.peak_pressure);
+                      bodies[static_cast<std::size_t>(c.first_yield->body)], critical.C, critical.interference,
+                      critical.load, critical.energy, critical.contact_radius, critical.peak_pressure);
   return text + fmt::format("#   interference / alpha_c = {:.6g}\n", t.interference / critical.interference);
 }
 
@@ -93,9 +94,8 @@ std::string plan_report(const Case& c, const simulation::TuggingPlan& plan)
                       plan.contact.dx, plan.contact.dy, plan.lower.dz, plan.elastic_contact_radius);
   text += fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx, plan.contact.ny,
                       volume_text(plan.lower), volume_text(plan.upper));
-  return text
-         + fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(plan.memory_bytes),
-                       duration_text(rough_seconds(c.tugging, plan)));
+  return text + fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(plan.memory_bytes),
+                            duration_text(rough_seconds(c.tugging, plan)));
 }
 
 } // namespace

@@ -32,7 +32,10 @@ herr_t take_description(unsigned /*n*/, const H5E_error2_t* error, void* data)
 }
 
 /// HDF5 prints errors by itself unless told not to.
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void silence()
+{
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Handle checked(hid_t id, Handle::Close close, std::string_view what)
 {
@@ -55,7 +58,10 @@ void write_attribute(const Handle& object, const char* name, hid_t type, const H
   check(H5Awrite(attribute.id(), type, data), what);
 }
 
-Handle scalar_space() { return checked(H5Screate(H5S_SCALAR), H5Sclose, "make a data space"); }
+Handle scalar_space()
+{
+  return checked(H5Screate(H5S_SCALAR), H5Sclose, "make a data space");
+}
 
 Handle compression(std::span<const hsize_t> dims)
 {
@@ -141,9 +147,9 @@ void write_dataset(const Handle& group, const char* name, const std::vector<doub
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
   const Handle space = checked(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, what);
   const Handle properties = compression(dims);
-  const Handle dataset = checked(H5Dcreate2(group.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT,
-                                            properties.id(), H5P_DEFAULT),
-                                 H5Dclose, what);
+  const Handle dataset =
+      checked(H5Dcreate2(group.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+              H5Dclose, what);
   check(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
   write_attribute(dataset, "units", units);
   write_attribute(dataset, "long_name", long_name);

@@ -66,11 +66,13 @@ std::string history_row(const StepRecord& record)
 {
   std::string text;
   for (const Column& column : columns)
-    std::visit([&](auto member) { text += fmt::format("{}{}", text.empty() ? "" : ",", record.*member); }, column.member);
+    std::visit([&](auto member) { text += fmt::format("{}{}", text.empty() ? "" : ",", record.*member); },
+               column.member);
   return text;
 }
 
-HistoryWriter::HistoryWriter(std::filesystem::path path) : m_path(std::move(path)), m_file(std::fopen(m_path.c_str(), "w"))
+HistoryWriter::HistoryWriter(std::filesystem::path path)
+    : m_path(std::move(path)), m_file(std::fopen(m_path.c_str(), "w"))
 {
   if (!m_file)
     throw failure(m_path, "cannot be written");

@@ -16,7 +16,10 @@ namespace
 
 constexpr std::size_t longest_shown = 60;
 
-std::string article(std::string_view noun) { return fmt::format("{} {}", noun.front() == 'i' ? "an" : "a", noun); }
+std::string article(std::string_view noun)
+{
+  return fmt::format("{} {}", noun.front() == 'i' ? "an" : "a", noun);
+}
 
 Raw raw_value(const toml::node& node)
 {
@@ -73,7 +76,8 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
     else if (node.is_table())
       target.problems.add(place, fmt::format("unknown table {}; {}", path, suggestion(path)));
     else
-      target.problems.add(place, fmt::format("unknown key {} = {}; {}", path, shown(raw_value(node)), suggestion(path)));
+      target.problems.add(place,
+                          fmt::format("unknown key {} = {}; {}", path, shown(raw_value(node)), suggestion(path)));
   }
 }
 
@@ -195,8 +199,8 @@ std::string RawCase::place_for(std::string_view missing_key) const
   return file;
 }
 
-RawCase read_raw_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                      Problems& problems)
+RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
+                      const std::vector<std::string>& overrides, Problems& problems)
 {
   RawCase raw_case;
   raw_case.file = file.string();

@@ -33,7 +33,8 @@ public:
     if (m_descriptor >= 0 && flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     {
       close(m_descriptor);
-      throw IoError(fmt::format("{}: another run is writing its results there; choose another folder with -o", folder.string()));
+      throw IoError(
+          fmt::format("{}: another run is writing its results there; choose another folder with -o", folder.string()));
     }
   }
   FolderLock(const FolderLock&) = delete;
@@ -71,8 +72,8 @@ bool removed(const fs::path& path)
 bool earlier_result_removed(const fs::path& folder)
 {
   bool found = false;
-  for (const char* name : {"summary.json", "history.csv", "result.h5", "snapshots", "contact.xdmf", "lower.xdmf", "upper.xdmf",
-                           "resolved.toml", "result.h5.part", "summary.json.part"})
+  for (const char* name : {"summary.json", "history.csv", "result.h5", "snapshots", "contact.xdmf", "lower.xdmf",
+                           "upper.xdmf", "resolved.toml", "result.h5.part", "summary.json.part"})
     found = removed(folder / name) || found;
   return found;
 }
@@ -90,14 +91,15 @@ void replace_file(const fs::path& path, const std::string& text)
   if (stream)
     fs::rename(part, path, error);
   if (!stream || error)
-    throw IoError(fmt::format("{}: cannot be written: {}", path.string(), error ? error.message() : std::strerror(errno)));
+    throw IoError(
+        fmt::format("{}: cannot be written: {}", path.string(), error ? error.message() : std::strerror(errno)));
 }
 
 struct ResultDirectory::State
 {
   State(fs::path folder, const Case& given)
-      : path(made_folder(folder)), c(given), lock(path), replaced(earlier_result_removed(path)),
-        result(path, c), history(path / "history.csv")
+      : path(made_folder(folder)), c(given), lock(path), replaced(earlier_result_removed(path)), result(path, c),
+        history(path / "history.csv")
   {
     replace_file(path / "resolved.toml", resolved_text(c.values));
   }
@@ -115,19 +117,32 @@ ResultDirectory::ResultDirectory(ResultDirectory&&) noexcept = default;
 ResultDirectory& ResultDirectory::operator=(ResultDirectory&&) noexcept = default;
 ResultDirectory::~ResultDirectory() = default;
 
-bool ResultDirectory::replaced() const { return m_state->replaced; }
+bool ResultDirectory::replaced() const
+{
+  return m_state->replaced;
+}
 
-void ResultDirectory::add(const simulation::StepRecord& record) { m_state->history.add(record); }
+void ResultDirectory::add(const simulation::StepRecord& record)
+{
+  m_state->history.add(record);
+}
 
-void ResultDirectory::add(const simulation::Snapshot& snapshot) { m_state->result.add_step(snapshot); }
+void ResultDirectory::add(const simulation::Snapshot& snapshot)
+{
+  m_state->result.add_step(snapshot);
+}
 
-void ResultDirectory::finish(const simulation::TuggingPlan& plan, const simulation::TuggingSummary& summary, const RunInfo& info)
+void ResultDirectory::finish(const simulation::TuggingPlan& plan, const simulation::TuggingSummary& summary,
+                             const RunInfo& info)
 {
   m_state->result.add_final(summary.final_state);
   m_state->result.merge();
   replace_file(m_state->path / "summary.json", summary_text(m_state->c, plan, summary, info));
 }
 
-void ResultDirectory::stop() { m_state->result.merge(); }
+void ResultDirectory::stop()
+{
+  m_state->result.merge();
+}
 
 } // namespace brinell::io

@@ -17,11 +17,17 @@ constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
 using TensorField = std::array<std::vector<double>, 6>;
 
 /// Bodies that stay elastic may leave fields empty; then there is no dataset.
-bool is_stored(const std::vector<double>& field) { return !field.empty(); }
-bool is_stored(const TensorField& field) { return std::all_of(field.begin(), field.end(), [](const auto& f) { return is_stored(f); }); }
+bool is_stored(const std::vector<double>& field)
+{
+  return !field.empty();
+}
+bool is_stored(const TensorField& field)
+{
+  return std::all_of(field.begin(), field.end(), [](const auto& f) { return is_stored(f); });
+}
 
-void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field, std::span<const std::size_t> shape,
-                  std::string_view units, std::string_view long_name)
+void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field,
+                  std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
 {
   if (!is_stored(field))
     return;
@@ -36,7 +42,8 @@ std::vector<double> von_mises_field(const TensorField& stress)
   std::vector<double> result(size);
 #pragma omp parallel for
   for (std::size_t i = 0; i < size; ++i)
-    result[i] = von_mises(SymTensor{stress[0][i], stress[1][i], stress[2][i], stress[3][i], stress[4][i], stress[5][i]});
+    result[i] =
+        von_mises(SymTensor{stress[0][i], stress[1][i], stress[2][i], stress[3][i], stress[4][i], stress[5][i]});
   return result;
 }
 

@@ -34,7 +34,10 @@ void rename_file(const fs::path& from, const fs::path& to)
     throw IoError(fmt::format("{}: cannot be written: {}", to.string(), error.message()));
 }
 
-fs::path part_of(fs::path path) { return path += ".part"; }
+fs::path part_of(fs::path path)
+{
+  return path += ".part";
+}
 
 } // namespace
 

@@ -34,8 +34,14 @@ std::string with_range(std::string text, const Range& range)
 }
 
 /// The key inside its top-level table, and that table.
-std::string_view section(std::string_view key) { return key.find('.') == key.npos ? "" : key.substr(0, key.find('.')); }
-std::string_view tail(std::string_view key) { return key.find('.') == key.npos ? key : key.substr(key.find('.') + 1); }
+std::string_view section(std::string_view key)
+{
+  return key.find('.') == key.npos ? "" : key.substr(0, key.find('.'));
+}
+std::string_view tail(std::string_view key)
+{
+  return key.find('.') == key.npos ? key : key.substr(key.find('.') + 1);
+}
 
 std::string default_text(const Entry& entry)
 {
@@ -77,7 +83,7 @@ A case is a [TOML](https://toml.io) file. Dotted keys and tables mean the same: 
 Units are products of m, g, s, K, N, Pa, bar, J, W with the prefixes p n u (or µ) c m k M G T, `*` or a space between,
 `/` before each one that divides. A quantity of the wrong dimension is an error.
 
-**Errors.** Unknown keys, missing keys, wrong types and impossible values are errors, all reported at once with file and line.
+**Errors.** Unknown keys, missing keys, wrong types and impossible values are errors, reported together with file and line.
 
 **Command line.** `--set key=value` replaces or adds a key, as in `--set tugging.interference=4 --set lower.shape.radius="2 mm"`.
 Where it excludes a key of the file (`grid.resolution` for `grid.spacing`) or makes it pointless
@@ -110,17 +116,22 @@ std::string allowed_values(const Entry& entry)
   const bool pure = entry.dimension == dimension::none;
   switch (entry.type)
   {
-  case Type::text: return "text";
-  case Type::choice: return quoted_list(entry.choices);
-  case Type::boolean: return "true or false";
-  case Type::integer: return with_range("integer", entry.range);
+  case Type::text:
+    return "text";
+  case Type::choice:
+    return quoted_list(entry.choices);
+  case Type::boolean:
+    return "true or false";
+  case Type::integer:
+    return with_range("integer", entry.range);
   case Type::number:
-    return with_range(pure ? "number" : dimension_name(entry.dimension), entry.range) + unit_note(entry.dimension)
-           + (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
+    return with_range(pure ? "number" : dimension_name(entry.dimension), entry.range) + unit_note(entry.dimension) +
+           (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
   case Type::vector3:
-    return with_range(fmt::format("three {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range)
-           + unit_note(entry.dimension);
-  case Type::snapshots: return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";
+    return with_range(fmt::format("three {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range) +
+           unit_note(entry.dimension);
+  case Type::snapshots:
+    return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";
   }
   return "";
 }

@@ -9,10 +9,22 @@ namespace brinell::io
 namespace
 {
 
-Range above(double min) { return {.min = min, .min_allowed = false}; }
-Range at_least(double min) { return {.min = min}; }
-Range between(double min, double max) { return {.min = min, .max = max}; }
-Range inside(double min, double max) { return {.min = min, .max = max, .min_allowed = false, .max_allowed = false}; }
+Range above(double min)
+{
+  return {.min = min, .min_allowed = false};
+}
+Range at_least(double min)
+{
+  return {.min = min};
+}
+Range between(double min, double max)
+{
+  return {.min = min, .max = max};
+}
+Range inside(double min, double max)
+{
+  return {.min = min, .max = max, .min_allowed = false, .max_allowed = false};
+}
 
 std::vector<Entry> root_entries()
 {
@@ -21,8 +33,9 @@ std::vector<Entry> root_entries()
        .type = Type::choice,
        .choices = {"tugging"},
        .required = true,
-       .text = "What is computed. tugging: the upper sphere is carried along x past the lower one at constant height, so "
-               "that they interfere."},
+       .text =
+           "What is computed. tugging: the upper sphere is carried along x past the lower one at constant height, so "
+           "that they interfere."},
       {.key = "title", .type = Type::text, .unset = "no title", .text = "Free text, copied into the results."},
   };
 }
@@ -32,7 +45,11 @@ std::vector<Entry> body_entries(const std::string& body)
 {
   const std::string law = body + ".material.hardening.law";
   return {
-      {.key = body + ".shape.type", .type = Type::choice, .choices = {"sphere"}, .required = true, .text = "Shape of the surface."},
+      {.key = body + ".shape.type",
+       .type = Type::choice,
+       .choices = {"sphere"},
+       .required = true,
+       .text = "Shape of the surface."},
       {.key = body + ".shape.radius",
        .type = Type::number,
        .dimension = dimension::length,
@@ -85,8 +102,9 @@ std::vector<Entry> tugging_entries()
       {.key = "tugging.normalised",
        .type = Type::boolean,
        .fallback = true,
-       .text = "Whether interference is given in critical interferences alpha_c, at which the first point yields; needs a "
-               "body that can yield.",
+       .text =
+           "Whether interference is given in critical interferences alpha_c, at which the first point yields; needs a "
+           "body that can yield.",
        .when = tugging},
       {.key = "tugging.interference",
        .type = Type::number,
@@ -107,7 +125,8 @@ std::vector<Entry> tugging_entries()
        .type = Type::choice,
        .choices = {"exact", "paper"},
        .fallback = "exact",
-       .text = "Relation of arc and sliding distance. exact: X = omega tan(theta); paper: Eqs. 9-13 of Boucly, Nelias, Green (2006).",
+       .text = "Relation of arc and sliding distance. exact: X = omega tan(theta); paper: Eqs. 9-13 of Boucly, Nelias, "
+               "Green (2006).",
        .when = tugging},
       {.key = "tugging.passes",
        .type = Type::integer,
@@ -182,11 +201,14 @@ std::vector<Entry> output_entries()
       {.key = "output.snapshots",
        .type = Type::snapshots,
        .fallback = SnapshotRule{},
-       .text = "Steps whose fields are stored, beside the final state, which always is. \"aligned\": the step nearest to X = 0 of each pass."},
+       .text = "Steps whose fields are stored, beside the final state, which always is. \"aligned\": the step nearest "
+               "to X = 0 of each pass."},
       {.key = "output.directory",
        .type = Type::text,
-       .unset = "results/<name of the case>",
-       .text = "Folder of the results, from the current directory; -o on the command line wins."},
+       .unset = "results/NAME",
+       .text = "Folder of the results, from the current directory; -o on the command line wins. NAME is that of the "
+               "case file, or of "
+               "its folder if the file is called case.toml."},
   };
 }
 

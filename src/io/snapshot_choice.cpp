@@ -12,11 +12,16 @@ bool SnapshotChoice::operator()(const simulation::StepRecord& record)
   using Kind = SnapshotRule::Kind;
   switch (m_rule.kind)
   {
-  case Kind::none: return false;
-  case Kind::all: return true;
-  case Kind::every: return record.step % m_rule.every == 0;
-  case Kind::listed: return std::binary_search(m_rule.steps.begin(), m_rule.steps.end(), record.step);
-  case Kind::aligned: return nearest_to_alignment(record);
+  case Kind::none:
+    return false;
+  case Kind::all:
+    return true;
+  case Kind::every:
+    return record.step % m_rule.every == 0;
+  case Kind::listed:
+    return std::binary_search(m_rule.steps.begin(), m_rule.steps.end(), record.step);
+  case Kind::aligned:
+    return nearest_to_alignment(record);
   }
   return false;
 }

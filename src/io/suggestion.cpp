@@ -92,7 +92,10 @@ int edit_distance(std::string_view a, std::string_view b)
   return d[n][m];
 }
 
-std::string known_keys(std::string_view parent) { return fmt::format("{}", fmt::join(children(parent), ", ")); }
+std::string known_keys(std::string_view parent)
+{
+  return fmt::format("{}", fmt::join(children(parent), ", "));
+}
 
 std::string suggestion(std::string_view unknown_key)
 {

@@ -22,8 +22,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(); // null in JSON
 Json critical_json(const Case& c)
 {
   if (!c.first_yield)
-    return {{"C", nullptr},          {"interference_m", nullptr}, {"load_N", nullptr},      {"energy_J", nullptr},
-            {"contact_radius_m", nullptr}, {"peak_pressure_Pa", nullptr}, {"yields_first", nullptr}};
+    return {{"C", nullptr},           {"interference_m", nullptr},   {"load_N", nullptr},
+            {"energy_J", nullptr},    {"contact_radius_m", nullptr}, {"peak_pressure_Pa", nullptr},
+            {"yields_first", nullptr}};
   constexpr std::array bodies{"lower", "upper", "both"};
   const auto& critical = c.first_yield->critical;
   return {{"C", critical.C},
@@ -35,7 +36,10 @@ Json critical_json(const Case& c)
           {"yields_first", bodies[static_cast<std::size_t>(c.first_yield->body)]}};
 }
 
-double mean_radius(const simulation::TuggingCase& t) { return 0.5 * (t.lower.radius + t.upper.radius); }
+double mean_radius(const simulation::TuggingCase& t)
+{
+  return 0.5 * (t.lower.radius + t.upper.radius);
+}
 
 Json geometry_json(const simulation::TuggingCase& t, const TuggingPlan& plan)
 {
@@ -52,7 +56,8 @@ Json normalised_json(const Case& c, const TuggingSummary& s)
 {
   // Without first yield every quotient becomes NaN, hence null.
   const reference::CriticalValues scale =
-      c.first_yield ? c.first_yield->critical : reference::CriticalValues{.interference = nan, .load = nan, .energy = nan};
+      c.first_yield ? c.first_yield->critical
+                    : reference::CriticalValues{.interference = nan, .load = nan, .energy = nan};
   return {{"interference", c.tugging.interference / scale.interference},
           {"peak_F_X", s.peak_F_X / scale.load},
           {"X_over_R_at_peak_F_X", s.X_at_peak_F_X / mean_radius(c.tugging)},
@@ -85,7 +90,10 @@ Json energy_json(const TuggingSummary& s)
           {"balance_error", s.energy_balance_error}};
 }
 
-Json cells(const VolumeGrid& grid) { return Json::array({grid.surface.nx, grid.surface.ny, grid.nz}); }
+Json cells(const VolumeGrid& grid)
+{
+  return Json::array({grid.surface.nx, grid.surface.ny, grid.nz});
+}
 
 Json grid_json(const TuggingPlan& plan)
 {
@@ -100,7 +108,8 @@ Json grid_json(const TuggingPlan& plan)
 Json versions_json()
 {
   const Versions versions = library_versions();
-  return {{"brinell", versions.brinell}, {"git_hash", versions.git_hash}, {"fftw", versions.fftw}, {"hdf5", versions.hdf5}};
+  return {
+      {"brinell", versions.brinell}, {"git_hash", versions.git_hash}, {"fftw", versions.fftw}, {"hdf5", versions.hdf5}};
 }
 
 /// Dotted keys as nested objects.

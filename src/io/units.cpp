@@ -99,13 +99,16 @@ std::optional<Unit> find_unit(std::string_view symbol)
       return unit;
   for (const Prefix& prefix : prefixes)
     for (const Unit& unit : units)
-      if (unit.prefixed && symbol.size() == prefix.symbol.size() + unit.symbol.size() && symbol.starts_with(prefix.symbol)
-          && symbol.ends_with(unit.symbol))
+      if (unit.prefixed && symbol.size() == prefix.symbol.size() + unit.symbol.size() &&
+          symbol.starts_with(prefix.symbol) && symbol.ends_with(unit.symbol))
         return Unit{symbol, unit.dimension, unit.power + prefix.power};
   return std::nullopt;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c)
+{
+  return c >= '0' && c <= '9';
+}
 
 void skip_spaces(std::string_view& text)
 {
@@ -176,9 +179,9 @@ int take_exponent(std::string_view& text)
 std::string_view take_symbol(std::string_view& text)
 {
   std::size_t n = 0;
-  while (n < text.size() && std::string_view("*/^ \t-+.0123456789").find(text[n]) == std::string_view::npos
-         && !text.substr(n).starts_with("\u00b7") && !text.substr(n).starts_with("\u00b2")
-         && !text.substr(n).starts_with("\u00b3"))
+  while (n < text.size() && std::string_view("*/^ \t-+.0123456789").find(text[n]) == std::string_view::npos &&
+         !text.substr(n).starts_with("\u00b7") && !text.substr(n).starts_with("\u00b2") &&
+         !text.substr(n).starts_with("\u00b3"))
     ++n;
   const auto symbol = text.substr(0, n);
   text.remove_prefix(n);
@@ -199,9 +202,12 @@ Unit unit_expression(std::string_view text)
 {
   const std::string_view whole = text;
   const auto bad = [&](std::string_view what)
-  { return InputError(fmt::format("has the {} \"{}\"; known are m, g, s, K, N, Pa, bar, J, W with the prefixes p n u c m k M G T, "
-                                  "as in \"mm\", \"GPa\", \"N/mm^2\"",
-                                  what, whole)); };
+  {
+    return InputError(
+        fmt::format("has the {} \"{}\"; known are m, g, s, K, N, Pa, bar, J, W with the prefixes p n u c m k M G T, "
+                    "as in \"mm\", \"GPa\", \"N/mm^2\"",
+                    what, whole));
+  };
   Unit product;
   int sign = 1;
   while (true)

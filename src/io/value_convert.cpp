@@ -131,7 +131,8 @@ SnapshotRule snapshot_rule(const Raw& raw, const Entry& entry)
   {
     const auto* step = std::get_if<std::int64_t>(&item.value);
     if (!step || *step < 0 || *step > std::numeric_limits<int>::max())
-      throw InputError(fmt::format("has the element {}, which is not a step number; {}", shown(item), allowed(entry, false)));
+      throw InputError(
+          fmt::format("has the element {}, which is not a step number; {}", shown(item), allowed(entry, false)));
     rule.steps.push_back(static_cast<int>(*step));
   }
   std::sort(rule.steps.begin(), rule.steps.end());
@@ -149,15 +150,20 @@ Value converted(const Raw& raw, const Entry& entry, bool pure)
     if (const auto* text = std::get_if<std::string>(&raw.value))
       return *text;
     throw wrong_type(raw, entry, pure);
-  case Type::choice: return choice(raw, entry);
+  case Type::choice:
+    return choice(raw, entry);
   case Type::boolean:
     if (const auto* flag = std::get_if<bool>(&raw.value))
       return *flag;
     throw wrong_type(raw, entry, pure);
-  case Type::integer: return integer(raw, entry);
-  case Type::number: return number(raw, entry, pure);
-  case Type::vector3: return vector3(raw, entry);
-  case Type::snapshots: return snapshot_rule(raw, entry);
+  case Type::integer:
+    return integer(raw, entry);
+  case Type::number:
+    return number(raw, entry, pure);
+  case Type::vector3:
+    return vector3(raw, entry);
+  case Type::snapshots:
+    return snapshot_rule(raw, entry);
   }
   throw InternalError("a type of the case schema has no conversion");
 }

@@ -28,10 +28,14 @@ std::string rule_word(const SnapshotRule& rule)
 {
   switch (rule.kind)
   {
-  case SnapshotRule::Kind::none: return "none";
-  case SnapshotRule::Kind::aligned: return "aligned";
-  case SnapshotRule::Kind::all: return "all";
-  default: return fmt::format("every {}", rule.every);
+  case SnapshotRule::Kind::none:
+    return "none";
+  case SnapshotRule::Kind::aligned:
+    return "aligned";
+  case SnapshotRule::Kind::all:
+    return "all";
+  default:
+    return fmt::format("every {}", rule.every);
   }
 }
 
@@ -56,8 +60,7 @@ std::string toml_text(const Value& value)
 {
   return std::visit(
       Overload{[](bool b) { return std::string(b ? "true" : "false"); },
-               [](std::int64_t i) { return fmt::format("{}", i); },
-               [](double x) { return number_text(x); },
+               [](std::int64_t i) { return fmt::format("{}", i); }, [](double x) { return number_text(x); },
                [](const std::string& s) { return toml_string(s); },
                [](const Vector3& v)
                { return fmt::format("[{}, {}, {}]", number_text(v[0]), number_text(v[1]), number_text(v[2])); },
@@ -72,8 +75,10 @@ std::string toml_text(const Value& value)
 nlohmann::ordered_json json_value(const Value& value)
 {
   using Json = nlohmann::ordered_json;
-  return std::visit(Overload{[](const SnapshotRule& rule)
-                             { return rule.kind == SnapshotRule::Kind::listed ? Json(rule.steps) : Json(rule_word(rule)); },
+  return std::visit(Overload{[](const SnapshotRule& rule) {
+                               return rule.kind == SnapshotRule::Kind::listed ? Json(rule.steps)
+                                                                              : Json(rule_word(rule));
+                             },
                              [](const auto& plain) { return Json(plain); }},
                     value);
 }

@@ -12,7 +12,8 @@ namespace
 
 constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
 
-void add_tensor(std::vector<XdmfGrid::Field>& fields, const std::array<std::vector<double>, 6>& values, const std::string& name)
+void add_tensor(std::vector<XdmfGrid::Field>& fields, const std::array<std::vector<double>, 6>& values,
+                const std::string& name)
 {
   if (std::any_of(values.begin(), values.end(), [](const auto& v) { return v.empty(); }))
     return;
@@ -38,7 +39,14 @@ Frame frame(const XdmfGrid& grid)
   if (grid.cells.nz == 0)
     return {1, s.ny, s.nx, 0.0, grid.y0, grid.x0, s.dx, "Node", fmt::format("1 {} {}", s.ny, s.nx)};
   const int nz = grid.cells.nz;
-  return {nz + 1, s.ny + 1, s.nx + 1, 0.0, grid.y0 - 0.5 * s.dy, grid.x0 - 0.5 * s.dx, grid.cells.dz, "Cell",
+  return {nz + 1,
+          s.ny + 1,
+          s.nx + 1,
+          0.0,
+          grid.y0 - 0.5 * s.dy,
+          grid.x0 - 0.5 * s.dx,
+          grid.cells.dz,
+          "Cell",
           fmt::format("{} {} {}", nz, s.ny, s.nx)};
 }
 
@@ -55,7 +63,8 @@ std::string grid_text(const XdmfGrid& grid, const std::string& h5_file, const st
                                  indent, grid.name, f.nz, f.ny, f.nx, f.z0, f.y0, f.x0, f.dz, surface.dy, surface.dx);
   for (const auto& field : grid.fields)
     text += fmt::format("{0}  <Attribute Name=\"{1}\" AttributeType=\"Scalar\" Center=\"{2}\">\n"
-                        "{0}    <DataItem Dimensions=\"{3}\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">{4}:{5}/{6}</DataItem>\n"
+                        "{0}    <DataItem Dimensions=\"{3}\" NumberType=\"Float\" Precision=\"8\" "
+                        "Format=\"HDF\">{4}:{5}/{6}</DataItem>\n"
                         "{0}  </Attribute>\n",
                         indent, field.name, f.center, f.dims, h5_file, grid.group, field.dataset);
   return text + fmt::format("{}</Grid>\n", indent);
@@ -70,7 +79,8 @@ std::string moment_text(const XdmfTime& moment, const std::string& h5_file)
     std::string text = grid_text(moment.grids.front(), h5_file, "      ");
     return text.insert(text.find('\n') + 1, "        " + time);
   }
-  std::string text = fmt::format("      <Grid Name=\"step\" GridType=\"Collection\" CollectionType=\"Spatial\">\n        {}", time);
+  std::string text =
+      fmt::format("      <Grid Name=\"step\" GridType=\"Collection\" CollectionType=\"Spatial\">\n        {}", time);
   for (const XdmfGrid& grid : moment.grids)
     text += grid_text(grid, h5_file, "        ");
   return text + "      </Grid>\n";

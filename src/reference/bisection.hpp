@@ -4,7 +4,8 @@
 namespace brinell::reference
 {
 
-/// Root of f between `positive`, where f >= 0, and `negative`, where f <= 0, to the last bit that the interval resolves.
+/// Root of f between `positive`, where f >= 0, and `negative`, where f <= 0, to the last bit that the interval
+/// resolves.
 template <class F>
 double bisected_root(F f, double positive, double negative)
 {

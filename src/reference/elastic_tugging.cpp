@@ -70,9 +70,8 @@ TuggingPeak elastic_tugging_peak(const ElasticTugging& tugging)
 {
   const double d0 = half_sliding_distance(tugging);
   const double omega = radii(tugging) - tugging.interference;
-  const auto slope = [&](double s) {
-    return omega * omega * interference_at(tugging, s) - 1.5 * s * s * std::hypot(omega, s);
-  };
+  const auto slope = [&](double s)
+  { return omega * omega * interference_at(tugging, s) - 1.5 * s * s * std::hypot(omega, s); };
   const double X = -bisected_root(slope, 0.0, d0);
   return {.F_X = elastic_tugging_forces(tugging, X).F_X, .X = X};
 }

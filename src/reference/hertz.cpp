@@ -30,8 +30,8 @@ struct EllipticIntegrals
   double K, D;
 };
 
-/// Arithmetic-geometric mean (Abramowitz & Stegun 1964, 17.6). D comes without the cancellation of K - E at small k, nor
-/// k from k' at large k, as std::comp_ellint_2(k) would have it.
+/// Arithmetic-geometric mean (Abramowitz & Stegun 1964, 17.6). D comes without the cancellation of K - E at small k,
+/// nor k from k' at large k, as std::comp_ellint_2(k) would have it.
 EllipticIntegrals elliptic_integrals(double k_prime)
 {
   double a = 0.5 * (1.0 + k_prime), b = std::sqrt(k_prime);
@@ -61,7 +61,8 @@ struct EllipseShape
 /// Solves R_long/R_short = (K - D)/(k'^2 D), Johnson 1985, Eq. 4.28; the right side falls with k'.
 EllipseShape ellipse_shape(double radius_ratio)
 {
-  const auto excess = [radius_ratio](double log_axis_ratio) {
+  const auto excess = [radius_ratio](double log_axis_ratio)
+  {
     const double k_prime = std::exp(log_axis_ratio);
     const auto [K, D] = elliptic_integrals(k_prime);
     return (K - D) / (k_prime * k_prime * D) - radius_ratio;
@@ -75,7 +76,8 @@ EllipseShape ellipse_shape(double radius_x, double radius_y)
   return radius_x > radius_y ? ellipse_shape(radius_x / radius_y) : ellipse_shape(radius_y / radius_x);
 }
 
-/// The contact with a long semi-axis a: p0 = E' a^2/(b D 2 R_long), approach = p0 b K/E' (Johnson 1985, Eqs. 4.26-4.29).
+/// The contact with a long semi-axis a: p0 = E' a^2/(b D 2 R_long), approach = p0 b K/E' (Johnson 1985, Eqs.
+/// 4.26-4.29).
 EllipticalContact elliptical_contact(double radius_x, double radius_y, double contact_modulus,
                                      const EllipseShape& shape, double a)
 {
@@ -172,7 +174,8 @@ FirstYield first_yield(double poisson_ratio)
 {
   require_within(poisson_ratio, -1e-300, 0.5, "Poisson's ratio");
   const double g = 1.0 + poisson_ratio;
-  const auto slope = [g](double s) {
+  const auto slope = [g](double s)
+  {
     const double f = 1.0 / (1.0 + s * s);
     return g * (std::atan2(1.0, s) - s * f) - 3.0 * s * f * f;
   };

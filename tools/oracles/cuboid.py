@@ -2,8 +2,8 @@
 """Oracle of green/cuboid: mpmath quadrature of Kelvin's and Mindlin's point forces over the faces of a cuboid.
 
 Writes tests/data/cuboid_oracle.csv with 22 digits. Run:  python tools/oracles/cuboid.py [--check]
-Needs mpmath and sympy; takes some tens of minutes. Independent of brinell's potentials: a uniform eigenstrain in a region
-acts like the surface force t_p = C_pqmn eps_mn n_q on its boundary, so
+Needs mpmath and sympy, and gmpy2 for speed (half an hour then). Independent of brinell's potentials: a uniform
+eigenstrain in a region acts like the surface force t_p = C_pqmn eps_mn n_q on its boundary, so
 
     u_k(x) = integral over the faces of t_p G_kp(x, x') dS',    stress = C : (grad u - inside eps)
 
@@ -77,7 +77,7 @@ def green_tensor(kind):
 
 
 def compiled(kind):
-    """Function of (x, y, z, u, v, w, nu): the 9 values G_kp and the 27 gradients G_kp,l, all times 16 pi mu (1 - nu)."""
+    """Function of (x, y, z, u, v, w, nu): 9 values G_kp, then 27 gradients G_kp,l, times 16 pi mu (1 - nu)."""
     symbols = sp.symbols("x y z u v w nu")
     g = green_tensor(kind)
     values = list(g) + [sp.diff(e, symbols[axis]) for e in g for axis in range(3)]
@@ -163,7 +163,8 @@ def fields(integrals, component, is_inside, nu):
 def check():
     """Residuals of G: Navier's equation, traction at z = 0, reciprocity."""
     symbols = sp.symbols("x y z u v w nu")
-    at = dict(zip(symbols, (sp.Rational(3, 10), sp.Rational(-7, 10), sp.Rational(4, 10), 0, 0, sp.Rational(11, 10), sp.Rational(3, 10))))
+    point = (sp.Rational(3, 10), sp.Rational(-7, 10), sp.Rational(4, 10), 0, 0, sp.Rational(11, 10))
+    at = dict(zip(symbols, (*point, sp.Rational(3, 10))))
     for kind in ("full", "half"):
         g = green_tensor(kind)
         nu, axes = symbols[6], symbols[:3]

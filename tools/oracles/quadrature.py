@@ -5,7 +5,7 @@ import mpmath as mp
 
 
 def gauss_legendre(order):
-    """Nodes and weights on [-1, 1] as pairs, by Newton's method on the recurrence, 15 digits beyond the working ones."""
+    """Nodes and weights on [-1, 1] as pairs, by Newton's method on the recurrence, with 15 digits to spare."""
     with mp.workdps(mp.mp.dps + 15):
         return _gauss_legendre(order)
 

@@ -14,15 +14,15 @@ class Anderson
 {
 public:
   /// @param depth  earlier evaluations kept; 0 gives the plain fixed point.
-  Anderson(std::size_t size, int depth);
+  explicit Anderson(int depth);
 
-  /// Replaces x by the next iterate, given g(x). Both have the length `size`.
+  /// Replaces x by the next iterate, given g(x). Both may be longer than last time: unknowns that came in at the end
+  /// have no history, as if they had always been converged.
   void advance(std::span<double> x, std::span<const double> g);
   /// Forgets the history.
   void reset() { count_ = 0; }
 
 private:
-  std::size_t size_;
   std::size_t depth_;
   std::size_t count_ = 0; ///< evaluations seen since the last reset
   std::vector<double> previous_x_, previous_f_;

@@ -24,8 +24,8 @@ struct BodyState
 
 /// One body of a contact: material, operators, history, and the trial of the increment at hand.
 ///
-/// The unknown of an increment is the trial deviator q in the active cells (those near or beyond yield); everywhere else
-/// the stress is elastic and follows.
+/// The unknown of an increment is the trial deviator q = s + c d_eps in the active cells (those near or beyond yield);
+/// everywhere else the stress is elastic and follows.
 class Body
 {
 public:
@@ -38,7 +38,9 @@ public:
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
 
   /// Starts an increment: the guess of q is the last one, carried along by `shift` cells in x with the contact.
-  void begin(int shift);
+  /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 bounds the stiffness of any plastic strain, which makes the
+  ///                         plain fixed point descend always; a cell's own stiffness, near 0.6, converges faster.
+  void begin(int shift, double stiffness_share);
   /// Integrates the plastic strain for the present q and computes the residual displacement it gives.
   void integrate(Integration integration);
   /// Stress under `pressure` (on the whole surface grid) and, from it, the next fixed-point value g of q.
@@ -64,10 +66,11 @@ private:
   halfspace::HalfSpace half_space_;
   halfspace::HalfSpace::Work work_;
   BodyState state_;
+  double stiffness_ = 0.0;             ///< c [Pa]
   std::vector<std::size_t> active_;    ///< cells that may yield
   std::vector<char> is_active_;
   std::vector<double> q_, g_;          ///< trial deviator and its image, [active][component]
-  std::vector<double> q_field_;        ///< the same on the grid, kept from step to step as a guess
+  std::vector<double> q_field_;        ///< q of the last increment on the whole grid (elsewhere the stress)
   std::vector<double> equivalent_, dissipation_; ///< increments in the active cells
   std::vector<double> strain_, stress_;          ///< trial fields
   std::vector<double> displacement_;

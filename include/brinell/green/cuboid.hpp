@@ -14,7 +14,8 @@ namespace brinell::green
 struct CuboidPotentials
 {
   SymTensor phi{}; ///< second derivatives of phi [-]
-  /// Fourth derivatives of psi [-]: xxxx, yyyy, zzzz, xxyy, yyzz, xxzz, xxxy, xxxz, yyyx, yyyz, zzzx, zzzy, xxyz, yyxz, zzxy.
+  /// Fourth derivatives of psi [-]: xxxx, yyyy, zzzz, xxyy, yyzz, xxzz, xxxy, xxxz, yyyx, yyyz, zzzx, zzzy, xxyz, yyxz,
+  /// zzxy.
   std::array<double, 15> psi{};
 };
 
@@ -41,8 +42,8 @@ struct CuboidPotentials
 [[nodiscard]] SymTensor eigenstrain_stress(const CuboidPotentials& potentials, double inside,
                                            const SymTensor& eigenstrain, const Elastic& elastic);
 
-/// Stress in full space of a cuboid centred at the origin with a uniform eigenstrain of any trace [Pa], tension positive
-/// (Chiu 1977). Equations at `eigenstrain_stress`, `cuboid_potentials_corner`.
+/// Stress in full space of a cuboid centred at the origin with a uniform eigenstrain of any trace [Pa], tension
+/// positive (Chiu 1977). Equations at `eigenstrain_stress`, `cuboid_potentials_corner`.
 /// @param x, y, z      point [m], not on an edge. On a face the components that jump take the mean of both sides.
 /// @param dx, dy, dz   sides [m], > 0.
 /// @param eigenstrain  tensor components [-].
@@ -50,11 +51,12 @@ struct CuboidPotentials
                                       const SymTensor& eigenstrain, const Elastic& elastic);
 
 /// Stress in the half space z >= 0 with a free surface, of a cuboid centred at (0, 0, zc) with a uniform eigenstrain of
-/// any trace [Pa], tension positive: cuboid, plus its mirror image at -zc with the xz and yz components negated, plus the
-/// Boussinesq field of the pressure 2 sigma_zz(cuboid) that frees z = 0 of its remaining traction (Liu, Jin, Wang, Keer
-/// 2012). The potential of that pressure is closed-form too.
+/// any trace [Pa], tension positive: cuboid, plus its mirror image at -zc with the xz and yz components negated, plus
+/// the Boussinesq field of the pressure 2 sigma_zz(cuboid) that frees z = 0 of its remaining traction (Liu, Jin, Wang,
+/// Keer 2012). The potential of that pressure is closed-form too.
 ///
-/// In the wavenumber domain (factor e^{i k l}, l along the wavevector, t across it) V = -2 pi mu/(1 - nu) F e^{-kz} with
+/// In the wavenumber domain (factor e^{i k l}, l along the wavevector, t across it) V = -2 pi mu/(1 - nu) F e^{-kz}
+/// with
 ///     F = integral over z' of (eps_ll + eps_zz + 2 nu eps_tt - k z' (eps_ll - eps_zz - 2 i eps_lz)) e^{-k z'}.
 /// Back in space, with T_n the harmonic function of transform 2 pi e^{-k(z + z')}/k^n (integrated over the rectangle),
 /// D = eps_xx d_xx + eps_yy d_yy + 2 eps_xy d_xy, G = eps_xz d_x + eps_yz d_y,
@@ -66,8 +68,9 @@ struct CuboidPotentials
 [[nodiscard]] SymTensor cuboid_stress_half_space(double x, double y, double z, double zc, double dx, double dy,
                                                  double dz, const SymTensor& eigenstrain, const Elastic& elastic);
 
-/// Normal displacement of the free surface at (x, y, 0), into the body positive [m], of the same cuboid: by the potential
-/// V above, u_z = (1 - nu)/(2 pi mu) V(z = 0). A dilatation lifts the surface, u_z < 0 (Mindlin & Cheng 1950).
+/// Normal displacement of the free surface at (x, y, 0), into the body positive [m], of the same cuboid: by the
+/// potential V above, u_z = (1 - nu)/(2 pi mu) V(z = 0). A dilatation lifts the surface, u_z < 0 (Mindlin & Cheng
+/// 1950).
 [[nodiscard]] double cuboid_surface_displacement(double x, double y, double zc, double dx, double dy, double dz,
                                                  const SymTensor& eigenstrain, double poisson_ratio);
 

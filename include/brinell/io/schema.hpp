@@ -79,14 +79,14 @@ struct Entry
   Dimension dimension{};
   Range range{};
   std::vector<std::string> choices{};
-  bool required = false;          ///< where the condition holds
+  bool required = false;           ///< where the condition holds
   std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset
-  std::string unset{};            ///< what happens then
-  std::string text;               ///< meaning
-  std::string hint{};             ///< what a usual value is, for messages
+  std::string unset{};             ///< what happens then
+  std::string text;                ///< meaning
+  std::string hint{};              ///< what a usual value is, for messages
   Condition when{};
-  std::string excludes{};         ///< a key that cannot stand beside this one
-  std::string pure_if{};          ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
+  std::string excludes{}; ///< a key that cannot stand beside this one
+  std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
 };
 
 /// All keys, parents before children, keys that others depend on before these.

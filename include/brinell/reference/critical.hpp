@@ -7,10 +7,10 @@ namespace brinell::reference
 /// First yield of a frictionless Hertz point contact.
 struct CriticalValues
 {
-  double C = 0.0;            ///< p0 / S_y at first yield, Green (2005) fit, paper Eq. 27
-  double interference = 0.0; ///< alpha_c [m], Eq. 24
-  double load = 0.0;         ///< P_c [N], Eq. 25
-  double energy = 0.0;       ///< U_c [J], Eq. 26
+  double C = 0.0;              ///< p0 / S_y at first yield, Green (2005) fit, paper Eq. 27
+  double interference = 0.0;   ///< alpha_c [m], Eq. 24
+  double load = 0.0;           ///< P_c [N], Eq. 25
+  double energy = 0.0;         ///< U_c [J], Eq. 26
   double contact_radius = 0.0; ///< a_c [m]
   double peak_pressure = 0.0;  ///< p0_c = C S_y [Pa]
 };

@@ -36,7 +36,8 @@ struct TuggingPeak
 /// @throws InputError
 void require_valid(const ElasticTugging& tugging);
 
-/// d0: the spheres touch for -d0 < X < d0 [m]; tan(theta) of the first touch is d0/omega (Boucly, Nelias & Green 2006, Eq. 2).
+/// d0: the spheres touch for -d0 < X < d0 [m]; tan(theta) of the first touch is d0/omega (Boucly, Nelias & Green 2006,
+/// Eq. 2).
 [[nodiscard]] double half_sliding_distance(const ElasticTugging& tugging);
 
 /// Forces at X [m].

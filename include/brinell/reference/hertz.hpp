@@ -47,8 +47,8 @@ struct EllipticalContact
 
 /// The same at a given approach [m], >= 0.
 /// @throws InputError
-[[nodiscard]] EllipticalContact elliptical_contact_at_approach(double radius_x, double radius_y,
-                                                               double contact_modulus, double approach);
+[[nodiscard]] EllipticalContact elliptical_contact_at_approach(double radius_x, double radius_y, double contact_modulus,
+                                                               double approach);
 
 /// Stress under the pressure p0 sqrt(1 - r^2/a^2) on the circle r < a [Pa], tension positive, in Cartesian components
 /// (Huber 1904; Hamilton 1983 without friction). In units of a, with oblate spheroidal coordinates

@@ -14,7 +14,8 @@ struct IndentedSphere
   double yield_stress = 0.0; ///< S_y [Pa], > 0
 };
 
-/// C = p0/S_y at first yield as Jackson & Green (2005) have it: 1.295 exp(0.736 nu) (0.1 % off `critical_pressure_ratio`).
+/// C = p0/S_y at first yield as Jackson & Green (2005) have it: 1.295 exp(0.736 nu) (0.1 % off
+/// `critical_pressure_ratio`).
 [[nodiscard]] double jackson_green_pressure_ratio(double poisson_ratio);
 
 /// Contact area over the critical one, pi R omega_c, by Jackson & Green (2005): omega* (omega*/1.9)^B with
@@ -28,8 +29,8 @@ struct IndentedSphere
 /// @throws InputError
 [[nodiscard]] double jackson_green_load(double interference_ratio, const IndentedSphere& sphere);
 
-/// Load over the critical one by Kogut & Etsion (2002): omega*^1.5 up to 1, 1.03 omega*^1.425 up to 6, 1.40 omega*^1.263
-/// up to 110. The fit has steps of 3 % at 1 and of 2 % at 6.
+/// Load over the critical one by Kogut & Etsion (2002): omega*^1.5 up to 1, 1.03 omega*^1.425 up to 6, 1.40
+/// omega*^1.263 up to 110. The fit has steps of 3 % at 1 and of 2 % at 6.
 /// @param interference_ratio  omega*, (0, 110].
 /// @throws InputError
 [[nodiscard]] double kogut_etsion_load(double interference_ratio);

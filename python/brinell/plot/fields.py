@@ -11,6 +11,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize, TwoSlopeNorm
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
@@ -73,7 +74,15 @@ def _extent(x: FloatArray, y: FloatArray, scale: float) -> tuple[float, float, f
 
 
 def _image(
-    ax: Axes, x: FloatArray, y: FloatArray, values: FloatArray, scale: float, *, cmap: str, norm: Normalize, cells: bool
+    ax: Axes,
+    x: FloatArray,
+    y: FloatArray,
+    values: FloatArray,
+    scale: float,
+    *,
+    cmap: str,
+    norm: Normalize,
+    interpolation: str,
 ) -> AxesImage:
     """Cell values on a regular grid, to scale; `y` may run down (depth)."""
     return ax.imshow(
@@ -83,7 +92,7 @@ def _image(
         aspect="equal",
         cmap=cmap,
         norm=norm,
-        interpolation="nearest" if cells else "bilinear",
+        interpolation=interpolation,
         interpolation_stage="data",
     )
 
@@ -98,7 +107,7 @@ def _state(run: Run, snapshot: Snapshot) -> str:
     if position.symbol:
         parts.append(f"$X/{position.symbol}$ = {style.number(snapshot.X / position.size)}")
     else:
-        parts.append(f"$X$ = {style.quantity(snapshot.X, 'm')}")
+        parts.append(f"$X$ = {style.quantity(snapshot.X, 'm') if snapshot.X else 0}")
     return ",  ".join(parts)
 
 
@@ -121,7 +130,8 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
     Args:
         run: where the scales come from.
         snapshot: the state to draw; its bodies must touch.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        cells: show each cell as a rectangle of one colour instead of interpolating between their centres; the patch
+            then needs no outline.
 
     Raises:
         RunError: the bodies do not touch in this state.
@@ -154,13 +164,10 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
         norm=Normalize(0.0, contact.pressure.max() / pressure.size),
         interpolation="nearest",
     )
-    if not cells:  # the smallest of the refined cells still show as steps: cut them along the edge
-        ax.contourf(
-            contact.x / length.size, contact.y / length.size, edge, levels=[edge.min() - 1.0, 0.0], colors="white"
-        )
-    ax.contour(
-        contact.x / length.size, contact.y / length.size, edge, levels=[0.0], colors=style.CONTACT_LINE, linewidths=1.0
-    )
+    if not cells:  # even the refined cells show as steps: cut them along the edge
+        place = (contact.x / length.size, contact.y / length.size, edge)
+        ax.contourf(*place, levels=[edge.min() - 1.0, 0.0], colors="white")
+        ax.contour(*place, levels=[0.0], colors=style.CONTACT_LINE, linewidths=1.0)
     _crop(ax, x_range, y_range)
     ax.set_xlabel(length.label("along the motion", "x'"))
     ax.set_ylabel(length.label("across", "y'", value=False))
@@ -213,7 +220,7 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         profile.plot(body.x / length.size, line, color=colour, linestyle=dash, label=name)
     profile.set_ylabel(depth.label("height", "-u^r", value=False))
     profile.set_title(f"Residual surfaces:  {_state(run, snapshot)}")
-    profile.legend(loc="lower right", ncols=2)
+    profile.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, ncol=2)
     profile.margins(y=0.08)
 
     # The pile-up is much lower than the groove is deep: each side of zero gets its own half of the colours.
@@ -223,7 +230,14 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         norm = TwoSlopeNorm(0.0, min(lowest, -small) / depth.size, max(highest, small) / depth.size)
     for ax, (name, body, _, _), height in zip(axes[1:], bodies, heights, strict=True):
         image = _image(
-            ax, body.x, body.y, height / depth.size, length.size, cmap=style.RESIDUAL_MAP, norm=norm, cells=cells
+            ax,
+            body.x,
+            body.y,
+            height / depth.size,
+            length.size,
+            cmap=style.RESIDUAL_MAP,
+            norm=norm,
+            interpolation="nearest" if cells else "catrom",  # a smooth surface: cubic, through the cell values
         )
         _crop(ax, x_range, y_range)
         ax.set_ylabel(length.label("", "y", value=False))
@@ -241,23 +255,20 @@ def _active_range(
     scale: float,
 ) -> tuple[tuple[float, float], tuple[float, float]]:
     """Ranges of x and y in which either surface has moved, over the scale, symmetric in y, within the grids."""
+    extents = [_extent(body.x, body.y, scale) for _, body, _, _ in bodies]
     x_low, x_high, y_reach = np.inf, -np.inf, 0.0
-    for (_, body, _, _), height in zip(bodies, heights, strict=True):
+    for (_, body, _, _), height, extent in zip(bodies, heights, extents, strict=True):
         moved = np.abs(height) > threshold
         if threshold <= 0.0 or not np.any(moved):
             continue
-        xs, ys = body.x[np.any(moved, axis=0)], body.y[np.any(moved, axis=1)]
-        x_low, x_high = min(x_low, float(xs.min())), max(x_high, float(xs.max()))
-        y_reach = max(y_reach, float(np.abs(ys).max()))
-    extents = [_extent(body.x, body.y, scale) for _, body, _, _ in bodies]
-    left, right = min(e[0] for e in extents), max(e[1] for e in extents)
-    y_edge = max(max(abs(e[2]), abs(e[3])) for e in extents)
-    if not np.isfinite(x_low):
-        return (left, right), (-y_edge, y_edge)
-    margin = 0.08 * (x_high - x_low)
-    x_range = (max(left, (x_low - margin) / scale), min(right, (x_high + margin) / scale))
-    y_reach = min(y_edge, 1.15 * y_reach / scale)
-    return x_range, (-y_reach, y_reach)
+        xs, ys = body.x[np.any(moved, axis=0)] / scale, body.y[np.any(moved, axis=1)] / scale
+        margin = 0.08 * (xs.max() - xs.min())
+        x_low, x_high = min(x_low, max(extent[0], xs.min() - margin)), max(x_high, min(extent[1], xs.max() + margin))
+        y_reach = max(y_reach, min(max(-extent[2], extent[3]), 1.15 * np.abs(ys).max()))
+    if y_reach == 0.0:  # nothing has moved, or a single row of cells
+        x_low, x_high = min(e[0] for e in extents), max(e[1] for e in extents)
+        y_reach = max(max(-e[2], e[3]) for e in extents)
+    return (float(x_low), float(x_high)), (-float(y_reach), float(y_reach))
 
 
 @style.figure
@@ -295,11 +306,15 @@ def section(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     x_range = (x_range[0] / length.size, x_range[1] / length.size)
     depth /= length.size
 
-    width = 7.6
-    panel_height = (width - 2.1) * 2.0 * depth / (x_range[1] - x_range[0])
-    fig = style.new_figure(width, len(panels) * (panel_height + 0.45) + 0.5, to_scale=True)
-    axes = np.atleast_1d(fig.subplots(len(panels), 1, sharex=True))
-    for ax, (_, label, values, cmap) in zip(axes, panels, strict=True):
+    # Flat panels one above the other, tall ones side by side.
+    shape = 2.0 * depth / (x_range[1] - x_range[0])
+    stacked = shape < 0.7
+    rows, columns = (len(panels), 1) if stacked else (1, len(panels))
+    panel_width = 5.5 if stacked else 4.0
+    fig = style.new_figure(columns * (panel_width + 1.1) + 0.8, rows * (panel_width * shape + 0.4) + 0.8, to_scale=True)
+    axes = np.atleast_1d(fig.subplots(rows, columns, sharex=True, sharey=True))
+    outline = withStroke(linewidth=1.6, foreground="black", alpha=0.6)
+    for ax, (name, label, values, cmap) in zip(axes, panels, strict=True):
         planes = [
             _at_centre(body.y, value) if value is not None and value.size else None
             for body, value in zip(bodies, values, strict=True)
@@ -310,7 +325,14 @@ def section(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
         for body, offset, plane, side in zip(bodies, offsets, planes, (-1.0, 1.0), strict=True):
             if plane is not None:
                 shown = _image(
-                    ax, body.x - offset, side * body.z, plane, length.size, cmap=cmap, norm=norm, cells=cells
+                    ax,
+                    body.x - offset,
+                    side * body.z,
+                    plane,
+                    length.size,
+                    cmap=cmap,
+                    norm=norm,
+                    interpolation="nearest" if cells else "bilinear",
                 )
                 image = image or shown
         ax.set_facecolor("0.93")
@@ -328,17 +350,17 @@ def section(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
         _crop(ax, x_range, (-depth, depth))
         ax.yaxis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 5, 10]))
         ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{abs(value):g}"))
-        ax.set_ylabel(length.label("depth", "z", value=False))
+        ax.set_title(name)
         for text, height, anchor in (("upper body", 0.96, "top"), ("lower body", 0.04, "bottom")):
-            ax.text(0.012, height, text, transform=ax.transAxes, color="white", va=anchor)
+            ax.text(0.015, height, text, transform=ax.transAxes, color="white", va=anchor, path_effects=[outline])
         if image is not None:
             fig.colorbar(ScalarMappable(norm, cmap), ax=ax, label=label, pad=0.02)
-    axes[0].set_title(f"{panels[0][0]} on the plane $y$ = 0:  {_state(run, snapshot)}")
-    for ax, (name, *_) in zip(axes[1:], panels[1:], strict=True):
-        ax.set_title(name)
-    axes[-1].set_xlabel(
-        length.label("from the centre of contact", "x'") if touching else length.label("along each surface", "x")
-    )
+    along = length.label("from the centre of contact", "x'") if touching else length.label("along each surface", "x")
+    for ax in axes if not stacked else axes[-1:]:
+        ax.set_xlabel(along)
+    for ax in axes if stacked else axes[:1]:
+        ax.set_ylabel(length.label("depth", "z", value=False))
+    fig.suptitle(f"Plane $y$ = 0:  {_state(run, snapshot)}", fontsize=10)
     return fig
 
 

@@ -57,15 +57,17 @@ def run_history(run: Run) -> Figure:
     upper = {"color": style.UPPER, "linestyle": (0, (4, 2))}  # often equal to the lower body: both must show
     reference = {"color": style.REFERENCE, "linestyle": ":", "linewidth": 1.4}
 
-    force = scales.force(largest("F_X", "F_Z"))
+    force = scales.force(largest("F_X"))
     ax = panels[0, 0]
     curve(ax, "F_X", force, "with pile-up", color=style.LOWER)
     curve(ax, "F_X_macro", force, "without", **reference)
     ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
     ax.set_title("(a)  tangential force")
     ax.set_ylabel(force.label("", "F_X"))
-    ax.legend(loc="upper right")
+    ax.set_ylim(top=1.2 * ax.get_ylim()[1])  # room for the legend
+    ax.legend(loc="upper right", ncol=2)
 
+    force = scales.force(largest("F_Z"))
     ax = panels[0, 1]
     curve(ax, "F_Z", force, "with pile-up", color=style.LOWER)
     curve(ax, "F_Z_macro", force, "without", **reference)
@@ -80,7 +82,8 @@ def run_history(run: Run) -> Figure:
     curve(ax, "energy_residual", energy, "locked in", color="#009E73")
     ax.set_title("(c)  energy since the start")
     ax.set_ylabel(energy.label("", "U"))
-    ax.legend(loc="upper left")
+    ax.set_ylim(top=1.3 * ax.get_ylim()[1])
+    ax.legend(loc="upper left", ncol=2)
 
     pressure = scales.pressure(largest("max_pressure"))
     ax = panels[1, 0]
@@ -94,7 +97,8 @@ def run_history(run: Run) -> Figure:
     curve(ax, "max_residual_upper", depth, "upper body", **upper)
     ax.set_title("(e)  residual depth")
     ax.set_ylabel(depth.label("", r"u^r_{\max}"))
-    ax.legend(loc="lower right")
+    ax.set_ylim(top=1.2 * ax.get_ylim()[1])
+    ax.legend(loc="upper left", ncol=2)
 
     ax = panels[1, 2]
     for x, one in zip(course, passes, strict=True):

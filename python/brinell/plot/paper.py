@@ -112,10 +112,27 @@ def _family_handles(curves: Sequence[_Curve]) -> list[Line2D]:
 _FAMILY_TITLE = r"$\alpha^* = \alpha/\alpha_c$"
 
 
-def _family_legend(ax: Axes, curves: Sequence[_Curve], *, inside: bool = False) -> None:
-    """Legend beside the axes, or in the upper right corner, which F_X leaves free."""
-    place = {"loc": "upper right"} if inside else {"loc": "upper left", "bbox_to_anchor": (1.02, 1.0)}
-    ax.legend(handles=_family_handles(curves), title=_FAMILY_TITLE, alignment="left", borderaxespad=0.0, **place)
+def _family_legend(ax: Axes, curves: Sequence[_Curve]) -> None:
+    """Legend beside the axes."""
+    ax.legend(
+        handles=_family_handles(curves),
+        title=_FAMILY_TITLE,
+        alignment="left",
+        loc="upper left",
+        bbox_to_anchor=(1.02, 1.0),
+        borderaxespad=0.0,
+    )
+
+
+def _family_legend_row(ax: Axes, curves: Sequence[_Curve]) -> None:
+    """The same legend in one row that fills axes of its own."""
+    *family, elastic = _family_handles(curves)
+    title = Line2D([], [], linestyle="none", label=f"{_FAMILY_TITLE}:")
+    ax.axis("off")
+    legend = ax.legend(
+        handles=[title, *reversed(family), elastic], ncol=len(family) + 2, loc="center", borderaxespad=0.0, fontsize=10
+    )
+    legend.get_texts()[0].set_position((-16.0, 0.0))  # over the place of the handle it does not have
 
 
 def _draw_force(ax: Axes, curves: Sequence[_Curve], name: str) -> None:
@@ -300,8 +317,8 @@ def fig15(runs: Sequence[Run]) -> Figure:
     left, right = fig.subplots(1, 2)
     _draw_fig15(left, curves)
     _draw_residual_fraction(right, curves)
-    for ax in (left, right):
-        ax.legend(loc="lower right")
+    left.legend(loc="upper left")
+    right.legend(loc="lower right", bbox_to_anchor=(1.0, 0.05))
     return fig
 
 
@@ -309,8 +326,9 @@ def fig15(runs: Sequence[Run]) -> Figure:
 def overview(runs: Sequence[Run]) -> Figure:
     """The five figures on one sheet, the second half of Fig. 15 as a panel of its own."""
     curves = _curves(runs)
-    fig = style.new_figure(12.0, 6.6)
-    panels = fig.subplots(2, 3)
+    fig = style.new_figure(12.0, 6.9)
+    grid = fig.add_gridspec(3, 3, height_ratios=[0.05, 1.0, 1.0])
+    panels = [fig.add_subplot(grid[row, column]) for row in (1, 2) for column in range(3)]
     draw = {
         "tangential force": _draw_fig11,
         "normal force": _draw_fig12,
@@ -319,13 +337,13 @@ def overview(runs: Sequence[Run]) -> Figure:
         "residual depth": _draw_fig15,
         "residual depth over interference": _draw_residual_fraction,
     }
-    for ax, (title, paint), letter in zip(panels.flat, draw.items(), "abcdef", strict=True):
+    for ax, (title, paint), letter in zip(panels, draw.items(), "abcdef", strict=True):
         paint(ax, curves)
         ax.set_title(f"({letter})  {title}")
-    for ax in panels[0]:
+    for ax in panels[:3]:
         ax.xaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))
-    _family_legend(panels[0, 0], curves, inside=True)
-    panels[1, 2].legend(loc="lower right")
+    panels[5].legend(loc="lower right", bbox_to_anchor=(1.0, 0.05))
+    _family_legend_row(fig.add_subplot(grid[0, :]), curves)
     return fig
 
 

@@ -22,13 +22,11 @@ namespace brinell::direct
                                                         double poisson_ratio);
 
 /// Residual stress [Pa] at the centres, the surface being free of traction.
-[[nodiscard]] std::vector<SymTensor> eigenstrain_to_stress(const VolumeGrid& grid,
-                                                           std::span<const SymTensor> eigenstrain,
-                                                           const Elastic& elastic);
+[[nodiscard]] std::vector<SymTensor>
+eigenstrain_to_stress(const VolumeGrid& grid, std::span<const SymTensor> eigenstrain, const Elastic& elastic);
 
 /// Normal displacement of the free surface [m] at the centres, into the body positive.
-[[nodiscard]] std::vector<double> eigenstrain_to_displacement(const VolumeGrid& grid,
-                                                              std::span<const SymTensor> eigenstrain,
-                                                              double poisson_ratio);
+[[nodiscard]] std::vector<double>
+eigenstrain_to_displacement(const VolumeGrid& grid, std::span<const SymTensor> eigenstrain, double poisson_ratio);
 
 } // namespace brinell::direct

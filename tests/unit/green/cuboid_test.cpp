@@ -46,7 +46,7 @@ TEST(CuboidTest, StressEqualsIntegratedPointForces)
     for (std::size_t c = 0; c < 6; ++c)
       strain[c] = oracle.text(row, "eigenstrain") == component_names[c] ? 1.0 : 0.0;
     const SymTensor stress =
-      cuboid_stress(at("x"), at("y"), at("z"), at("dx"), at("dy"), at("dz"), strain, Elastic{1.0, at("nu")});
+        cuboid_stress(at("x"), at("y"), at("z"), at("dx"), at("dy"), at("dz"), strain, Elastic{1.0, at("nu")});
     for (std::size_t c = 0; c < 6; ++c)
       EXPECT_NEAR(stress[c], at(component_names[c] + std::string("_per_E")), rounding) << "row " << row + 2;
   }
@@ -69,15 +69,13 @@ TEST(CuboidTest, CentreOfADilatedCube)
 
 TEST(CuboidTest, PotentialsAreHarmonicAndBiharmonic)
 {
-  const auto laplacians = [](double x, double y, double z) {
+  const auto laplacians = [](double x, double y, double z)
+  {
     const CuboidPotentials p = cuboid_potentials(x, y, z, 1.0, 0.8, 0.6);
     const auto& f = p.psi; // Laplacian of psi, differentiated twice, minus 2 phi likewise
-    return std::array{p.phi[0] + p.phi[1] + p.phi[2],
-                      f[0] + f[3] + f[5] - 2.0 * p.phi[0],
-                      f[3] + f[1] + f[4] - 2.0 * p.phi[1],
-                      f[5] + f[4] + f[2] - 2.0 * p.phi[2],
-                      f[12] + f[9] + f[11] - 2.0 * p.phi[3],
-                      f[7] + f[13] + f[10] - 2.0 * p.phi[4],
+    return std::array{p.phi[0] + p.phi[1] + p.phi[2],        f[0] + f[3] + f[5] - 2.0 * p.phi[0],
+                      f[3] + f[1] + f[4] - 2.0 * p.phi[1],   f[5] + f[4] + f[2] - 2.0 * p.phi[2],
+                      f[12] + f[9] + f[11] - 2.0 * p.phi[3], f[7] + f[13] + f[10] - 2.0 * p.phi[4],
                       f[6] + f[8] + f[14] - 2.0 * p.phi[5]};
   };
   const auto inside = laplacians(0.1, -0.3, 0.2), outside = laplacians(0.9, 0.3, -0.2);
@@ -148,7 +146,8 @@ TEST(CuboidTest, DivergenceVanishesInSecondOrder)
   const std::array<std::array<std::size_t, 3>, 3> rows{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
   for (std::size_t component = 0; component < 6; ++component)
   {
-    const auto divergence = [&](double h) {
+    const auto divergence = [&](double h)
+    {
       const auto stress = [&](double x, double y, double z) {
         return cuboid_stress(x, y, z, 1.0, 0.8, 0.6, unit_strain(component), Elastic{1.0, 0.3});
       };
@@ -169,21 +168,25 @@ TEST(CuboidTest, DivergenceVanishesInSecondOrder)
 
 TEST(CuboidTest, TwoCuboidsAreReciprocal)
 {
-  // Integral over A of sigma(B):eps_A = integral over B of sigma(A):eps_B. The fields are smooth in the other cuboid, half
-  // a side away: 12 Gauss points err by (distance ratio 1 + sqrt(3))^-24 or so, 1e-10.
+  // Integral over A of sigma(B):eps_A = integral over B of sigma(A):eps_B. The fields are smooth in the other cuboid,
+  // half a side away: 12 Gauss points err by (distance ratio 1 + sqrt(3))^-24 or so, 1e-10.
   const Elastic elastic{1.0, 0.3};
   const double bx = 1.3, by = 0.4, bz = -0.9;
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j)
     {
-      const double over_a = test::box_integral(12, -0.5, 0.5, -0.4, 0.4, -0.3, 0.3, [&](double x, double y, double z) {
-        return double_contraction(
-          cuboid_stress(x - bx, y - by, z - bz, 0.6, 0.4, 0.8, unit_strain(j), elastic), unit_strain(i));
-      });
+      const double over_a = test::box_integral(
+          12, -0.5, 0.5, -0.4, 0.4, -0.3, 0.3,
+          [&](double x, double y, double z)
+          {
+            return double_contraction(cuboid_stress(x - bx, y - by, z - bz, 0.6, 0.4, 0.8, unit_strain(j), elastic),
+                                      unit_strain(i));
+          });
       const double over_b = test::box_integral(
-        12, bx - 0.3, bx + 0.3, by - 0.2, by + 0.2, bz - 0.4, bz + 0.4, [&](double x, double y, double z) {
-          return double_contraction(cuboid_stress(x, y, z, 1.0, 0.8, 0.6, unit_strain(i), elastic), unit_strain(j));
-        });
+          12, bx - 0.3, bx + 0.3, by - 0.2, by + 0.2, bz - 0.4, bz + 0.4,
+          [&](double x, double y, double z) {
+            return double_contraction(cuboid_stress(x, y, z, 1.0, 0.8, 0.6, unit_strain(i), elastic), unit_strain(j));
+          });
       EXPECT_NEAR(over_a, over_b, 1e-10) << component_names[i] << ' ' << component_names[j];
     }
 }
@@ -229,8 +232,9 @@ SymTensor ball_stress(int n, double x, double y, double z, const SymTensor& stra
 
 TEST(CuboidTest, BallOfCuboidsTendsToEshelby)
 {
-  // Eshelby 1957: uniform inside; for a dilatation -2 E e/(3 (1 - nu)), for shear -2 mu (7 - 5 nu)/(15 (1 - nu)) eps. Shares
-  // of cut cuboids keep the volume to second order, so the error falls as h^2.
+  // Eshelby 1957: uniform inside; for a dilatation -2 E e/(3 (1 - nu)), for shear -2 mu (7 - 5 nu)/(15 (1 - nu)) eps.
+  // Shares of cut cuboids keep the ball's volume to second order in h, so the error falls at least as h^2 and is below
+  // h^2 times the stress (the cuts' errors also cancel along the surface, which makes it much smaller inside).
   const Elastic elastic{1.0, 0.3};
   const SymTensor strain{0.1, 0.1, 0.1, 0.0, 0.2, 1.0};
   const double shear = -2.0 * elastic.shear_modulus() * (7.0 - 1.5) / (15.0 * 0.7);
@@ -244,8 +248,8 @@ TEST(CuboidTest, BallOfCuboidsTendsToEshelby)
       error[i] = std::max(error[i], std::abs(s[c] - expected[c]));
     std::printf("%2d cuboids a diameter: error %.2e of %.3f\n", sizes[i], error[i], shear);
   }
-  EXPECT_GT(std::log2(error[0] / error[2]) / 2.0, 1.5);
-  EXPECT_LT(error[2], 2e-3);
+  EXPECT_GT(std::log2(error[0] / error[2]) / 2.0, 2.0);
+  EXPECT_LT(error[2], -shear / (12.0 * 12.0));
 }
 
 } // namespace

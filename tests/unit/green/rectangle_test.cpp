@@ -61,12 +61,8 @@ TEST(RectangleTest, LovesNumbers)
   const double factor = (1.0 - 0.28) / (2.0 * pi);
   EXPECT_NEAR(factor * rectangle_displacement(0.0, 0.0, 1.0, 1.0), 0.40399189, 5e-9);
   EXPECT_NEAR(factor * rectangle_displacement(0.5, 0.5, 1.0, 1.0), 0.20199595, 5e-9);
-  const std::array<std::pair<double, double>, 6> under_centre{{{0.1, -0.994294},
-                                                               {0.2, -0.960398},
-                                                               {0.4, -0.799721},
-                                                               {0.5, -0.700886},
-                                                               {1.0, -0.336108},
-                                                               {2.5, -0.0716135}}};
+  const std::array<std::pair<double, double>, 6> under_centre{
+      {{0.1, -0.994294}, {0.2, -0.960398}, {0.4, -0.799721}, {0.5, -0.700886}, {1.0, -0.336108}, {2.5, -0.0716135}}};
   for (const auto& [z, expected] : under_centre)
     EXPECT_NEAR(rectangle_stress(0.0, 0.0, z, 1.0, 1.0, 0.28)[2], expected, 6e-7) << "z = " << z;
 }
@@ -126,13 +122,14 @@ TEST(RectangleTest, MetreAndMicrometreAgree)
   for (std::size_t c = 0; c < 6; ++c)
     // ln(rho + z) is shifted by ln(1e-6) = -14, which costs 14 eps at each corner.
     EXPECT_NEAR(metres[c], micrometres[c], 4.0 * rounding) << component_names[c];
-  EXPECT_NEAR(rectangle_displacement(0.3e-6, -0.8e-6, 1e-6, 0.7e-6) * 1e6,
-              rectangle_displacement(0.3, -0.8, 1.0, 0.7), 16.0 * epsilon);
+  EXPECT_NEAR(rectangle_displacement(0.3e-6, -0.8e-6, 1e-6, 0.7e-6) * 1e6, rectangle_displacement(0.3, -0.8, 1.0, 0.7),
+              16.0 * epsilon);
 }
 
 TEST(RectangleTest, DivergenceVanishesInSecondOrder)
 {
-  const auto divergence = [](double h) {
+  const auto divergence = [](double h)
+  {
     const auto stress = [](double x, double y, double z) { return rectangle_stress(x, y, z, 1.0, 0.8, 0.3); };
     const double x = 0.42, y = 0.33, z = 0.3;
     const SymTensor east = stress(x + h, y, z), west = stress(x - h, y, z);
@@ -141,8 +138,8 @@ TEST(RectangleTest, DivergenceVanishesInSecondOrder)
     const std::array<std::array<std::size_t, 3>, 3> rows{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
     double largest = 0.0;
     for (const auto& r : rows)
-      largest = std::max(largest, std::abs(east[r[0]] - west[r[0]] + north[r[1]] - south[r[1]] + down[r[2]] - up[r[2]]) /
-                                    (2.0 * h));
+      largest = std::max(
+          largest, std::abs(east[r[0]] - west[r[0]] + north[r[1]] - south[r[1]] + down[r[2]] - up[r[2]]) / (2.0 * h));
     return largest;
   };
   const double order = std::log2(divergence(2e-2) / divergence(1e-2));

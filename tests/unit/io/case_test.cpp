@@ -52,7 +52,8 @@ TEST(Case, NormalisedInterferenceIsInCriticalOnes)
 
 TEST(Case, TheWeakerBodyGivesTheCriticalValues)
 {
-  const auto hardening = [](const char* stress) { return std::string("upper.material.hardening={law=\"perfect\", yield_stress=\"") + stress + "\"}"; };
+  const auto hardening = [](const char* stress)
+  { return std::string("upper.material.hardening={law=\"perfect\", yield_stress=\"") + stress + "\"}"; };
   EXPECT_EQ(parsed().first_yield->body, YieldsFirst::lower);
   EXPECT_EQ(parsed({hardening("2 GPa")}).first_yield->body, YieldsFirst::lower);
   EXPECT_EQ(parsed({hardening("0.5 GPa")}).first_yield->body, YieldsFirst::upper);
@@ -63,8 +64,11 @@ TEST(Case, TheWeakerBodyGivesTheCriticalValues)
 
 TEST(Case, ResolvedTextReadsBackTheSame)
 {
-  for (const auto& overrides : std::vector<std::vector<std::string>>{
-           {}, {"grid.resolution=12.5", "tugging.passes=3"}, {"output.snapshots=[5, 1, 5]"}, {"output.snapshots=every 4"}, {"title=a \"b\" \\ c"}})
+  for (const auto& overrides : std::vector<std::vector<std::string>>{{},
+                                                                     {"grid.resolution=12.5", "tugging.passes=3"},
+                                                                     {"output.snapshots=[5, 1, 5]"},
+                                                                     {"output.snapshots=every 4"},
+                                                                     {"title=a \"b\" \\ c"}})
   {
     const Case c = parsed(overrides);
     const std::string text = resolved_text(c.values);
@@ -76,8 +80,8 @@ TEST(Case, ResolvedTextReadsBackTheSame)
 
 TEST(Case, OverridesWin)
 {
-  const Case c = parsed({"tugging.interference=4", "tugging.interference=6", "tugging.kinematics=paper", "lower.shape.radius=3 mm",
-                         "output.snapshots=[5, 1, 5]", "tugging.shift='1 mm'"});
+  const Case c = parsed({"tugging.interference=4", "tugging.interference=6", "tugging.kinematics=paper",
+                         "lower.shape.radius=3 mm", "output.snapshots=[5, 1, 5]", "tugging.shift='1 mm'"});
   EXPECT_EQ(c.values.get<double>("tugging.interference"), 6.0); // the last of several
   EXPECT_EQ(c.tugging.kinematics, simulation::Kinematics::paper);
   EXPECT_EQ(c.tugging.lower.radius, 0.003);
@@ -89,7 +93,8 @@ TEST(Case, OverridesPushOutWhatTheyExclude)
 {
   EXPECT_FALSE(parsed({"grid.resolution=10"}).tugging.spacing.has_value());
   const std::vector<std::string> elastic{"tugging.normalised=false", "tugging.interference=1 mm"};
-  for (const char* law : {"lower.material.hardening.law=none", "lower.material.hardening={law = \"none\"}", "lower.material.hardening={}"})
+  for (const char* law : {"lower.material.hardening.law=none", "lower.material.hardening={law = \"none\"}",
+                          "lower.material.hardening={}"})
     EXPECT_FALSE(parsed({law, elastic[0], elastic[1]}).first_yield.has_value()) << law;
 }
 
@@ -135,8 +140,9 @@ TEST_P(BadCase, SaysWhatIsWrong)
 
 INSTANTIATE_TEST_SUITE_P(
     Values, BadCase,
-    testing::Values(Bad{"lower.shape.radius=-1", {"lower.shape.radius = -1", "> 0"}}, Bad{"lower.shape.radius=0", {"> 0"}},
-                    Bad{"lower.shape.radius=nan", {"nan", "finite"}}, Bad{"lower.shape.radius=inf", {"inf", "finite"}},
+    testing::Values(Bad{"lower.shape.radius=-1", {"lower.shape.radius = -1", "> 0"}},
+                    Bad{"lower.shape.radius=0", {"> 0"}}, Bad{"lower.shape.radius=nan", {"nan", "finite"}},
+                    Bad{"lower.shape.radius=inf", {"inf", "finite"}},
                     Bad{"lower.shape.radius=3 GPa", {"\"3 GPa\"", "is a pressure", "allowed: length"}},
                     Bad{"lower.shape.radius='3'", {"has no unit", "without quotes"}},
                     Bad{"lower.shape.radius=3 lightyears", {"unknown unit \"lightyears\""}},
@@ -147,17 +153,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"lower.material.poisson_ratio=-1", {"in (-1, 0.5)"}},
                     Bad{"lower.material.poisson_ratio='0.3'", {"is a string"}},
                     Bad{"lower.material.hardening.yield_stress=0", {"> 0", "law = \"none\""}},
-                    Bad{"upper.material.hardening.yield_stress=1 GPa", {"applies only with", "\"perfect\" or \"linear\"", "by default"}},
+                    Bad{"upper.material.hardening.yield_stress=1 GPa",
+                        {"applies only with", "\"perfect\" or \"linear\"", "by default"}},
                     Bad{"lower.material.hardening.modulus=1 GPa", {"applies only with", "\"linear\""}},
                     Bad{"tugging.passes=1.5", {"not an integer"}}, Bad{"tugging.passes=0", {"integer in [1"}},
-                    Bad{"tugging.interference=0", {"> 0"}}, Bad{"tugging.interference=2 mm", {"normalised = true", "normalised = false"}},
+                    Bad{"tugging.interference=0", {"> 0"}},
+                    Bad{"tugging.interference=2 mm", {"normalised = true", "normalised = false"}},
                     Bad{"tugging.interference=1e6", {"more than the radius", "alpha_c"}},
                     Bad{"tugging.kinematics=other", {"\"exact\" or \"paper\""}},
-                    Bad{"tugging.normalised=1", {"is an integer", "true or false"}}, Bad{"grid.spacing=[1, 2]", {"has 2 elements", "three lengths"}},
+                    Bad{"tugging.normalised=1", {"is an integer", "true or false"}},
+                    Bad{"grid.spacing=[1, 2]", {"has 2 elements", "three lengths"}},
                     Bad{"grid.spacing=[1, 2, -3]", {"element -3", "> 0"}}, Bad{"grid.spacing=1", {"is an integer"}},
-                    Bad{"solver.anderson_depth=-1", {"in [0, 50]"}}, Bad{"output.snapshots=[1.5]", {"not a step number"}},
-                    Bad{"output.snapshots=every 0", {"every N"}}, Bad{"output.snapshots=3", {"is an integer"}},
-                    Bad{"title=1979-05-27", {"date"}}, Bad{"gird.spacing=1", {"unknown key", "did you mean grid?"}},
+                    Bad{"solver.anderson_depth=-1", {"in [0, 50]"}},
+                    Bad{"output.snapshots=[1.5]", {"not a step number"}}, Bad{"output.snapshots=every 0", {"every N"}},
+                    Bad{"output.snapshots=3", {"is an integer"}}, Bad{"title=1979-05-27", {"date"}},
+                    Bad{"gird.spacing=1", {"unknown key", "did you mean grid?"}},
                     Bad{"grid.spacin=1", {"unknown key grid.spacin = 1", "did you mean grid.spacing?"}},
                     Bad{"nothing", {"section.key=value"}}, Bad{"=3", {"section.key=value"}}));
 
@@ -187,8 +197,12 @@ std::string with(const std::string& old_line, const std::string& new_line)
 
 TEST(CaseErrors, NameFileAndLine)
 {
-  EXPECT_EQ(message(with("interference = 9", "interference = -9")).rfind("cases/bad.toml:10: tugging.interference = -9 ", 0), 0u);
-  EXPECT_EQ(message(with("interference = 9", "interferense = 9")).rfind("cases/bad.toml:10: unknown key tugging.interferense = 9; did you mean tugging.interference?", 0), 0u);
+  EXPECT_EQ(
+      message(with("interference = 9", "interference = -9")).rfind("cases/bad.toml:10: tugging.interference = -9 ", 0),
+      0u);
+  EXPECT_NE(message(with("interference = 9", "interferense = 9"))
+                .find("cases/bad.toml:10: unknown key tugging.interferense = 9; did you mean tugging.interference?"),
+            std::string::npos);
 }
 
 TEST(CaseErrors, MissingKeysNameTheirTable)
@@ -202,7 +216,8 @@ TEST(CaseErrors, SyntaxNamesLineAndColumn)
 {
   const std::string text = message(with("interference = 9", "interference = = 9"));
   EXPECT_EQ(text.rfind("cases/bad.toml:10:16: not valid TOML", 0), 0u) << text;
-  EXPECT_NE(message(with("interference = 9", "interference = 9\ninterference = 8")).find("not valid TOML"), std::string::npos);
+  EXPECT_NE(message(with("interference = 9", "interference = 9\ninterference = 8")).find("not valid TOML"),
+            std::string::npos);
 }
 
 TEST(CaseErrors, AreAllReportedInTheOrderOfTheFile)
@@ -210,7 +225,8 @@ TEST(CaseErrors, AreAllReportedInTheOrderOfTheFile)
   std::string text = with("interference = 9", "interference = 'x'");
   text.replace(text.find("0.32"), 4, "0.62");
   const std::string found = message(text);
-  const auto first = found.find("bad.toml:5: lower.material.poisson_ratio"), second = found.find("bad.toml:10: tugging.interference");
+  const auto first = found.find("bad.toml:5: lower.material.poisson_ratio"),
+             second = found.find("bad.toml:10: tugging.interference");
   EXPECT_NE(first, found.npos) << found;
   EXPECT_NE(second, found.npos) << found;
   EXPECT_LT(first, second);

@@ -48,14 +48,18 @@ TEST(Feasibility, NamesTheDefaultResolution)
   EXPECT_NE(refused.find("(the default)"), refused.npos) << refused;
 }
 
-TEST(Feasibility, MachineHasMemory) { EXPECT_GT(machine_memory(), 1e8); }
+TEST(Feasibility, MachineHasMemory)
+{
+  EXPECT_GT(machine_memory(), 1e8);
+}
 
 TEST(Feasibility, ReportIsACaseFile)
 {
   const Case c = sample::parsed();
   const std::string report = check_report(c, plan_case(c));
   EXPECT_EQ(parse_case(report, "report.toml").values.all(), c.values.all());
-  for (const char* fragment : {"alpha_c = ", "P_c = ", "steps per pass", "lower body", "of memory", "the lower body yields first"})
+  for (const char* fragment :
+       {"alpha_c = ", "P_c = ", "steps per pass", "lower body", "of memory", "the lower body yields first"})
     EXPECT_NE(report.find(fragment), report.npos) << fragment;
 }
 

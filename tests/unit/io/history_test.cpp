@@ -15,9 +15,11 @@ namespace
 
 TEST(History, HeaderIsTheSpecifiedOne)
 {
-  EXPECT_EQ(history_header(),
-            "step,X,theta,interference,contact_area,max_pressure,F_n,F_X,F_Y,F_Z,F_X_macro,F_Z_macro,work,dissipation_lower,"
-            "dissipation_upper,energy_residual,max_residual_lower,max_residual_upper,max_equivalent_plastic_strain,iterations");
+  EXPECT_EQ(
+      history_header(),
+      "step,X,theta,interference,contact_area,max_pressure,F_n,F_X,F_Y,F_Z,F_X_macro,F_Z_macro,work,dissipation_lower,"
+      "dissipation_upper,energy_residual,max_residual_lower,max_residual_upper,max_equivalent_plastic_strain,"
+      "iterations");
 }
 
 TEST(History, NumbersReadBackTheSame)
@@ -41,10 +43,14 @@ TEST(History, RowsAreThereBeforeTheFileIsClosed)
   const sample::TemporaryFolder folder;
   HistoryWriter writer(folder.path() / "history.csv");
   writer.add(sample::record(0));
-  EXPECT_EQ(sample::file_text(folder.path() / "history.csv"), history_header() + "\n" + history_row(sample::record(0)) + "\n");
+  EXPECT_EQ(sample::file_text(folder.path() / "history.csv"),
+            history_header() + "\n" + history_row(sample::record(0)) + "\n");
 }
 
-TEST(History, SaysThatItCannotBeWritten) { EXPECT_THROW(HistoryWriter("/nowhere/history.csv"), IoError); }
+TEST(History, SaysThatItCannotBeWritten)
+{
+  EXPECT_THROW(HistoryWriter("/nowhere/history.csv"), IoError);
+}
 
 } // namespace
 

@@ -90,7 +90,10 @@ TEST(Results, FieldsAreOrderedAndDescribed)
   EXPECT_EQ(shape, (std::vector<hsize_t>{2, 3, 5})); // z, y, x
   EXPECT_EQ(dataset(file, "/steps/000000/contact/pressure", &shape), sample::numbered(4, 3, 1));
   EXPECT_EQ(shape, (std::vector<hsize_t>{3, 4}));
-  EXPECT_EQ(dataset(file, "/final/upper/von_mises_stress"), sample::numbered(5, 3, 2)); // of a uniaxial stress
+  const auto von_mises = dataset(file, "/final/upper/von_mises_stress"), amount = sample::numbered(5, 3, 2);
+  ASSERT_EQ(von_mises.size(), amount.size());
+  for (std::size_t i = 0; i < amount.size(); ++i)
+    EXPECT_DOUBLE_EQ(von_mises[i], amount[i]); // the stress is uniaxial
   EXPECT_EQ(dataset(file, "/final/lower/plastic_strain/xy"), sample::numbered(5, 3, 2));
   EXPECT_TRUE(dataset(file, "/final/upper/plastic_strain/xy").empty()) << "the body is elastic";
   EXPECT_EQ(numbers_attribute(file, "/final/lower", "spacing"), (std::vector{0.5, 0.25, 0.125}));
@@ -132,7 +135,8 @@ TEST(Results, SummaryIsNormalised)
 TEST(Results, ElasticSummaryHasNoScales)
 {
   const sample::TemporaryFolder folder;
-  write_complete(folder.path(), sample::parsed({"lower.material.hardening.law=none", "tugging.normalised=false", "tugging.interference=1 mm"}));
+  write_complete(folder.path(), sample::parsed({"lower.material.hardening.law=none", "tugging.normalised=false",
+                                                "tugging.interference=1 mm"}));
   const auto json = nlohmann::json::parse(sample::file_text(folder.path() / "summary.json"));
   EXPECT_TRUE(json["critical"]["load_N"].is_null());
   for (const auto& [key, value] : json["normalised"].items())
@@ -149,7 +153,8 @@ TEST(Results, FinishedStepsAreReadableAtAnyTime)
   {
     results.add(sample::record(step));
     results.add(sample::snapshot(step));
-    EXPECT_EQ(dataset(folder.path() / "result.h5", "/steps/00000" + std::to_string(step) + "/contact/pressure"), sample::numbered(4, 3, 1));
+    EXPECT_EQ(dataset(folder.path() / "result.h5", "/steps/00000" + std::to_string(step) + "/contact/pressure"),
+              sample::numbered(4, 3, 1));
     EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   }
   results.stop();
@@ -189,9 +194,11 @@ TEST(Results, XdmfPointsAtEveryStoredState)
 {
   const sample::TemporaryFolder folder;
   write_complete(folder.path(), sample::parsed());
-  const std::string lower = sample::file_text(folder.path() / "lower.xdmf"), upper = sample::file_text(folder.path() / "upper.xdmf");
-  for (const char* fragment : {"result.h5:/steps/000000/lower/stress/xy", "result.h5:/final/lower/plastic_strain/zz", "<Time Value=\"0\"/>",
-                               "<Time Value=\"2\"/>", "Dimensions=\"3 4 6\"", "Dimensions=\"2 3 5\"", "0 -0.375 -1.25"})
+  const std::string lower = sample::file_text(folder.path() / "lower.xdmf"),
+                    upper = sample::file_text(folder.path() / "upper.xdmf");
+  for (const char* fragment :
+       {"result.h5:/steps/000000/lower/stress/xy", "result.h5:/final/lower/plastic_strain/zz", "<Time Value=\"0\"/>",
+        "<Time Value=\"2\"/>", "Dimensions=\"3 4 6\"", "Dimensions=\"2 3 5\"", "0 -0.375 -1.25"})
     EXPECT_NE(lower.find(fragment), lower.npos) << fragment;
   EXPECT_EQ(upper.find("plastic_strain"), upper.npos) << "the body is elastic";
   EXPECT_NE(sample::file_text(folder.path() / "contact.xdmf").find("result.h5:/final/contact/gap"), std::string::npos);

@@ -30,7 +30,10 @@ interference = 9
 spacing = ["3.85 mm", "7.7 mm", "1.925 mm"]
 )";
 
-inline Case parsed(const std::vector<std::string>& overrides = {}) { return parse_case(case_text, "sample.toml", overrides); }
+inline Case parsed(const std::vector<std::string>& overrides = {})
+{
+  return parse_case(case_text, "sample.toml", overrides);
+}
 
 /// A new folder that goes with the test.
 class TemporaryFolder
@@ -39,7 +42,8 @@ public:
   TemporaryFolder()
   {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string("brinell-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(getpid());
+    std::string name =
+        std::string("brinell-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(getpid());
     std::replace(name.begin(), name.end(), '/', '-'); // of parameterised tests
     m_path = std::filesystem::temp_directory_path() / name;
     std::filesystem::remove_all(m_path);

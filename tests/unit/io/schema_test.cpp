@@ -39,13 +39,18 @@ TEST(Schema, IsConsistent)
 TEST(Schema, DefaultsAreInRange)
 {
   for (const Entry& entry : case_schema())
-    if (entry.fallback)
-    {
-      if (const auto* x = std::get_if<double>(&*entry.fallback))
-        EXPECT_TRUE(entry.range.contains(*x)) << entry.key;
-      if (const auto* i = std::get_if<std::int64_t>(&*entry.fallback))
-        EXPECT_TRUE(entry.range.contains(static_cast<double>(*i))) << entry.key;
-    }
+  {
+    if (!entry.fallback)
+      continue;
+    double value = 0.0;
+    if (const auto* x = std::get_if<double>(&*entry.fallback))
+      value = *x;
+    else if (const auto* i = std::get_if<std::int64_t>(&*entry.fallback))
+      value = static_cast<double>(*i);
+    else
+      continue;
+    EXPECT_TRUE(entry.range.contains(value)) << entry.key;
+  }
 }
 
 TEST(Schema, RangesKnowTheirEnds)

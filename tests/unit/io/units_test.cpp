@@ -29,31 +29,36 @@ TEST_P(GoodQuantity, IsExact)
   EXPECT_EQ(q.dimension, GetParam().dimension);
 }
 
-INSTANTIATE_TEST_SUITE_P(Units, GoodQuantity,
-                         testing::Values(Good{"3.85 mm", 0.00385, dimension::length}, Good{"1.925mm", 0.001925, dimension::length},
-                                         Good{"200 GPa", 200e9, dimension::pressure}, Good{"0.9115 GPa", 0.9115e9, dimension::pressure},
-                                         Good{"911.5 N/mm^2", 911.5e6, dimension::pressure}, Good{"911.5 N/mm2", 911.5e6, dimension::pressure},
-                                         Good{"911.5 N*mm^-2", 911.5e6, dimension::pressure}, Good{"7 N/mm\u00b2", 7e6, dimension::pressure},
-                                         Good{"2 um", 2e-6, dimension::length}, Good{"2 \u00b5m", 2e-6, dimension::length},
-                                         Good{"2 \u03bcm", 2e-6, dimension::length}, Good{"7 nm", 7e-9, dimension::length},
-                                         Good{"1e3 m", 1e3, dimension::length}, Good{"-1.5E-2 km", -15.0, dimension::length},
-                                         Good{"+.5 cm", 0.005, dimension::length}, Good{" 4  m ", 4.0, dimension::length},
-                                         Good{"3 bar", 3e5, dimension::pressure}, Good{"0.3", 0.3, dimension::none},
-                                         Good{"5 %", 0.05, dimension::none}, Good{"2 N m", 2.0, {.mass = 1, .length = 2, .time = -2}},
-                                         Good{"2 kN\u00b7m", 2e3, {.mass = 1, .length = 2, .time = -2}},
-                                         Good{"45 W/m/K", 45.0, {.mass = 1, .length = 1, .time = -3, .temperature = -1}},
-                                         Good{"7850 kg/m^3", 7850.0, {.mass = 1, .length = -3}},
-                                         Good{"3 ms", 3e-3, {.time = 1}}));
+INSTANTIATE_TEST_SUITE_P(
+    Units, GoodQuantity,
+    testing::Values(Good{"3.85 mm", 0.00385, dimension::length}, Good{"1.925mm", 0.001925, dimension::length},
+                    Good{"200 GPa", 200e9, dimension::pressure}, Good{"0.9115 GPa", 0.9115e9, dimension::pressure},
+                    Good{"911.5 N/mm^2", 911.5e6, dimension::pressure},
+                    Good{"911.5 N/mm2", 911.5e6, dimension::pressure},
+                    Good{"911.5 N*mm^-2", 911.5e6, dimension::pressure}, Good{"7 N/mm\u00b2", 7e6, dimension::pressure},
+                    Good{"2 um", 2e-6, dimension::length}, Good{"2 \u00b5m", 2e-6, dimension::length},
+                    Good{"2 \u03bcm", 2e-6, dimension::length}, Good{"7 nm", 7e-9, dimension::length},
+                    Good{"1e3 m", 1e3, dimension::length}, Good{"-1.5E-2 km", -15.0, dimension::length},
+                    Good{"+.5 cm", 0.005, dimension::length}, Good{" 4  m ", 4.0, dimension::length},
+                    Good{"3 bar", 3e5, dimension::pressure}, Good{"0.3", 0.3, dimension::none},
+                    Good{"5 %", 0.05, dimension::none}, Good{"2 N m", 2.0, {.mass = 1, .length = 2, .time = -2}},
+                    Good{"2 kN\u00b7m", 2e3, {.mass = 1, .length = 2, .time = -2}},
+                    Good{"45 W/m/K", 45.0, {.mass = 1, .length = 1, .time = -3, .temperature = -1}},
+                    Good{"7850 kg/m^3", 7850.0, {.mass = 1, .length = -3}}, Good{"3 ms", 3e-3, {.time = 1}}));
 
 class BadQuantity : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(BadQuantity, IsRefused) { EXPECT_THROW((void)quantity(GetParam()), InputError) << GetParam(); }
+TEST_P(BadQuantity, IsRefused)
+{
+  EXPECT_THROW((void)quantity(GetParam()), InputError) << GetParam();
+}
 
 INSTANTIATE_TEST_SUITE_P(Units, BadQuantity,
-                         testing::Values("", "mm", "3.85 furlong", "3 mm/", "3 /mm", "3 mm^", "3 mm^x", "3..5 m", "1,5 mm", "nan m", "inf m",
-                                         "0x10 m", "3 m m^99", "1e999 m", "1e99999 m", "1e m", "- m", "3 k%"));
+                         testing::Values("", "mm", "3.85 furlong", "3 mm/", "3 /mm", "3 mm^", "3 mm^x", "3..5 m",
+                                         "1,5 mm", "nan m", "inf m", "0x10 m", "3 m m^99", "1e999 m", "1e99999 m",
+                                         "1e m", "- m", "3 k%"));
 
 TEST(Units, NamesAndExamples)
 {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program.hpp"
+
+namespace brinell::cli
+{
+
+namespace
+{
+
+class Errors : public Program
+{
+protected:
+  /// Expects exit code 2, nothing on stdout, every fragment on stderr.
+  void expect_refused(const std::vector<std::string>& arguments, const std::vector<std::string>& fragments) const
+  {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    for (const auto& fragment : fragments)
+      EXPECT_NE(outcome.err.find(fragment), std::string::npos) << "no \"" << fragment << "\" in:\n" << outcome.err;
+  }
+};
+
+TEST_F(Errors, CommandLine)
+{
+  expect_refused({}, {"subcommand is required", "--help"});
+  expect_refused({"run"}, {"case is required"});
+  expect_refused({"walk", "case.toml"}, {"subcommand is required"});
+  write("case.toml", quick_case);
+  expect_refused({"run", "case.toml", "--treads", "3"}, {"--treads"});
+  expect_refused({"run", "case.toml", "--threads", "0"}, {"--threads"});
+  expect_refused({"run", "case.toml", "--set"}, {"--set"});
+}
+
+TEST_F(Errors, MissingFile)
+{
+  expect_refused({"run", "nowhere.toml"}, {"brinell: error: nowhere.toml: cannot be opened"});
+  expect_refused({"check", "."}, {"is a folder", "case.toml"});
+}
+
+TEST_F(Errors, CaseIsCheckedBeforeAnythingIsWritten)
+{
+  write("case.toml", std::string(quick_case) + "colour = 3\n");
+  expect_refused({"run", "case.toml", "-o", "out"},
+                 {"brinell: error: case.toml:13: unknown key grid.colour = 3; allowed in grid: spacing, resolution"});
+  EXPECT_FALSE(fs::exists(folder() / "out"));
+}
+
+TEST_F(Errors, EveryProblemHasItsLine)
+{
+  std::string text = quick_case;
+  text.replace(text.find("0.3"), 3, "0.5");
+  text.replace(text.find("resolution = 4"), 14, "resolution = \"many\"");
+  write("case.toml", text);
+  expect_refused({"check", "case.toml"}, {"brinell: error: case.toml:4: lower.material.poisson_ratio = 0.5 ",
+                                          "brinell: error: case.toml:12: grid.resolution = \"many\" is a string"});
+}
+
+TEST_F(Errors, OverridesNameThemselves)
+{
+  write("case.toml", quick_case);
+  expect_refused({"check", "case.toml", "--set", "tugging.interference=-1"},
+                 {"--set tugging.interference=-1: ", "> 0"});
+}
+
+TEST_F(Errors, GridThatDoesNotFit)
+{
+  write("case.toml", quick_case);
+  expect_refused({"check", "case.toml", "--set", "grid.spacing=[1e-4, 1e-4, 1e-5]"},
+                 {"grid.spacing = [0.0001, 0.0001, 1e-05]", "memory"});
+  expect_refused({"check", "case.toml", "--set", "grid.spacing=[1e-9, 1e-9, 1e-9]"}, {"cells; allowed: larger cells"});
+}
+
+TEST_F(Errors, FolderThatCannotBeMade)
+{
+  write("case.toml", quick_case);
+  write("file", "");
+  const Outcome outcome = run({"run", "case.toml", "-o", "file"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("brinell: error: file: the folder for the results cannot be made"), std::string::npos)
+      << outcome.err;
+}
+
+} // namespace
+
+} // namespace brinell::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/reference/critical.hpp"
+#include "brinell/reference/hertz.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace brinell::reference
+{
+namespace
+{
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Steel spheres of Boucly, Nelias & Green (2006): R1 = R2 = 1 m, E = 200 GPa, nu = 0.32, S_y = 0.9115 GPa.
+constexpr double contact_modulus_of_pair = 0.5 * 200e9 / (1.0 - 0.32 * 0.32);
+
+TEST(CriticalTest, ThePapersCase)
+{
+  // Seven digits are given.
+  const double C = critical_pressure_ratio(0.32);
+  EXPECT_NEAR(C, 1.637468, 5e-7);
+  EXPECT_NEAR(contact_modulus_of_pair / 1.114082e11, 1.0, 5e-7);
+  const CriticalValues c = critical_values(0.5, contact_modulus_of_pair, C, 0.9115e9);
+  EXPECT_NEAR(c.interference / 2.214290e-4, 1.0, 5e-7);
+  EXPECT_NEAR(c.load / 3.460928e5, 1.0, 5e-7);
+  EXPECT_NEAR(c.energy / 30.65398, 1.0, 5e-7);
+  EXPECT_NEAR(c.contact_radius / 1.052209e-2, 1.0, 5e-7);
+  EXPECT_DOUBLE_EQ(c.peak_pressure, C * 0.9115e9);
+  EXPECT_NEAR(c.load, 3.461e5, 50.0) << "as printed in the paper";
+}
+
+TEST(CriticalTest, HertzAtTheCriticalApproachGivesTheOtherValues)
+{
+  const CriticalValues c = critical_values(0.5, contact_modulus_of_pair, 1.6, 1e9);
+  const PointContact hertz = point_contact_at_approach(0.5, contact_modulus_of_pair, c.interference);
+  EXPECT_NEAR(hertz.load / c.load, 1.0, 8.0 * epsilon);
+  EXPECT_NEAR(hertz.contact_radius / c.contact_radius, 1.0, 8.0 * epsilon);
+  EXPECT_NEAR(hertz.peak_pressure / c.peak_pressure, 1.0, 8.0 * epsilon);
+  const double energy = 8.0 / 15.0 * contact_modulus_of_pair * std::sqrt(0.5) * std::pow(c.interference, 2.5);
+  EXPECT_NEAR(c.energy / energy, 1.0, 8.0 * epsilon);
+}
+
+TEST(CriticalTest, GreensFitIsNearTheExactFirstYield)
+{
+  for (int i = 0; i <= 50; ++i)
+  {
+    const double nu = 0.01 * i;
+    EXPECT_NEAR(critical_pressure_ratio(nu) / first_yield(nu).pressure_ratio, 1.0, 1.5e-3) << nu << ": stated accuracy";
+  }
+}
+
+TEST(CriticalTest, RefusesNonsense)
+{
+  EXPECT_THROW((void)critical_values(0.0, 1e11, 1.6, 1e9), InputError);
+  EXPECT_THROW((void)critical_values(0.5, -1e11, 1.6, 1e9), InputError);
+  EXPECT_THROW((void)critical_values(0.5, 1e11, 1.6, std::nan("")), InputError);
+}
+
+} // namespace
+} // namespace brinell::reference
