@@ -13,17 +13,69 @@ namespace
 
 constexpr int width = 16; ///< wavenumbers worked on together: their running sums stay in registers and L1
 
-/// A complex running sum of `width` wavenumbers.
+/// Values of `width` wavenumbers, real and imaginary parts apart: every loop below has this length and no branches, so
+/// that it becomes vector instructions.
+using Row = std::array<double, width>;
 struct Lane
 {
-  alignas(64) std::array<double, width> re{};
-  alignas(64) std::array<double, width> im{};
+  alignas(64) Row re{};
+  alignas(64) Row im{};
 };
 
-double* row_of(Complex* planes, const PaddedFft& fft, int nz, int component, int layer, int row, int first)
+/// Amplitudes of the waves that travel one way, each a running sum over the layers passed.
+struct Wave
 {
-  const auto plane = static_cast<std::size_t>(component * nz + layer);
-  return reinterpret_cast<double*>(planes + plane * fft.plane() + static_cast<std::size_t>(row * fft.kx() + first));
+  Lane a, c, c1, w; ///< sum of a, of c, of c times the number of layers passed, and of w
+};
+
+/// Plastic strain of one layer in the frame of the wavevector.
+struct Source
+{
+  Lane a, d, lz, lt, tz; ///< (1 - 2 nu)(ll + zz), ll - zz, and the shears
+};
+
+/// Stress in the frame of the wavevector; lz and tz without the factor +-i of the direction of travel.
+struct Field
+{
+  Lane ll, zz, lz, lt;
+};
+
+void gather(const double* from, int count, Lane& to)
+{
+  if (count == width) // the usual case, with a constant length
+  {
+#pragma omp simd
+    for (std::size_t i = 0; i < width; ++i)
+    {
+      to.re[i] = from[2 * i];
+      to.im[i] = from[2 * i + 1];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+  {
+    to.re[i] = from[2 * i];
+    to.im[i] = from[2 * i + 1];
+  }
+}
+
+void scatter(const Lane& from, int count, double* to)
+{
+  if (count == width)
+  {
+#pragma omp simd
+    for (std::size_t i = 0; i < width; ++i)
+    {
+      to[2 * i] = from.re[i];
+      to[2 * i + 1] = from.im[i];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+  {
+    to[2 * i] = from.re[i];
+    to[2 * i + 1] = from.im[i];
+  }
 }
 
 } // namespace
@@ -91,28 +143,17 @@ double EigenstrainStress::local_trace(const Deviator& strain) const
   return -2.0 * mu_ * (1.0 + nu_) / (1.0 - nu_) * (strain[Deviator::xx] + strain[Deviator::yy]);
 }
 
-void EigenstrainStress::apply(Complex* strain_hat, Complex* stress_hat, int layers, Complex* trace_hat) const
-{
-  const int blocks = (fft_.kx() + width - 1) / width;
-#pragma omp parallel for collapse(2) schedule(static)
-  for (int row = 0; row < fft_.py(); ++row)
-    for (int block = 0; block < blocks; ++block)
-      apply_block(row, block * width, std::min(width, fft_.kx() - block * width), strain_hat, stress_hat, layers,
-                  trace_hat);
-}
-
 /// The factors of one block, copied to full width so that every loop has a constant length.
 struct EigenstrainStress::Block
 {
-  alignas(64) std::array<double, width> lx{}, ly{}, lx2{}, ly2{}, lxly{}, q{}, e0{}, e1{}, e2{}, e3{}, m0{}, m1{}, m2{},
-      s0{}, s1{}, x{};
+  alignas(64) Row lx{}, ly{}, lx2{}, ly2{}, lxly{}, q{}, e0{}, e1{}, e2{}, e3{}, m0{}, m1{}, m2{}, s0{}, s1{}, x{};
 
   Block(const Factors& f, std::size_t at, int count, double sign_y)
   {
-    const auto copy = [&](const std::vector<double>& from, std::array<double, width>& to, double scale = 1.0)
+    const auto copy = [&](const std::vector<double>& from, Row& to, double scale = 1.0)
     {
-      for (int i = 0; i < count; ++i)
-        to[static_cast<std::size_t>(i)] = scale * from[at + static_cast<std::size_t>(i)];
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        to[i] = scale * from[at + i];
     };
     copy(f.lx, lx);
     copy(f.ly, ly, sign_y);
@@ -131,197 +172,236 @@ struct EigenstrainStress::Block
     copy(f.s1, s1);
     copy(f.x, x);
   }
+
+  /// Strain from the axes x, y, z to the frame of the wavevector.
+  void rotate(const std::array<Lane, Deviator::size>& e, double one_minus_2nu, Source& out) const
+  {
+    const auto part = [&](const Row& xx, const Row& yy, const Row& yz, const Row& xz, const Row& xy, Row& a, Row& d,
+                          Row& lz, Row& lt, Row& tz)
+    {
+#pragma omp simd
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const double ll = lx2[i] * xx[i] + ly2[i] * yy[i] + 2.0 * lxly[i] * xy[i];
+        const double zz = -xx[i] - yy[i];
+        a[i] = one_minus_2nu * (ll + zz);
+        d[i] = ll - zz;
+        lz[i] = lx[i] * xz[i] + ly[i] * yz[i];
+        lt[i] = lxly[i] * (yy[i] - xx[i]) + (lx2[i] - ly2[i]) * xy[i];
+        tz[i] = lx[i] * yz[i] - ly[i] * xz[i];
+      }
+    };
+    part(e[0].re, e[1].re, e[2].re, e[3].re, e[4].re, out.a.re, out.d.re, out.lz.re, out.lt.re, out.tz.re);
+    part(e[0].im, e[1].im, e[2].im, e[3].im, e[4].im, out.a.im, out.d.im, out.lz.im, out.lt.im, out.tz.im);
+  }
+
+  /// Mean stress in the next layer of the waves that arrive there.
+  void emit(const Wave& wave, Field& out) const
+  {
+    const auto part = [&](const Row& a, const Row& c, const Row& c1, const Row& w, Row& ll, Row& zz, Row& lz, Row& lt)
+    {
+#pragma omp simd
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const double ea = e0[i] * a[i];
+        const double ec = e0[i] * c[i];
+        const double sc = e1[i] * c1[i] - e2[i] * c[i];
+        ll[i] = ea + 2.0 * ec - sc;
+        zz[i] = sc - ea;
+        lz[i] = ea + ec - sc;
+        lt[i] = e3[i] * w[i];
+      }
+    };
+    part(wave.a.re, wave.c.re, wave.c1.re, wave.w.re, out.ll.re, out.zz.re, out.lz.re, out.lt.re);
+    part(wave.a.im, wave.c.im, wave.c1.im, wave.w.im, out.ll.im, out.zz.im, out.lz.im, out.lt.im);
+  }
+
+  /// The waves pass one layer and take up its strain; g = +1 downwards, -1 upwards.
+  void advance(Wave& wave, const Source& s, double g) const
+  {
+    // c = d + 2 i g lz and w = lt + i g tz: the imaginary part of the shear goes to the real part and back.
+    const auto part = [&](Row& a, Row& c, Row& c1, Row& w, const Row& source_a, const Row& d, const Row& lz, const Row& lt,
+                          const Row& tz, double sign)
+    {
+#pragma omp simd
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const double source_c = d[i] + 2.0 * sign * lz[i];
+        c1[i] = q[i] * (c1[i] + c[i]) + source_c;
+        c[i] = q[i] * c[i] + source_c;
+        a[i] = q[i] * a[i] + source_a[i];
+        w[i] = q[i] * w[i] + lt[i] + sign * tz[i];
+      }
+    };
+    part(wave.a.re, wave.c.re, wave.c1.re, wave.w.re, s.a.re, s.d.re, s.lz.im, s.lt.re, s.tz.im, -g);
+    part(wave.a.im, wave.c.im, wave.c1.im, wave.w.im, s.a.im, s.d.im, s.lz.re, s.lt.im, s.tz.re, g);
+  }
+
+  /// Amplitudes F, C and W of the image (times the stiffness) from the waves that have arrived at the surface.
+  void image(const Wave& wave, double stiffness, double mu, Lane& f, Lane& c, Lane& w) const
+  {
+    const auto part = [&](const Row& a0, const Row& c0, const Row& c1, const Row& w0, Row& out_f, Row& out_c, Row& out_w)
+    {
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const double p = stiffness * x[i];
+        out_f[i] = p * (s0[i] * a0[i] - x[i] * s0[i] * (c1[i] - 0.5 * c0[i]) + s1[i] * c0[i]);
+        out_c[i] = p * s0[i] * c0[i];
+        out_w[i] = mu * x[i] * s0[i] * w0[i];
+      }
+    };
+    part(wave.a.re, wave.c.re, wave.c1.re, wave.w.re, f.re, c.re, w.re);
+    part(wave.a.im, wave.c.im, wave.c1.im, wave.w.im, f.im, c.im, w.im);
+  }
+
+  /// Adds to the field of the waves from above (`down`) that from below (`up`), of the layer itself and of the image.
+  /// @param mean_e, mean_z  means of e^{-kz} and k z e^{-kz} over the layer.
+  /// @param out  ll, zz, lz, lt, tz with their factors i applied.
+  void assemble(const Field& down, const Field& up, const Source& s, const Lane& f, const Lane& c, const Lane& w,
+                const Row& mean_e, const Row& mean_z, std::array<Lane, Deviator::size>& out) const
+  {
+    const auto normal = [&](const Row& d_ll, const Row& u_ll, const Row& d_zz, const Row& u_zz, const Row& d_lt,
+                            const Row& u_lt, const Row& a, const Row& d, const Row& lt, const Row& big_f,
+                            const Row& big_c, const Row& big_w, Row& ll, Row& zz, Row& out_lt)
+    {
+#pragma omp simd
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const double v = big_c[i] + 2.0 * big_f[i];
+        ll[i] = d_ll[i] + u_ll[i] + m0[i] * a[i] + (2.0 * m0[i] - m1[i]) * d[i] +
+                mean_e[i] * (big_f[i] + v + big_c[i]) - mean_z[i] * v;
+        zz[i] = d_zz[i] + u_zz[i] - m0[i] * a[i] + m1[i] * d[i] + mean_e[i] * big_f[i] + mean_z[i] * v;
+        out_lt[i] = d_lt[i] + u_lt[i] + m2[i] * lt[i] + mean_e[i] * big_w[i];
+      }
+    };
+    normal(down.ll.re, up.ll.re, down.zz.re, up.zz.re, down.lt.re, up.lt.re, s.a.re, s.d.re, s.lt.re, f.re, c.re, w.re,
+           out[0].re, out[1].re, out[3].re);
+    normal(down.ll.im, up.ll.im, down.zz.im, up.zz.im, down.lt.im, up.lt.im, s.a.im, s.d.im, s.lt.im, f.im, c.im, w.im,
+           out[0].im, out[1].im, out[3].im);
+    // sigma_lz = i (...) + self: `sign` is that of i times the other part.
+    const auto shear = [&](const Row& d_lz, const Row& u_lz, const Row& d_lt, const Row& u_lt, const Row& big_f,
+                           const Row& big_c, const Row& big_w, const Row& lz, const Row& tz, double sign, Row& out_lz,
+                           Row& out_tz)
+    {
+#pragma omp simd
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const double v = big_c[i] + 2.0 * big_f[i];
+        const double l = d_lz[i] - u_lz[i] + mean_e[i] * (big_f[i] + big_c[i]) - mean_z[i] * v;
+        const double t = d_lt[i] - u_lt[i] + mean_e[i] * big_w[i];
+        out_lz[i] = sign * l - 2.0 * (m0[i] - m1[i]) * lz[i];
+        out_tz[i] = sign * t - m2[i] * tz[i];
+      }
+    };
+    shear(down.lz.im, up.lz.im, down.lt.im, up.lt.im, f.im, c.im, w.im, s.lz.re, s.tz.re, -1.0, out[2].re, out[4].re);
+    shear(down.lz.re, up.lz.re, down.lt.re, up.lt.re, f.re, c.re, w.re, s.lz.im, s.tz.im, 1.0, out[2].im, out[4].im);
+  }
+
+  /// (ll, zz, lz, lt, tz) to the deviator in the axes x, y, z, in place; the trace besides.
+  void rotate_back(double nu, std::array<Lane, Deviator::size>& stress, Lane& trace) const
+  {
+    const auto part = [&](Row& s0_, Row& s1_, Row& s2_, Row& s3_, Row& s4_, Row& tr)
+    {
+#pragma omp simd
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const double ll = s0_[i];
+        const double zz = s1_[i];
+        const double lz = s2_[i];
+        const double lt = s3_[i];
+        const double tz = s4_[i];
+        const double tt = nu * (ll + zz); // plane strain across the wavevector
+        const double mean = (ll + tt + zz) / 3.0;
+        s0_[i] = lx2[i] * (ll - mean) + ly2[i] * (tt - mean) - 2.0 * lxly[i] * lt;
+        s1_[i] = ly2[i] * (ll - mean) + lx2[i] * (tt - mean) + 2.0 * lxly[i] * lt;
+        s2_[i] = ly[i] * lz + lx[i] * tz;
+        s3_[i] = lx[i] * lz - ly[i] * tz;
+        s4_[i] = lxly[i] * (ll - tt) + (lx2[i] - ly2[i]) * lt;
+        tr[i] = 3.0 * mean;
+      }
+    };
+    part(stress[0].re, stress[1].re, stress[2].re, stress[3].re, stress[4].re, trace.re);
+    part(stress[0].im, stress[1].im, stress[2].im, stress[3].im, stress[4].im, trace.im);
+  }
 };
 
-void EigenstrainStress::apply_block(int row, int first, int count, Complex* strain_hat, Complex* stress_hat, int layers,
-                                    Complex* trace_hat) const
+void EigenstrainStress::apply(const Complex* strain_hat, Complex* stress_hat, int layers, Complex* trace_hat) const
+{
+  const int blocks = (fft_.kx() + width - 1) / width;
+#pragma omp parallel for collapse(2) schedule(static)
+  for (int row = 0; row < fft_.py(); ++row)
+    for (int block = 0; block < blocks; ++block)
+      apply_block(row, block * width, std::min(width, fft_.kx() - block * width), strain_hat, stress_hat, layers,
+                  trace_hat);
+}
+
+void EigenstrainStress::apply_block(int row, int first, int count, const Complex* strain_hat, Complex* stress_hat,
+                                    int layers, Complex* trace_hat) const
 {
   const int folded = std::min(row, fft_.py() - row);
   const Block f(factor_, static_cast<std::size_t>(folded * fft_.kx() + first), count, row > fft_.py() / 2 ? -1.0 : 1.0);
-  const auto strain = [&](int component, int layer)
-  { return row_of(strain_hat, fft_, grid_.nz, component, layer, row, first); };
+  const std::size_t in_plane = static_cast<std::size_t>(row * fft_.kx() + first);
+  const auto offset = [&](int component, int layer)
+  { return static_cast<std::size_t>(component * grid_.nz + layer) * fft_.plane() + in_plane; };
   const auto stress = [&](int component, int layer)
-  { return row_of(stress_hat, fft_, grid_.nz, component, layer, row, first); };
-  const double one_minus_2nu = 1.0 - 2.0 * nu_;
+  { return reinterpret_cast<double*>(stress_hat + offset(component, layer)); };
+  std::array<Lane, Deviator::size> block{};
+  Source source;
+  const auto load_source = [&](int layer)
+  {
+    for (int c = 0; c < Deviator::size; ++c)
+      gather(reinterpret_cast<const double*>(strain_hat + offset(c, layer)), count, block[static_cast<std::size_t>(c)]);
+    f.rotate(block, 1.0 - 2.0 * nu_, source);
+  };
 
-  // Upwards: what the layers below give, kept in `stress`; the strain is rotated to (a, d, lz, lt, tz) on the way.
-  Lane u_a;
-  Lane u_c;
-  Lane u_c1;
-  Lane u_w;
+  // Upwards: what the layers below give is parked in `stress`; the sums that reach the surface make the image.
+  Wave up;
+  Field field;
   for (int layer = layers - 1; layer >= 0; --layer)
   {
-    double* e0 = strain(0, layer);
-    double* e1 = strain(1, layer);
-    double* e2 = strain(2, layer);
-    double* e3 = strain(3, layer);
-    double* e4 = strain(4, layer);
-    double* o0 = stress(0, layer);
-    double* o1 = stress(1, layer);
-    double* o2 = stress(2, layer);
-    double* o3 = stress(3, layer);
-    const auto work = [&](std::size_t i, std::size_t c, std::array<double, width>& a0, std::array<double, width>& c0,
-                          std::array<double, width>& c1, std::array<double, width>& w0)
-    {
-      const double ea = f.e0[i] * a0[i];
-      const double ec = f.e0[i] * c0[i];
-      const double sc = f.e1[i] * c1[i] - f.e2[i] * c0[i];
-      o0[2 * i + c] = ea + 2.0 * ec - sc;
-      o1[2 * i + c] = sc - ea;
-      o2[2 * i + c] = ea + ec - sc;
-      o3[2 * i + c] = f.e3[i] * w0[i];
-      c1[i] = f.q[i] * (c1[i] + c0[i]);
-      c0[i] *= f.q[i];
-      a0[i] *= f.q[i];
-      w0[i] *= f.q[i];
-    };
-#pragma omp simd
-    for (int n = 0; n < count; ++n)
-    {
-      const auto i = static_cast<std::size_t>(n);
-      work(i, 0, u_a.re, u_c.re, u_c1.re, u_w.re);
-      work(i, 1, u_a.im, u_c.im, u_c1.im, u_w.im);
-      std::array<double, 2> d{};
-      std::array<double, 2> lz{};
-      std::array<double, 2> lt{};
-      std::array<double, 2> tz{};
-      std::array<double, 2> a{};
-      for (std::size_t c = 0; c < 2; ++c)
-      {
-        const double xx = e0[2 * i + c];
-        const double yy = e1[2 * i + c];
-        const double yz = e2[2 * i + c];
-        const double xz = e3[2 * i + c];
-        const double xy = e4[2 * i + c];
-        const double ll = f.lx2[i] * xx + f.ly2[i] * yy + 2.0 * f.lxly[i] * xy;
-        const double zz = -xx - yy;
-        a[c] = one_minus_2nu * (ll + zz);
-        d[c] = ll - zz;
-        lz[c] = f.lx[i] * xz + f.ly[i] * yz;
-        lt[c] = f.lxly[i] * (yy - xx) + (f.lx2[i] - f.ly2[i]) * xy;
-        tz[c] = f.lx[i] * yz - f.ly[i] * xz;
-        e0[2 * i + c] = a[c];
-        e1[2 * i + c] = d[c];
-        e2[2 * i + c] = lz[c];
-        e3[2 * i + c] = lt[c];
-        e4[2 * i + c] = tz[c];
-      }
-      // c_- = d - 2 i lz, w_- = lt - i tz
-      const double c_re = d[0] + 2.0 * lz[1];
-      const double c_im = d[1] - 2.0 * lz[0];
-      u_a.re[i] += a[0];
-      u_a.im[i] += a[1];
-      u_c.re[i] += c_re;
-      u_c.im[i] += c_im;
-      u_c1.re[i] += c_re;
-      u_c1.im[i] += c_im;
-      u_w.re[i] += lt[0] + tz[1];
-      u_w.im[i] += lt[1] - tz[0];
-    }
+    f.emit(up, field);
+    scatter(field.ll, count, stress(0, layer));
+    scatter(field.zz, count, stress(1, layer));
+    scatter(field.lz, count, stress(2, layer));
+    scatter(field.lt, count, stress(3, layer));
+    load_source(layer);
+    f.advance(up, source, -1.0);
   }
-
-  // The sums have arrived at the surface: amplitudes of the image and of the pressure that frees it.
   Lane image_f;
   Lane image_c;
   Lane image_w;
-  const double stiffness = mu_ / (2.0 * (1.0 - nu_));
-  const auto amplitude = [&](std::size_t i, double a0, double c0, double c1, double w0, double& out_f, double& out_c,
-                             double& out_w)
-  {
-    const double p = stiffness * f.x[i];
-    out_f = p * (f.s0[i] * a0 - f.x[i] * f.s0[i] * (c1 - 0.5 * c0) + f.s1[i] * c0);
-    out_c = p * f.s0[i] * c0;
-    out_w = mu_ * f.x[i] * f.s0[i] * w0;
-  };
-  for (std::size_t i = 0; i < width; ++i)
-  {
-    amplitude(i, u_a.re[i], u_c.re[i], u_c1.re[i], u_w.re[i], image_f.re[i], image_c.re[i], image_w.re[i]);
-    amplitude(i, u_a.im[i], u_c.im[i], u_c1.im[i], u_w.im[i], image_f.im[i], image_c.im[i], image_w.im[i]);
-  }
+  f.image(up, mu_ / (2.0 * (1.0 - nu_)), mu_, image_f, image_c, image_w);
 
-  // Downwards: the layers above, the layer itself, the image; back to the axes x, y, z.
-  Lane d_a;
-  Lane d_c;
-  Lane d_c1;
-  Lane d_w;
-  alignas(64) std::array<double, width> decay{};
+  // Downwards: the layers above, the layer itself, the image; then back to the axes x, y, z.
+  Wave down;
+  Field from_above;
+  Lane trace;
+  alignas(64) Row decay;
+  alignas(64) Row mean_e{};
+  alignas(64) Row mean_z{};
   decay.fill(1.0);
   for (int layer = 0; layer < layers; ++layer)
   {
-    const double* e0 = strain(0, layer);
-    const double* e1 = strain(1, layer);
-    const double* e2 = strain(2, layer);
-    const double* e3 = strain(3, layer);
-    const double* e4 = strain(4, layer);
-    double* o0 = stress(0, layer);
-    double* o1 = stress(1, layer);
-    double* o2 = stress(2, layer);
-    double* o3 = stress(3, layer);
-    double* o4 = stress(4, layer);
-    double* tr = trace_hat == nullptr ? nullptr : row_of(trace_hat, fft_, grid_.nz, 0, layer, row, first);
     const double depth = layer + 0.5;
-#pragma omp simd
-    for (int n = 0; n < count; ++n)
+    for (std::size_t i = 0; i < width; ++i)
     {
-      const auto i = static_cast<std::size_t>(n);
-      const double mean_e = decay[i] * f.s0[i];
-      const double mean_z = decay[i] * (depth * f.x[i] * f.s0[i] - f.s1[i]);
+      mean_e[i] = decay[i] * f.s0[i];
+      mean_z[i] = decay[i] * (depth * f.x[i] * f.s0[i] - f.s1[i]);
       decay[i] *= f.q[i];
-      std::array<double, 2> ll{};
-      std::array<double, 2> zz{};
-      std::array<double, 2> shear{};  // sigma_lz = i * shear + self
-      std::array<double, 2> across{}; // sigma_tz = i * across + self
-      std::array<double, 2> lt{};
-      const auto add = [&](std::size_t c, double a0, double c0, double c1, double w0, double big_f, double big_c,
-                           double big_w)
-      {
-        const double ea = f.e0[i] * a0;
-        const double ec = f.e0[i] * c0;
-        const double sc = f.e1[i] * c1 - f.e2[i] * c0;
-        const double v = big_c + 2.0 * big_f;
-        const double w = f.e3[i] * w0 + mean_e * big_w;
-        const double a_self = f.m0[i] * e0[2 * i + c];
-        const double d_self = e1[2 * i + c];
-        ll[c] = o0[2 * i + c] + ea + 2.0 * ec - sc + a_self + (2.0 * f.m0[i] - f.m1[i]) * d_self +
-                mean_e * (big_f + v + big_c) - mean_z * v;
-        zz[c] = o1[2 * i + c] + sc - ea - a_self + f.m1[i] * d_self + mean_e * big_f + mean_z * v;
-        shear[c] = ea + ec - sc - o2[2 * i + c] + mean_e * (big_f + big_c) - mean_z * v;
-        across[c] = w - o3[2 * i + c];
-        lt[c] = w + o3[2 * i + c] + f.m2[i] * e3[2 * i + c];
-      };
-      add(0, d_a.re[i], d_c.re[i], d_c1.re[i], d_w.re[i], image_f.re[i], image_c.re[i], image_w.re[i]);
-      add(1, d_a.im[i], d_c.im[i], d_c1.im[i], d_w.im[i], image_f.im[i], image_c.im[i], image_w.im[i]);
-      const double lz_self = -2.0 * (f.m0[i] - f.m1[i]);
-      const std::array<double, 2> lz{lz_self * e2[2 * i] - shear[1], lz_self * e2[2 * i + 1] + shear[0]};
-      const std::array<double, 2> tz{-f.m2[i] * e4[2 * i] - across[1], -f.m2[i] * e4[2 * i + 1] + across[0]};
-      for (std::size_t c = 0; c < 2; ++c)
-      {
-        const double tt = nu_ * (ll[c] + zz[c]);
-        const double mean = (ll[c] + tt + zz[c]) / 3.0;
-        const double dl = ll[c] - mean;
-        const double dt = tt - mean;
-        o0[2 * i + c] = f.lx2[i] * dl + f.ly2[i] * dt - 2.0 * f.lxly[i] * lt[c];
-        o1[2 * i + c] = f.ly2[i] * dl + f.lx2[i] * dt + 2.0 * f.lxly[i] * lt[c];
-        o2[2 * i + c] = f.ly[i] * lz[c] + f.lx[i] * tz[c];
-        o3[2 * i + c] = f.lx[i] * lz[c] - f.ly[i] * tz[c];
-        o4[2 * i + c] = f.lxly[i] * (ll[c] - tt) + (f.lx2[i] - f.ly2[i]) * lt[c];
-        if (tr != nullptr)
-          tr[2 * i + c] = 3.0 * mean;
-      }
-      const auto advance = [&](Lane& lane, double re, double im)
-      {
-        lane.re[i] = f.q[i] * lane.re[i] + re;
-        lane.im[i] = f.q[i] * lane.im[i] + im;
-      };
-      // c_+ = d + 2 i lz, w_+ = lt + i tz
-      const double c_re = e1[2 * i] - 2.0 * e2[2 * i + 1];
-      const double c_im = e1[2 * i + 1] + 2.0 * e2[2 * i];
-      d_c1.re[i] = f.q[i] * (d_c1.re[i] + d_c.re[i]) + c_re;
-      d_c1.im[i] = f.q[i] * (d_c1.im[i] + d_c.im[i]) + c_im;
-      advance(d_a, e0[2 * i], e0[2 * i + 1]);
-      advance(d_c, c_re, c_im);
-      advance(d_w, e3[2 * i] - e4[2 * i + 1], e3[2 * i + 1] + e4[2 * i]);
     }
+    gather(stress(0, layer), count, field.ll);
+    gather(stress(1, layer), count, field.zz);
+    gather(stress(2, layer), count, field.lz);
+    gather(stress(3, layer), count, field.lt);
+    f.emit(down, from_above);
+    load_source(layer);
+    f.assemble(from_above, field, source, image_f, image_c, image_w, mean_e, mean_z, block);
+    f.advance(down, source, 1.0);
+    f.rotate_back(nu_, block, trace);
+    for (int c = 0; c < Deviator::size; ++c)
+      scatter(block[static_cast<std::size_t>(c)], count, stress(c, layer));
+    if (trace_hat != nullptr)
+      scatter(trace, count, reinterpret_cast<double*>(trace_hat + offset(0, layer)));
   }
 }
 

@@ -73,7 +73,7 @@ template <typename Law>
   const double dd = 1.5 * contract(d, d);
   const double sd = 1.5 * contract(s0, d);
   const double ss = 1.5 * contract(s0, s0) - yield * yield;
-  const double b = std::clamp((-sd + std::sqrt(std::max(sd * sd - dd * ss, 0.0))) / dd, 0.0, 1.0);
+  const double b = dd > 0.0 ? std::clamp((-sd + std::sqrt(std::max(sd * sd - dd * ss, 0.0))) / dd, 0.0, 1.0) : 0.0;
   const Deviator entry = s0 + b * d;
   const Deviator n0 = (1.5 / von_mises(entry)) * entry;
   const double x = detail::consistent_multiplier(law, e,

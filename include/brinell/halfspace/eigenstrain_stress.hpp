@@ -36,10 +36,10 @@ public:
   EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft);
 
   /// Non-local part of the residual stress (the caller adds `local_stress` in real space).
-  /// @param strain_hat  5 * nz planes, traceless plastic strain; destroyed (rotated to the frame of the wavevector).
+  /// @param strain_hat  5 * nz planes, traceless plastic strain.
   /// @param stress_hat  5 * nz planes, deviatoric stress [Pa]; overwritten in layers [0, layers).
   /// @param trace_hat   nullptr, or nz planes for the trace of the stress [Pa].
-  void apply(Complex* strain_hat, Complex* stress_hat, int layers, Complex* trace_hat = nullptr) const;
+  void apply(const Complex* strain_hat, Complex* stress_hat, int layers, Complex* trace_hat = nullptr) const;
 
   /// Deviator of the local stress [Pa]: a uniform, unbounded layer held in its plane (plane stress across it).
   [[nodiscard]] Deviator local_stress(const Deviator& strain) const;
@@ -48,7 +48,7 @@ public:
 
 private:
   struct Block;
-  void apply_block(int row, int first, int count, Complex* strain_hat, Complex* stress_hat, int layers,
+  void apply_block(int row, int first, int count, const Complex* strain_hat, Complex* stress_hat, int layers,
                    Complex* trace_hat) const;
 
   VolumeGrid grid_;

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/surface_compliance.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "direct/half_space_sums.hpp"
+#include "order.hpp"
+#include "random_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace brinell::halfspace
+{
+namespace
+{
+
+std::vector<double> displacement(const SurfaceCompliance& compliance, const std::vector<double>& pressure)
+{
+  std::vector<double> u(pressure.size());
+  AlignedVector<Complex> scratch(compliance.scratch_size());
+  compliance.apply(pressure, u, scratch);
+  return u;
+}
+
+class SurfaceComplianceTest : public testing::TestWithParam<SurfaceGrid>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Grids, SurfaceComplianceTest,
+                         testing::Values(SurfaceGrid{1, 1, 1.0, 2.0}, SurfaceGrid{6, 6, 1.0, 1.0},
+                                         SurfaceGrid{9, 4, 0.5, 1.5}, SurfaceGrid{13, 7, 1e-6, 2e-6},
+                                         SurfaceGrid{1, 8, 1.0, 1.0}),
+                         [](const auto& p)
+                         { return std::to_string(p.param.nx) + "x" + std::to_string(p.param.ny); });
+
+TEST_P(SurfaceComplianceTest, EqualsTheSumOverAllPairsOfCells)
+{
+  const double modulus = 1.1e11;
+  const std::vector<double> pressure = test::random_field(GetParam().size(), 1);
+  const std::vector<double> fast = displacement(SurfaceCompliance(GetParam(), modulus), pressure);
+  const std::vector<double> slow = direct::pressure_to_displacement(GetParam(), pressure, 1.0 / modulus);
+  double largest = 0.0;
+  for (const double u : slow)
+    largest = std::max(largest, std::abs(u));
+  for (std::size_t i = 0; i < slow.size(); ++i)
+    EXPECT_NEAR(fast[i], slow[i], 1e-13 * largest); // round-off of two transforms and of a sum of up to 91 terms
+}
+
+TEST_P(SurfaceComplianceTest, IsSymmetric)
+{
+  const SurfaceCompliance compliance(GetParam(), 1.0);
+  const std::vector<double> p = test::random_field(GetParam().size(), 2), q = test::random_field(GetParam().size(), 3);
+  const double a = test::dot(q, displacement(compliance, p)), b = test::dot(p, displacement(compliance, q));
+  // Relative to the product of the norms: either sum may cancel.
+  const double scale = std::sqrt(test::dot(p, displacement(compliance, p)) * test::dot(q, displacement(compliance, q)));
+  EXPECT_NEAR(a, b, 1e-13 * scale);
+}
+
+TEST_P(SurfaceComplianceTest, IsPositive)
+{
+  const SurfaceGrid& grid = GetParam();
+  const SurfaceCompliance compliance(grid, 1.0);
+  for (unsigned seed = 4; seed < 12; ++seed)
+  {
+    const std::vector<double> p = test::random_field(grid.size(), seed);
+    EXPECT_GT(test::dot(p, displacement(compliance, p)), 0.0);
+  }
+  std::vector<double> checkerboard(grid.size()); // the shortest wave, the softest response
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    checkerboard[i] = (i % static_cast<std::size_t>(grid.nx) + i / static_cast<std::size_t>(grid.nx)) % 2 ? 1.0 : -1.0;
+  EXPECT_GT(test::dot(checkerboard, displacement(compliance, checkerboard)), 0.0);
+}
+
+TEST(UniformPressureTest, SinksTheCentreOfASquareByLovesNumber)
+{
+  // Unit pressure on a unit square, mu = 1, nu = 0.28 (Love 1929, to eight digits); the square is one cell or 25.
+  const double modulus = 2.0 / (1.0 - 0.28);
+  EXPECT_NEAR(displacement(SurfaceCompliance({1, 1, 1.0, 1.0}, modulus), {1.0})[0], 0.40399189, 1e-8);
+  const std::vector<double> many =
+      displacement(SurfaceCompliance({5, 5, 0.2, 0.2}, modulus), std::vector<double>(25, 1.0));
+  EXPECT_NEAR(many[12], 0.40399189, 1e-8);
+}
+
+TEST(UniformPressureTest, SinksTheCentreOfACircleByTwoPressureRadiusOverModulus)
+{
+  // Cells on the rim carry the share of them that lies inside: second order, u = 2 p a/E' (Johnson 1985, Eq. 3.29a).
+  const auto error = [](int cells)
+  {
+    const int n = 2 * cells + 3;
+    const double h = 1.0 / cells;
+    std::vector<double> pressure(static_cast<std::size_t>(n * n));
+    constexpr int parts = 64; // share of the area to 1e-3 of a cell, and the errors of the rim's cells average out
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+      {
+        int inside = 0;
+        for (int b = 0; b < parts; ++b)
+          for (int a = 0; a < parts; ++a)
+            inside += std::hypot(i - n / 2 - 0.5 + (a + 0.5) / parts, j - n / 2 - 0.5 + (b + 0.5) / parts) < cells;
+        pressure[static_cast<std::size_t>(i + n * j)] = static_cast<double>(inside) / (parts * parts);
+      }
+    const std::vector<double> u = displacement(SurfaceCompliance({n, n, h, h}, 2.0), pressure);
+    return u[static_cast<std::size_t>(n * n / 2)] - 1.0;
+  };
+  const std::vector<double> errors{error(4), error(8), error(16)};
+  EXPECT_GT(test::observed_order("uniform circle, centre displacement", errors), 1.8);
+}
+
+TEST(SurfaceComplianceDoorTest, RefusesFieldsOfAnotherSize)
+{
+  const SurfaceCompliance compliance({4, 3, 1.0, 1.0}, 1.0);
+  std::vector<double> p(12), u(11);
+  AlignedVector<Complex> scratch(compliance.scratch_size());
+  EXPECT_THROW(compliance.apply(p, u, scratch), InternalError);
+}
+
+} // namespace
+} // namespace brinell::halfspace
