@@ -2,6 +2,7 @@
 #include "progress.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,7 +17,7 @@ constexpr int bar_width = 24;
 
 std::string duration_text(double seconds)
 {
-  const int total = static_cast<int>(seconds + 0.5);
+  const long total = std::lround(seconds);
   if (total < 60)
     return fmt::format("{} s", total);
   if (total < 3600)

@@ -40,12 +40,15 @@ void store_packed(const Deviator& d, std::vector<double>& packed, std::size_t n)
 
 /// Cells with more than this share of the yield stress take part in the fixed point from the start.
 constexpr double active_share = 0.8;
+/// Layers are computed down to the last one that carries plastic strain or this share of the yield stress, and a few on.
+constexpr double layer_share = 0.6;
+constexpr int spare_layers = 3;
 
 } // namespace
 
 Body::Body(const VolumeGrid& grid, const constitutive::Material& material)
     : material_(material), half_space_(grid, material.elastic), work_(half_space_.make_work()),
-      displacement_(grid.surface.size(), 0.0)
+      layers_(grid.nz), displacement_(grid.surface.size(), 0.0)
 {
   const std::size_t n = grid.size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
@@ -87,10 +90,11 @@ void Body::begin(int shift, double stiffness_share)
 void Body::collect_active(const std::vector<double>& q_field, double fraction)
 {
   const std::size_t n = grid().size();
+  const std::size_t used = static_cast<std::size_t>(layers_) * grid().surface.size();
   std::visit(
       [&](const auto& law)
       {
-        for (std::size_t cell = 0; cell < n; ++cell)
+        for (std::size_t cell = 0; cell < used; ++cell)
         {
           if (is_active_[cell] != 0)
             continue;
@@ -133,8 +137,8 @@ void Body::integrate(Integration integration)
         }
       },
       *material_.hardening);
-  half_space_.load_strain(strain_, grid().nz, work_);
-  half_space_.residual_displacement(grid().nz, work_, displacement_);
+  half_space_.load_strain(strain_, layers_, work_);
+  half_space_.residual_displacement(layers_, work_, displacement_);
 }
 
 bool Body::update(std::span<const double> pressure)
@@ -142,7 +146,7 @@ bool Body::update(std::span<const double> pressure)
   if (!is_plastic())
     return false;
   const std::size_t n = grid().size();
-  half_space_.deviatoric_stress(pressure, strain_, grid().nz, work_, stress_);
+  half_space_.deviatoric_stress(pressure, strain_, layers_, work_, stress_);
   std::visit(
       [&](const auto& law)
       {
@@ -161,7 +165,31 @@ bool Body::update(std::span<const double> pressure)
       *material_.hardening);
   const std::size_t before = active_.size();
   collect_active(stress_, 1.0);
-  return active_.size() != before;
+  const bool deeper = layers_ < grid().nz && needed_layers() > layers_ - 1;
+  if (deeper)
+    layers_ = std::min(grid().nz, layers_ + spare_layers);
+  return deeper || active_.size() != before;
+}
+
+int Body::needed_layers() const
+{
+  const std::size_t n = grid().size();
+  const std::size_t per_layer = grid().surface.size();
+  return std::visit(
+      [&](const auto& law)
+      {
+        for (int layer = layers_ - 1; layer >= 0; --layer)
+          for (std::size_t cell = static_cast<std::size_t>(layer) * per_layer;
+               cell < static_cast<std::size_t>(layer + 1) * per_layer; ++cell)
+          {
+            const Deviator s = load(stress_, n, cell);
+            const double limit = layer_share * law.yield_stress_at(state_.equivalent[cell]);
+            if (is_active_[cell] != 0 || state_.equivalent[cell] > 0.0 || 1.5 * contract(s, s) > limit * limit)
+              return layer + 1;
+          }
+        return 0;
+      },
+      *material_.hardening);
 }
 
 double Body::yield_error() const
@@ -222,6 +250,7 @@ void Body::commit(std::span<const double> pressure)
   state_.residual_displacement = displacement_;
   state_.locked_in_energy = locked_in_energy(pressure);
   q_field_ = stress_;
+  layers_ = std::min(grid().nz, needed_layers() + spare_layers);
   for (std::size_t a = 0; a < active_.size(); ++a)
     store(load_packed(g_, a), q_field_, n, active_[a]);
 }

@@ -97,8 +97,8 @@ void replace_file(const fs::path& path, const std::string& text)
 
 struct ResultDirectory::State
 {
-  State(fs::path folder, const Case& given)
-      : path(made_folder(folder)), c(given), lock(path), replaced(earlier_result_removed(path)), result(path, c),
+  State(const fs::path& folder, Case given)
+      : path(made_folder(folder)), c(std::move(given)), lock(path), replaced(earlier_result_removed(path)), result(path, c),
         history(path / "history.csv")
   {
     replace_file(path / "resolved.toml", resolved_text(c.values));
@@ -112,7 +112,7 @@ struct ResultDirectory::State
   HistoryWriter history;
 };
 
-ResultDirectory::ResultDirectory(fs::path path, const Case& c) : m_state(std::make_unique<State>(std::move(path), c)) {}
+ResultDirectory::ResultDirectory(const fs::path& path, const Case& c) : m_state(std::make_unique<State>(path, c)) {}
 ResultDirectory::ResultDirectory(ResultDirectory&&) noexcept = default;
 ResultDirectory& ResultDirectory::operator=(ResultDirectory&&) noexcept = default;
 ResultDirectory::~ResultDirectory() = default;

@@ -59,6 +59,7 @@ public:
   [[nodiscard]] double energy(std::span<const double> pressure) const;
 
 private:
+  [[nodiscard]] int needed_layers() const;
   void collect_active(const std::vector<double>& q_field, double fraction);
   [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
 
@@ -67,6 +68,7 @@ private:
   halfspace::HalfSpace::Work work_;
   BodyState state_;
   double stiffness_ = 0.0;             ///< c [Pa]
+  int layers_;                         ///< layers computed: beneath them the stress is far from yield
   std::vector<std::size_t> active_;    ///< cells that may yield
   std::vector<char> is_active_;
   std::vector<double> q_, g_;          ///< trial deviator and its image, [active][component]

@@ -24,7 +24,7 @@ public:
   /// Makes the folder, takes it for this process, removes an earlier result (its summary first) and writes what is known
   /// before the first step.
   /// @throws IoError; also if another run is writing there
-  ResultDirectory(std::filesystem::path path, const Case& c);
+  ResultDirectory(const std::filesystem::path& path, const Case& c);
   ResultDirectory(ResultDirectory&&) noexcept;
   ResultDirectory& operator=(ResultDirectory&&) noexcept;
   ~ResultDirectory();

@@ -25,24 +25,31 @@ SymTensor layered_strain_stress(const VolumeGrid& grid, const LayeredStrain& str
       {
         const double x = (a + 0.5) * dx - 0.5 * s.dx;
         const double y = (b + 0.5) * dy - 0.5 * s.dy;
-        SymTensor eigenstrain = strain(x, y, layer);
+        const SymTensor eigenstrain = strain(x, y, layer);
         if (double_contraction(eigenstrain, eigenstrain) == 0.0)
           continue;
-        const SymTensor east = strain(x + dx, y, layer), west = strain(x - dx, y, layer);
-        const SymTensor north = strain(x, y + dy, layer), south = strain(x, y - dy, layer);
-        for (std::size_t c = 0; c < 6; ++c) // undo the smearing by constant pieces, 1/24, and by three points, 1/27
-          eigenstrain[c] -= 17.0 / 216.0 * (east[c] + west[c] + north[c] + south[c] - 4.0 * eigenstrain[c]);
-        for (int p = 0; p < 27; ++p)
+        for (std::size_t g = 0; g < 3; ++g)
         {
-          const auto g = static_cast<std::size_t>(p % 3);
           const SymTensor part = green::cuboid_stress_half_space(
-              i * s.dx - x + (p / 3 % 3 - 1) * dx / 3.0, j * s.dy - y + (p / 9 - 1) * dy / 3.0,
-              (k + 0.5 + gauss_point[g]) * grid.dz, (layer + 0.5) * grid.dz, dx, dy, grid.dz, eigenstrain, elastic);
+              i * s.dx - x, j * s.dy - y, (k + 0.5 + gauss_point[g]) * grid.dz, (layer + 0.5) * grid.dz, dx, dy, grid.dz,
+              eigenstrain, elastic);
           for (std::size_t c = 0; c < 6; ++c)
-            sum[c] += gauss_weight[g] / 9.0 * part[c];
+            sum[c] += gauss_weight[g] * part[c];
         }
       }
   return sum;
+}
+
+SymTensor extrapolated_strain_stress(const VolumeGrid& grid, const LayeredStrain& strain, int i, int j, int k, int parts,
+                                     const Elastic& elastic)
+{
+  const int fewer = parts - 2;
+  const SymTensor coarse = layered_strain_stress(grid, strain, i, j, k, fewer, elastic);
+  SymTensor result = layered_strain_stress(grid, strain, i, j, k, parts, elastic);
+  const double weight = fewer * fewer / static_cast<double>(parts * parts - fewer * fewer);
+  for (std::size_t c = 0; c < 6; ++c)
+    result[c] += weight * (result[c] - coarse[c]);
+  return result;
 }
 
 } // namespace brinell::direct

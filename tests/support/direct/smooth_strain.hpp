@@ -14,13 +14,14 @@ namespace brinell::direct
 using LayeredStrain = std::function<SymTensor(double x, double y, int layer)>;
 
 /// Residual stress [Pa] of such a strain at the middle of cell (i, j) in x and y, mean over layer k (three-point Gauss),
-/// under a free surface without images: the closed form of the cuboid, summed over parts^2 sub-cells of each cell.
-///
-/// A sub-cell has the strain at its centre less the 1/24 of its second differences by which constant pieces smear a
-/// smooth function; what remains is of fourth order in the sub-cell, and the staircase seen from the Gauss points next to
-/// a layer's face, which fades as exp(-2 pi 0.11 dz/sub-cell).
+/// under a free surface without images: the closed form of the cuboid, summed over parts^2 sub-cells of each cell, each
+/// with the strain at its centre. Error of second order in the sub-cell.
 /// @param parts  odd, so that the point lies in the middle of a sub-cell.
 [[nodiscard]] SymTensor layered_strain_stress(const VolumeGrid& grid, const LayeredStrain& strain, int i, int j, int k,
                                               int parts, const Elastic& elastic);
+
+/// The same, with the second order removed by a sum with two parts fewer (Richardson).
+[[nodiscard]] SymTensor extrapolated_strain_stress(const VolumeGrid& grid, const LayeredStrain& strain, int i, int j,
+                                                   int k, int parts, const Elastic& elastic);
 
 } // namespace brinell::direct

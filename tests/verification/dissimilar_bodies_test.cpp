@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record.hpp"
+#include "tugging_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// Bodies of different size and material, hardening, several passes.
+namespace brinell::verification
+{
+namespace
+{
+
+using simulation::StepRecord;
+using simulation::TuggingCase;
+
+/// A case that runs in about a second: about four cells per contact radius along x.
+TuggingCase small_case(double interference_ratio)
+{
+  TuggingCase t = equal_spheres(interference_ratio, perfect_material());
+  const double a = simulation::plan(t).elastic_contact_radius;
+  const double cells = slow_build ? 3.0 : 5.0;
+  t.spacing = {{a / cells, 1.5 * a / cells, a / cells}};
+  return t;
+}
+
+TuggingCase swapped(TuggingCase t)
+{
+  std::swap(t.lower, t.upper);
+  return t;
+}
+
+/// Largest difference of a quantity between two histories, over the largest value.
+double difference(const Run& a, double StepRecord::*of_a, const Run& b, double StepRecord::*of_b)
+{
+  double change = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < std::min(a.history.size(), b.history.size()); ++i)
+  {
+    change = std::max(change, std::abs(a.history[i].*of_a - b.history[i].*of_b));
+    largest = std::max(largest, std::abs(a.history[i].*of_a));
+  }
+  return largest > 0.0 ? change / largest : change;
+}
+
+struct Pair
+{
+  const char* name;
+  simulation::Asperity lower, upper;
+};
+
+class DissimilarBodies : public testing::TestWithParam<Pair>
+{
+};
+
+TEST_P(DissimilarBodies, SwappingThemMirrorsTheResult)
+{
+  TuggingCase t = small_case(4.0);
+  t.lower = GetParam().lower;
+  t.upper = GetParam().upper;
+  const Run run = computed(t), mirror = computed(swapped(t));
+  ASSERT_EQ(run.history.size(), mirror.history.size());
+  const std::string pair = std::string(GetParam().name) + ": ";
+  // The two runs are one problem seen from either side, cell by cell. What remains is the tolerance of the iteration:
+  // 1e-4 of the yield stress in a cell, at most as much in a sum, added up over the steps.
+  const auto same = [&](const char* what, double StepRecord::*a, double StepRecord::*b)
+  { test::expect_close(pair + what, difference(run, a, mirror, b), 0.0, 1e-3, "exact: symmetry"); };
+  same("F_X, swapped", &StepRecord::F_X, &StepRecord::F_X);
+  same("F_Z, swapped", &StepRecord::F_Z, &StepRecord::F_Z);
+  same("F_n, swapped", &StepRecord::F_n, &StepRecord::F_n);
+  same("work, swapped", &StepRecord::work, &StepRecord::work);
+  same("dissipation of the lower, swapped", &StepRecord::dissipation_lower, &StepRecord::dissipation_upper);
+  same("dissipation of the upper, swapped", &StepRecord::dissipation_upper, &StepRecord::dissipation_lower);
+  same("residual displacement of the lower, swapped", &StepRecord::max_residual_lower, &StepRecord::max_residual_upper);
+  same("residual displacement of the upper, swapped", &StepRecord::max_residual_upper, &StepRecord::max_residual_lower);
+  same("locked-in energy, swapped", &StepRecord::energy_residual, &StepRecord::energy_residual);
+  // Coarse cells: the edge's error, first order in the cell at worst.
+  test::expect_close(pair + "energy balance over the largest work", run.summary.energy_balance_error, 0.0,
+                     slow_build ? 0.1 : 0.05, "exact: conservation of energy");
+  for (const auto& [asperity, dissipation] : {std::pair{t.lower, run.summary.dissipation_lower},
+                                              std::pair{t.upper, run.summary.dissipation_upper}})
+    EXPECT_EQ(dissipation > 0.0, asperity.material.is_plastic()) << pair;
+}
+
+const constitutive::Material soft{{70e9, 0.33}, constitutive::LinearHardening{0.6e9, 2e9}};
+const constitutive::Material hard{{210e9, 0.28}, constitutive::PerfectPlasticity{1.2e9}};
+const constitutive::Material ceramic{{310e9, 0.24}, {}};
+
+INSTANTIATE_TEST_SUITE_P(Pairs, DissimilarBodies,
+                         testing::Values(Pair{"radii 0.8 m and 1.5 m", {0.8, perfect_material()}, {1.5, perfect_material()}},
+                                         Pair{"all different", {0.7, soft}, {1.3, hard}},
+                                         Pair{"one elastic", {1.0, ceramic}, {1.0, perfect_material()}}),
+                         [](const auto& parameter) { return "Pair" + std::to_string(parameter.index); });
+
+TEST(OneElasticBody, TakesNothingAndTheOtherTakesAll)
+{
+  TuggingCase t = small_case(4.0);
+  t.upper.material = elastic_material();
+  const Run one = computed(t), both = computed(small_case(4.0));
+  EXPECT_EQ(one.summary.dissipation_upper, 0.0);
+  EXPECT_EQ(one.summary.max_residual_upper, 0.0);
+  // One dent instead of two leaves more pressure, which makes that one deeper than either of the two.
+  test::expect_within("residual displacement of the plastic body / that of two plastic ones",
+                      one.summary.max_residual_lower / both.summary.max_residual_lower, 1.0, 2.0,
+                      "bounds: one of two dents, and both in one");
+  test::expect_within("peak F_Z / that of two plastic bodies", one.summary.peak_F_Z / both.summary.peak_F_Z, 1.0,
+                      8.0 * critical().load / both.summary.peak_F_Z, "bounds: two plastic bodies, and two elastic ones");
+}
+
+TEST(LinearHardening, ReducesPlasticStrainAndDissipation)
+{
+  double strain = 1e9, dissipation = 1e9, force = 0.0;
+  for (const double modulus : {0.0, 0.02, 0.1}) // of E
+  {
+    TuggingCase t = small_case(6.0);
+    t.lower.material.hardening = constitutive::LinearHardening{yield_stress, modulus * elastic.young_modulus};
+    t.upper.material = t.lower.material;
+    const simulation::TuggingSummary s = simulation::run(t);
+    const double lost = (s.dissipation_lower + s.dissipation_upper) / critical().energy;
+    const std::string name = "hardening modulus / E = " + std::to_string(modulus).substr(0, 4) + ": ";
+    test::expect_within(name + "largest plastic strain", s.max_equivalent_plastic_strain, 0.0,
+                        std::nextafter(strain, 0.0), "bound: below that of less hardening");
+    test::expect_within(name + "dissipation / U_c", lost, 0.0, std::nextafter(dissipation, 0.0),
+                        "bound: below that of less hardening");
+    test::expect_within(name + "peak F_Z / P_c", s.peak_F_Z / critical().load, std::nextafter(force, 1e9),
+                        std::pow(6.0, 1.5), "bounds: above that of less hardening, below elastic spheres");
+    strain = s.max_equivalent_plastic_strain;
+    dissipation = lost;
+    force = s.peak_F_Z / critical().load;
+  }
+}
+
+TEST(LinearHardening, WithoutModulusIsPerfectPlasticity)
+{
+  TuggingCase t = small_case(4.0);
+  const Run perfect = computed(t);
+  t.lower.material.hardening = t.upper.material.hardening = constitutive::LinearHardening{yield_stress, 0.0};
+  const Run linear = computed(t);
+  // The same arithmetic but for rounding.
+  test::expect_close("F_X", difference(perfect, &StepRecord::F_X, linear, &StepRecord::F_X), 0.0, 1e-8,
+                     "exact: the same law");
+}
+
+TEST(RepeatedPasses, LoseLessAndKeepTheWholeTrack)
+{
+  TuggingCase t = small_case(6.0);
+  t.passes = slow_build ? 2 : 3;
+  const Run run = computed(t);
+  std::array<double, 3> work{}, dissipation{}, peak{};
+  double work_before = 0.0, dissipation_before = 0.0;
+  for (int pass = 0; pass < t.passes; ++pass)
+  {
+    const auto n = static_cast<std::size_t>(pass);
+    const StepRecord* last = nullptr;
+    for (const StepRecord& r : run.history)
+      if (r.pass == pass)
+      {
+        last = &r;
+        peak[n] = std::max(peak[n], r.F_X);
+      }
+    ASSERT_NE(last, nullptr);
+    const double lost = last->dissipation_lower + last->dissipation_upper;
+    work[n] = last->work - work_before;
+    dissipation[n] = lost - dissipation_before;
+    work_before = last->work;
+    dissipation_before = lost;
+    EXPECT_EQ(last->F_n, 0.0); // parted before the next pass
+  }
+  // The track is already pressed into shape: less interference is left, and residual stress helps.
+  for (std::size_t n = 1; n < static_cast<std::size_t>(t.passes); ++n)
+  {
+    const std::string name = "pass " + std::to_string(n + 1) + " / pass " + std::to_string(n) + ": ";
+    test::expect_within(name + "dissipation", dissipation[n] / dissipation[n - 1], 0.0, 1.0, "bound: less");
+    test::expect_within(name + "work", work[n] / work[n - 1], 0.0, 1.0, "bound: less");
+    test::expect_within(name + "peak F_X", peak[n] / peak[n - 1], 0.0, 1.0, "bound: less");
+  }
+  // What the first steps did is still there, far behind the last contact: the track of each body at both its ends.
+  const simulation::Snapshot& end = run.summary.final_state;
+  for (const simulation::BodySnapshot* body : {&end.lower, &end.upper})
+  {
+    const SurfaceGrid& g = body->grid.surface;
+    const auto depth_at = [&](double x)
+    {
+      const auto i = static_cast<int>(std::lround((x - body->x0) / g.dx));
+      return body->residual_displacement[static_cast<std::size_t>(i + g.nx * ((g.ny - 1) / 2))];
+    };
+    const double deepest = *std::max_element(body->residual_displacement.begin(), body->residual_displacement.end());
+    // Half-way between first touch and alignment the interference was three quarters of the largest: on both sides.
+    const double half_way = 0.25 * run.plan.start_distance;
+    const std::string name = body == &end.lower ? "lower: " : "upper: ";
+    for (const double side : {-1.0, 1.0})
+      test::expect_within(name + "depth of the track half-way " + (side < 0.0 ? "before" : "after") +
+                              " alignment / deepest",
+                          depth_at(side * half_way) / deepest, 0.05, 1.0, "bound: the track is kept");
+  }
+}
+
+} // namespace
+} // namespace brinell::verification

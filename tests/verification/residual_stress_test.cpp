@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/deviator.hpp"
+
+#include "order.hpp"
+#include "record.hpp"
+#include "tugging_runs.hpp"
+#include "volume_fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+/// The stress that a pass leaves behind is in equilibrium with nothing: no force over any plane, none on the surface.
+namespace brinell::verification
+{
+namespace
+{
+
+enum Component
+{
+  xx,
+  yy,
+  zz,
+  yz,
+  xz,
+  xy
+};
+
+/// The lower body after one pass.
+const simulation::BodySnapshot& body_after_a_pass()
+{
+  static const Run run = []
+  {
+    simulation::TuggingCase t = equal_spheres(6.0, perfect_material());
+    const double a = simulation::plan(t).elastic_contact_radius;
+    const double cells = slow_build ? 3.0 : 5.0;
+    t.spacing = {{a / cells, a / cells, 0.5 * a / cells}};
+    return computed(t);
+  }();
+  return run.summary.final_state.lower;
+}
+
+/// The residual stress on a block that is wider by `margin` cells on each side, and deeper as well.
+test::StressField stress_on_wider_block(const simulation::BodySnapshot& body, int margin, VolumeGrid& grid)
+{
+  const VolumeGrid& from = body.grid;
+  grid = from;
+  grid.surface.nx += 2 * margin;
+  grid.surface.ny += 2 * margin;
+  grid.nz += 2 * margin; // layers are half as thick as cells are wide
+  std::vector<double> strain(Deviator::size * grid.size(), 0.0);
+  constexpr std::array kept{xx, yy, yz, xz, xy}; // the order of Deviator
+  for (int k = 0; k < from.nz; ++k)
+    for (int j = 0; j < from.surface.ny; ++j)
+      for (int i = 0; i < from.surface.nx; ++i)
+        for (std::size_t c = 0; c < kept.size(); ++c)
+          strain[c * grid.size() + test::cell_index(grid, i + margin, j + margin, k)] =
+              body.plastic_strain[kept[c]][test::cell_index(from, i, j, k)];
+  const halfspace::HalfSpace half_space(grid, elastic);
+  return {half_space, {}, strain};
+}
+
+/// Sum of a stress over the plane i (0), or k (2) of a grid, over the sum of its absolute values.
+double net_share(const VolumeGrid& g, const test::StressField& stress, int axis, int plane, Component component)
+{
+  double net = 0.0, absolute = 0.0;
+  for (int k = axis == 2 ? plane : 0; k < (axis == 2 ? plane + 1 : g.nz); ++k)
+    for (int j = 0; j < g.surface.ny; ++j)
+      for (int i = axis == 0 ? plane : 0; i < (axis == 0 ? plane + 1 : g.surface.nx); ++i)
+      {
+        const double s = stress.at(test::cell_index(g, i, j, k))[component];
+        net += s;
+        absolute += std::abs(s);
+      }
+  return net / absolute;
+}
+
+TEST(ResidualStress, LeavesNoForceOverAnyPlane)
+{
+  const simulation::BodySnapshot& body = body_after_a_pass();
+  // A plane is cut off at the edge of the block. The stress falls with the third power of the distance, so the force
+  // that is missed falls with the first: what counts is that it goes to zero with the size of the block.
+  std::vector<double> vertical, horizontal;
+  const int nz = body.grid.nz, nx = body.grid.surface.nx;
+  const std::vector<int> margins = slow_build ? std::vector{0, 6} : std::vector{0, 10, 30};
+  std::vector<double> reach; // half-width of the block over that of the first
+  for (const int margin : margins)
+  {
+    VolumeGrid grid;
+    const test::StressField stress = stress_on_wider_block(body, margin, grid);
+    vertical.push_back(net_share(grid, stress, 0, margin + nx / 2, xx));
+    horizontal.push_back(net_share(grid, stress, 2, nz / 3, zz));
+    reach.push_back(static_cast<double>(grid.surface.ny) / body.grid.surface.ny);
+  }
+  const auto order = [&](const std::vector<double>& share)
+  { return std::log(std::abs(share.front() / share.back())) / std::log(reach.back() / reach.front()); };
+  test::expect_close("net sigma_xx over the plane x = 0 / sum of its absolute values", vertical.back(), 0.0,
+                     1.0 / (reach.back() * reach.back()), "exact: equilibrium; block of finite size");
+  test::expect_close("net sigma_zz over a horizontal plane / sum of its absolute values", horizontal.back(), 0.0,
+                     1.0 / (reach.back() * reach.back()), "exact: equilibrium; block of finite size");
+  test::expect_within("order of the net sigma_xx in the size of the block", order(vertical), 1.0, 1e9, "theory: >= 1");
+  test::expect_within("order of the net sigma_zz in the size of the block", order(horizontal), 1.0, 1e9, "theory: >= 1");
+}
+
+TEST(ResidualStress, IsThatOfThePlasticStrainAlone)
+{
+  // The snapshot's stress has no contact in it any more, and does not depend on the size of the grid it is computed on.
+  const simulation::BodySnapshot& body = body_after_a_pass();
+  const int margin = 7;
+  VolumeGrid grid;
+  const test::StressField wide = stress_on_wider_block(body, margin, grid);
+  double difference = 0.0, largest = 0.0;
+  for (int k = 0; k < body.grid.nz; ++k)
+    for (int j = 0; j < body.grid.surface.ny; ++j)
+      for (int i = 0; i < body.grid.surface.nx; ++i)
+      {
+        const SymTensor s = wide.at(test::cell_index(grid, i + margin, j + margin, k));
+        for (std::size_t c = 0; c < 6; ++c)
+        {
+          const double here = body.stress[c][test::cell_index(body.grid, i, j, k)];
+          difference = std::max(difference, std::abs(here - s[c]));
+          largest = std::max(largest, std::abs(here));
+        }
+      }
+  // The periodic images of the spectral operator are removed to 1e-4 (free boundary within 1e-4 of the closed form).
+  test::expect_close("residual stress, own grid and wider grid / largest", difference / largest, 0.0, 2e-4,
+                     "exact: the same half space");
+}
+
+TEST(ResidualStress, VanishesTowardsTheSurface)
+{
+  const simulation::BodySnapshot& body = body_after_a_pass();
+  // sigma_zz, sigma_yz and sigma_xz are zero on the surface and the first layer's centre lies dz/2 beneath. Equilibrium:
+  // d sigma_xz/dz = -(d sigma_xx/dx + d sigma_xy/dy) is of the size sigma/a, d sigma_zz/dz is zero on the surface, so
+  // that the shear stresses are first order in z/a and sigma_zz second.
+  const std::size_t layer = body.grid.surface.size();
+  const auto largest = [&](Component c, std::size_t first, std::size_t count)
+  {
+    double value = 0.0;
+    for (std::size_t n = first; n < first + count; ++n)
+      value = std::max(value, std::abs(body.stress[c][n]));
+    return value;
+  };
+  const double size = largest(xx, 0, body.grid.size());
+  const double z = 0.5 * body.grid.dz / std::sqrt(0.5 * 6.0 * critical().interference); // in contact radii
+  test::expect_close("sigma_zz in the first layer / largest sigma_xx", largest(zz, 0, layer) / size, 0.0, z,
+                     "exact: free surface");
+  test::expect_close("sigma_xz in the first layer / largest sigma_xx", largest(xz, 0, layer) / size, 0.0, 3.0 * z,
+                     "exact: free surface");
+  test::expect_close("sigma_yz in the first layer / largest sigma_xx", largest(yz, 0, layer) / size, 0.0, 3.0 * z,
+                     "exact: free surface");
+  for (const Component c : {zz, xz, yz})
+    EXPECT_LT(largest(c, 0, layer), 0.5 * largest(c, 0, body.grid.size())) << c;
+}
+
+TEST(ResidualStress, ObeysTheYieldConditionAndIsMirrorSymmetric)
+{
+  const simulation::BodySnapshot& body = body_after_a_pass();
+  const VolumeGrid& g = body.grid;
+  double worst = 0.0, asymmetry = 0.0, trace_of_strain = 0.0;
+  for (int k = 0; k < g.nz; ++k)
+    for (int j = 0; j < g.surface.ny; ++j)
+      for (int i = 0; i < g.surface.nx; ++i)
+      {
+        const std::size_t n = test::cell_index(g, i, j, k);
+        const std::size_t mirror = test::cell_index(g, i, g.surface.ny - 1 - j, k);
+        SymTensor s{};
+        for (std::size_t c = 0; c < 6; ++c)
+          s[c] = body.stress[c][n];
+        worst = std::max(worst, von_mises(s) / yield_stress);
+        // Under y -> -y the components with one y change sign.
+        for (const Component c : {xx, yy, zz, xz})
+          asymmetry = std::max(asymmetry, std::abs(s[c] - body.stress[c][mirror]));
+        for (const Component c : {yz, xy})
+          asymmetry = std::max(asymmetry, std::abs(s[c] + body.stress[c][mirror]));
+        trace_of_strain = std::max(trace_of_strain, std::abs(body.plastic_strain[xx][n] + body.plastic_strain[yy][n] +
+                                                             body.plastic_strain[zz][n]));
+      }
+  test::expect_within("largest von Mises stress / yield stress", worst, 0.0, 1.0 + 2e-4,
+                      "exact: yield condition, to the tolerance 1e-4 of the iteration and of the last one");
+  test::expect_close("asymmetry in y / yield stress", asymmetry / yield_stress, 0.0, 1e-6, "exact: symmetry");
+  test::expect_close("trace of the plastic strain", trace_of_strain, 0.0, 1e-15, "exact: incompressible");
+}
+
+} // namespace
+} // namespace brinell::verification
