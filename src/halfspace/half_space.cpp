@@ -10,7 +10,8 @@ namespace brinell::halfspace
 
 HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
     : grid_(grid), elastic_(elastic), fft_(std::make_unique<PaddedFft>(grid.surface)),
-      pressure_stress_(grid, elastic.poisson_ratio, *fft_), eigenstrain_stress_(grid, elastic, *fft_)
+      pressure_stress_(grid, elastic.poisson_ratio, *fft_), eigenstrain_stress_(grid, elastic, *fft_),
+      image_correction_(grid, elastic, *fft_)
 {
 }
 
@@ -77,7 +78,7 @@ void HalfSpace::full_stress(std::span<const double> pressure, std::span<const do
     trace[i] += eigenstrain_stress_.local_trace({{plastic_strain[i], plastic_strain[n + i], 0.0, 0.0, 0.0}});
 }
 
-/// Back to real space, plus the local part of the residual stress.
+/// Back to real space, plus the local part of the residual stress, less the stress of the periodic images.
 void HalfSpace::finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress) const
 {
   const std::size_t cells = grid_.surface.size();
@@ -100,6 +101,7 @@ void HalfSpace::finish(std::span<const double> plastic_strain, int layers, Work&
     for (int c = 0; c < Deviator::size; ++c)
       stress[static_cast<std::size_t>(c) * n + i] += s[c];
   }
+  image_correction_.subtract(plastic_strain, layers, stress);
 }
 
 } // namespace brinell::halfspace

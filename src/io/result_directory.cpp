@@ -98,8 +98,8 @@ void replace_file(const fs::path& path, const std::string& text)
 struct ResultDirectory::State
 {
   State(const fs::path& folder, Case given)
-      : path(made_folder(folder)), c(std::move(given)), lock(path), replaced(earlier_result_removed(path)), result(path, c),
-        history(path / "history.csv")
+      : path(made_folder(folder)), c(std::move(given)), lock(path), replaced(earlier_result_removed(path)),
+        result(path, c), history(path / "history.csv")
   {
     replace_file(path / "resolved.toml", resolved_text(c.values));
   }

@@ -27,7 +27,7 @@ std::string unit_note(Dimension dimension)
   return fmt::format(", in {} or with a unit as in \"{}\"", si_unit(dimension), example_quantity(dimension));
 }
 
-std::string with_range(std::string text, const Range& range)
+std::string with_range(const std::string& text, const Range& range)
 {
   const std::string interval = range.text();
   return interval.empty() ? text : text + " " + interval;

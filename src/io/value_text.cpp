@@ -16,6 +16,8 @@ struct Overload : Ts...
 {
   using Ts::operator()...;
 };
+template <class... Ts>
+Overload(Ts...) -> Overload<Ts...>; // clang 14 cannot deduce aggregates by itself
 
 /// A TOML float needs a point or an exponent, else it is an integer; fmt's "1" would change the type.
 std::string number_text(double x)

@@ -34,7 +34,7 @@ TuggingCase swapped(TuggingCase t)
 }
 
 /// Largest difference of a quantity between two histories, over the largest value.
-double difference(const Run& a, double StepRecord::*of_a, const Run& b, double StepRecord::*of_b)
+double difference(const TuggingRun& a, double StepRecord::*of_a, const TuggingRun& b, double StepRecord::*of_b)
 {
   double change = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < std::min(a.history.size(), b.history.size()); ++i)
@@ -60,7 +60,7 @@ TEST_P(DissimilarBodies, SwappingThemMirrorsTheResult)
   TuggingCase t = small_case(4.0);
   t.lower = GetParam().lower;
   t.upper = GetParam().upper;
-  const Run run = computed(t), mirror = computed(swapped(t));
+  const TuggingRun run = computed(t), mirror = computed(swapped(t));
   ASSERT_EQ(run.history.size(), mirror.history.size());
   const std::string pair = std::string(GetParam().name) + ": ";
   // The two runs are one problem seen from either side, cell by cell. What remains is the tolerance of the iteration:
@@ -98,7 +98,7 @@ TEST(OneElasticBody, TakesNothingAndTheOtherTakesAll)
 {
   TuggingCase t = small_case(4.0);
   t.upper.material = elastic_material();
-  const Run one = computed(t), both = computed(small_case(4.0));
+  const TuggingRun one = computed(t), both = computed(small_case(4.0));
   EXPECT_EQ(one.summary.dissipation_upper, 0.0);
   EXPECT_EQ(one.summary.max_residual_upper, 0.0);
   // One dent instead of two leaves more pressure, which makes that one deeper than either of the two.
@@ -135,9 +135,9 @@ TEST(LinearHardening, ReducesPlasticStrainAndDissipation)
 TEST(LinearHardening, WithoutModulusIsPerfectPlasticity)
 {
   TuggingCase t = small_case(4.0);
-  const Run perfect = computed(t);
+  const TuggingRun perfect = computed(t);
   t.lower.material.hardening = t.upper.material.hardening = constitutive::LinearHardening{yield_stress, 0.0};
-  const Run linear = computed(t);
+  const TuggingRun linear = computed(t);
   // The same arithmetic but for rounding.
   test::expect_close("F_X", difference(perfect, &StepRecord::F_X, linear, &StepRecord::F_X), 0.0, 1e-8,
                      "exact: the same law");
@@ -147,7 +147,7 @@ TEST(RepeatedPasses, LoseLessAndKeepTheWholeTrack)
 {
   TuggingCase t = small_case(6.0);
   t.passes = slow_build ? 2 : 3;
-  const Run run = computed(t);
+  const TuggingRun run = computed(t);
   std::array<double, 3> work{}, dissipation{}, peak{};
   double work_before = 0.0, dissipation_before = 0.0;
   for (int pass = 0; pass < t.passes; ++pass)

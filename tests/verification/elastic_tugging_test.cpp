@@ -20,7 +20,7 @@ namespace
 constexpr const char* origin = "exact: Hertz along the passage of two spheres";
 
 /// Square cells, `cells` of them per contact radius at alignment. Nothing happens in depth: one coarse layer or two.
-Run elastic_run(double interference_ratio, double cells)
+TuggingRun elastic_run(double interference_ratio, double cells)
 {
   simulation::TuggingCase t = equal_spheres(interference_ratio, elastic_material());
   const double a = simulation::plan(t).elastic_contact_radius;
@@ -35,7 +35,7 @@ reference::ElasticTugging closed_form(double interference_ratio)
 
 /// Largest error of a force over the pass, over its largest value.
 template <typename Force>
-double largest_error(const Run& run, const reference::ElasticTugging& exact, Force force)
+double largest_error(const TuggingRun& run, const reference::ElasticTugging& exact, Force force)
 {
   double error = 0.0, size = 0.0;
   for (const simulation::StepRecord& r : run.history)
@@ -47,12 +47,12 @@ double largest_error(const Run& run, const reference::ElasticTugging& exact, For
   return error / size;
 }
 
-double error_of_F_X(const Run& run, const reference::ElasticTugging& exact)
+double error_of_F_X(const TuggingRun& run, const reference::ElasticTugging& exact)
 {
   return largest_error(run, exact, [](const auto& r, const auto& e) { return std::pair{r.F_X, e.F_X}; });
 }
 
-double error_of_F_Z(const Run& run, const reference::ElasticTugging& exact)
+double error_of_F_Z(const TuggingRun& run, const reference::ElasticTugging& exact)
 {
   return largest_error(run, exact, [](const auto& r, const auto& e) { return std::pair{r.F_Z, e.F_Z}; });
 }
@@ -70,7 +70,7 @@ TEST_P(ElasticTuggingTable, FollowsTheClosedForm)
 {
   const Row& row = GetParam();
   const double cells = slow_build ? 8.0 : 16.0;
-  const Run run = elastic_run(row.interference, cells);
+  const TuggingRun run = elastic_run(row.interference, cells);
   const reference::ElasticTugging exact = closed_form(row.interference);
   const reference::CriticalValues c = critical();
   const auto name = [&](const char* what) { return labelled(row.interference, what); };
@@ -124,15 +124,15 @@ TEST(ElasticTugging, ErrorFallsWithTheGrid)
   std::vector<double> tangential, normal, work;
   for (const double cells : slow_build ? std::vector{4.0, 8.0} : std::vector{4.0, 8.0, 16.0, 32.0})
   {
-    const Run run = elastic_run(9.0, cells);
+    const TuggingRun run = elastic_run(9.0, cells);
     tangential.push_back(error_of_F_X(run, exact));
     normal.push_back(error_of_F_Z(run, exact));
     work.push_back(run.summary.work_to_alignment / critical().energy / 243.0 - 1.0);
   }
   // Square-root edge: order 1.5 for the load, with jumps as the edge passes cells. The work adds a second-order step.
-  test::expect_within("order of F_X in dx", test::observed_order("F_X", tangential), 1.2, 2.5, "theory: 1.5");
-  test::expect_within("order of F_Z in dx", test::observed_order("F_Z", normal), 1.2, 2.5, "theory: 1.5");
-  test::expect_within("order of the work to alignment in dx", test::observed_order("work", work), 1.2, 2.5,
+  test::expect_within("order of F_X in dx", test::Orders("F_X", tangential).overall, 1.2, 2.5, "theory: 1.5");
+  test::expect_within("order of F_Z in dx", test::Orders("F_Z", normal).overall, 1.2, 2.5, "theory: 1.5");
+  test::expect_within("order of the work to alignment in dx", test::Orders("work", work).overall, 1.2, 2.5,
                       "theory: 1.5 to 2");
 }
 
@@ -142,7 +142,7 @@ TEST(ElasticTugging, PaperKinematicsComeBackToZeroWork)
   const double a = simulation::plan(t).elastic_contact_radius;
   t.spacing = {{a / 16.0, a / 16.0, a}};
   t.kinematics = simulation::Kinematics::paper;
-  const Run run = computed(t);
+  const TuggingRun run = computed(t);
   // The steps are not symmetric about alignment, but the force at each X is the closed form's: what is left is the
   // trapezoidal rule at the two ends, where the force starts like a power 1.5, and the mesh.
   test::expect_close("net work / work to alignment", run.summary.work / run.summary.work_to_alignment, 0.0, 1e-3,

@@ -50,7 +50,7 @@ constexpr std::array columns{Column{"F_n", &StepRecord::F_n, 2, 1},
                              Column{"max_equivalent_plastic_strain", &StepRecord::max_equivalent_plastic_strain, 0, 0}};
 
 /// Largest difference over all columns of a history and its image in other units, over the largest value of each.
-double difference(const Run& a, const Run& b, double length = 1.0, double stress = 1.0)
+double difference(const TuggingRun& a, const TuggingRun& b, double length = 1.0, double stress = 1.0)
 {
   EXPECT_EQ(a.history.size(), b.history.size());
   double worst = 0.0;
@@ -68,11 +68,11 @@ double difference(const Run& a, const Run& b, double length = 1.0, double stress
   return worst;
 }
 
-Run computed_with_threads(const TuggingCase& t, int threads)
+TuggingRun computed_with_threads(const TuggingCase& t, int threads)
 {
   const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
-  Run run = computed(t);
+  TuggingRun run = computed(t);
   omp_set_num_threads(before);
   return run;
 }
@@ -81,7 +81,7 @@ TEST(Invariance, NumberOfThreads)
 {
   // Every sum has a fixed order, so that only the choice of transform plans may differ, by rounding.
   const TuggingCase t = small_case();
-  const Run one = computed_with_threads(t, 1), two = computed_with_threads(t, 2);
+  const TuggingRun one = computed_with_threads(t, 1), two = computed_with_threads(t, 2);
   test::expect_close("history, 1 and 2 threads", difference(one, two), 0.0, 1e-10, "exact: the same sums");
 }
 
@@ -129,7 +129,7 @@ TEST(Invariance, ToleranceOfTheIteration)
   tight.solver.yield_tolerance *= 0.1;
   tight.solver.displacement_tolerance *= 0.1;
   tight.solver.contact_tolerance *= 0.1;
-  const Run run = computed(t);
+  const TuggingRun run = computed(t);
   test::expect_close("history, default and tighter tolerances", difference(run, computed(tight)), 0.0,
                      1e-4 * static_cast<double>(run.history.size()), "bound: the tolerance of each step");
 }

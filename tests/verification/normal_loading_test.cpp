@@ -55,7 +55,7 @@ public:
         gap_[static_cast<std::size_t>(i + g.nx * j)] = x * x + y * y - ratio * exact_critical().interference; // 2R = 1 m
       }
     const IncrementReport report = pair_.advance(gap_, {0, 0}, Integration::path, 100, 6);
-    if (!report.converged)
+    if (!report.converged || !std::isfinite(load()))
       throw std::runtime_error("no convergence at " + std::to_string(ratio));
     return report;
   }
@@ -81,16 +81,16 @@ private:
   {
   }
 
-  /// 1.4 elastic radii each way: fully plastic contact reaches 1.15, the plastic zone beside it 1.3.
+  /// 1.75 elastic radii each way: at the largest interference here the plastic zone reaches 1.6 beside the contact.
   static SurfaceGrid surface(double dx, double cells)
   {
-    const int n = 2 * static_cast<int>(std::ceil(1.4 * cells)) + 1;
+    const int n = 2 * static_cast<int>(std::ceil(1.75 * cells)) + 1;
     return {n, n, dx, dx};
   }
-  /// 1.85 elastic radii deep, where the plastic zone of the largest interferences ends.
+  /// 2.4 elastic radii deep: below the plastic zone.
   static VolumeGrid volume(double dx, double cells)
   {
-    return {surface(dx, cells), static_cast<int>(std::ceil(3.7 * cells)), 0.5 * dx};
+    return {surface(dx, cells), static_cast<int>(std::ceil(4.8 * cells)), 0.5 * dx};
   }
 
   CoupledContact pair_;
@@ -122,7 +122,7 @@ TEST(NormalLoading, LoadAgreesWithFiniteElements)
   const double cells = slow_build ? 4.0 : 8.0;
   std::map<double, double> loads = load_ratios({2.0, 4.0, 6.0}, cells, 12);
   if (!slow_build)
-    loads.merge(load_ratios({9.0, 15.0, 20.0}, cells, 20));
+    loads.merge(load_ratios({9.0, 15.0, 20.0}, 6.0, 20));
   for (const auto& [ratio, load] : loads)
   {
     const double jackson_green = reference::jackson_green_load(ratio, sphere);
@@ -206,7 +206,7 @@ TEST(NormalLoading, WorkOfACycleIsDissipationPlusLockedInEnergy)
     test::expect_close("energy balance over the largest work, " + std::to_string(steps) + " steps", errors.back(), 0.0,
                        1.0 / (steps * steps), "exact: conservation of energy");
   }
-  test::expect_within("order of the energy balance in the step", test::observed_order("energy balance", errors), 1.5,
+  test::expect_within("order of the energy balance in the step", test::Orders("energy balance", errors).overall, 1.5,
                       3.0, "theory: 2");
 }
 

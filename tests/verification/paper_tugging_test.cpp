@@ -23,7 +23,7 @@ std::vector<double> interferences()
 }
 
 /// Largest difference of a force at X and -X, with a sign, over the largest force: exact kinematics has both.
-double asymmetry(const Run& run, double simulation::StepRecord::*force, double sign)
+double asymmetry(const TuggingRun& run, double simulation::StepRecord::*force, double sign)
 {
   double difference = 0.0, largest = 0.0;
   for (const simulation::StepRecord& a : run.history)
@@ -38,7 +38,7 @@ double asymmetry(const Run& run, double simulation::StepRecord::*force, double s
 
 TEST(PaperTugging, AtFirstYieldTheForcesAreThoseOfElasticSpheres)
 {
-  const Run& run = paper_run(1.0);
+  const TuggingRun& run = paper_run(1.0);
   const double peak = run.summary.peak_F_X;
   // This mesh has less than three cells per contact radius here (a_c = 10.5 mm, dx = 3.85, dy = 7.7 mm) and sees single
   // cells yield a little early: plastic strain of 1e-4, a share of 1e-3 of the work.
@@ -56,7 +56,7 @@ TEST(PaperTugging, ResistanceAtAlignmentGrowsWithTheInterference)
   double before = 0.0, ratio_before = 0.0;
   for (const double alpha : interferences())
   {
-    const Run& run = paper_run(alpha);
+    const TuggingRun& run = paper_run(alpha);
     const double force = run.summary.F_X_aligned / critical().load;
     test::expect_within(labelled(alpha, "F_X / P_c at X = 0"), force, alpha > 1.0 ? std::nextafter(before, 1e9) : -1e-6,
                         1e9, std::string(paper) + ": grows with the interference");
@@ -73,7 +73,7 @@ TEST(PaperTugging, MoreEnergyGoesInThanComesBack)
   double before = 0.0;
   for (const double alpha : interferences())
   {
-    const Run& run = paper_run(alpha);
+    const TuggingRun& run = paper_run(alpha);
     const double net = run.summary.work / critical().energy;
     const double lost = run.summary.work / run.summary.work_to_alignment;
     test::expect_within(labelled(alpha, "net work / U_c"), net, std::nextafter(before, 1e9), 1e9,
@@ -84,7 +84,7 @@ TEST(PaperTugging, MoreEnergyGoesInThanComesBack)
   if (!slow_build)
   {
     // "Most of the energy is produced during loading, just a small part is released during unloading."
-    const Run& run = paper_run(9.0);
+    const TuggingRun& run = paper_run(9.0);
     test::expect_within("alpha* = 9: share of the work to alignment that comes back",
                         1.0 - run.summary.work / run.summary.work_to_alignment, 0.0, 0.5, paper);
   }
@@ -94,7 +94,7 @@ TEST(PaperTugging, NormalForceLeansSlightlyForward)
 {
   for (const double alpha : interferences())
   {
-    const Run& run = paper_run(alpha);
+    const TuggingRun& run = paper_run(alpha);
     const double normal = asymmetry(run, &simulation::StepRecord::F_Z, 1.0);
     const double tangential = asymmetry(run, &simulation::StepRecord::F_X, -1.0);
     test::expect_within(labelled(alpha, "asymmetry of F_Z"), normal, 0.0, 1.0, paper);
@@ -117,7 +117,7 @@ TEST(PaperTugging, LoadRatioTendsToTheSlopeOfTheLastContact)
     GTEST_SKIP() << "the largest interference is too expensive in this build";
   // The paper reads 0.045 off its Fig. 14, which is tan(theta0) = 0.0447 of rigid spheres at alpha* = 9; the slope of the
   // pile-up on the last contact takes a little off. 10 %: a figure read to half of its last digit.
-  const Run& run = paper_run(9.0);
+  const TuggingRun& run = paper_run(9.0);
   test::expect_close("alpha* = 9: F_X / F_Z at the end of contact", run.summary.load_ratio_end, -0.045, 0.0045, paper);
 }
 
@@ -126,7 +126,7 @@ TEST(PaperTugging, LargestPermanentDisplacementIsAQuarterOfTheInterference)
   double before = 0.0;
   for (const double alpha : interferences())
   {
-    const Run& run = paper_run(alpha);
+    const TuggingRun& run = paper_run(alpha);
     const double share = run.summary.max_residual_lower / (alpha * critical().interference);
     test::expect_within(labelled(alpha, "largest residual displacement / interference"), share,
                         std::nextafter(before, 1.0), 0.275, std::string(paper) + ": up to 25 %, growing");
@@ -165,7 +165,7 @@ TEST(PaperTugging, EnergyBalanceClosesWithTheMesh)
 
 TEST(PaperTugging, EqualBodiesEndAlike)
 {
-  const Run& run = paper_run(slow_build ? 2.0 : 4.0);
+  const TuggingRun& run = paper_run(slow_build ? 2.0 : 4.0);
   const simulation::TuggingSummary& s = run.summary;
   // Both are computed separately, to the tolerance of the iteration: 1e-4 of the yield stress, 1e-5 alpha_c.
   test::expect_close("dissipation, upper / lower", s.dissipation_upper / s.dissipation_lower, 1.0, 1e-4,
@@ -185,8 +185,8 @@ TEST(PaperTugging, BothKinematicsGiveTheSameForces)
   const double alpha = slow_build ? 2.0 : 4.0;
   simulation::TuggingCase t = paper_case(alpha);
   t.kinematics = simulation::Kinematics::paper;
-  const Run run = computed(t);
-  const Run& exact = paper_run(alpha);
+  const TuggingRun run = computed(t);
+  const TuggingRun& exact = paper_run(alpha);
   const double n = 0.5 * exact.plan.steps_per_pass;
   const double step_error = 1.0 / (n * n);
   test::expect_close("F_Z at X = 0, paper / exact", run.summary.F_Z_aligned / exact.summary.F_Z_aligned, 1.0,

@@ -32,7 +32,7 @@ enum Component
 /// The lower body after one pass.
 const simulation::BodySnapshot& body_after_a_pass()
 {
-  static const Run run = []
+  static const TuggingRun run = []
   {
     simulation::TuggingCase t = equal_spheres(6.0, perfect_material());
     const double a = simulation::plan(t).elastic_contact_radius;

@@ -60,7 +60,7 @@ inline simulation::TuggingCase paper_case(double interference_ratio, double coar
 }
 
 /// A run with its whole history.
-struct Run
+struct TuggingRun
 {
   simulation::TuggingPlan plan;
   std::vector<simulation::StepRecord> history;
@@ -77,9 +77,9 @@ struct Run
   }
 };
 
-inline Run computed(const simulation::TuggingCase& tugging)
+inline TuggingRun computed(const simulation::TuggingCase& tugging)
 {
-  Run run;
+  TuggingRun run;
   run.plan = simulation::plan(tugging);
   simulation::TuggingObserver observer;
   observer.on_step = [&](const simulation::StepRecord& r, int) { run.history.push_back(r); };
@@ -88,9 +88,9 @@ inline Run computed(const simulation::TuggingCase& tugging)
 }
 
 /// The paper's case at its mesh.
-inline const Run& paper_run(double interference_ratio)
+inline const TuggingRun& paper_run(double interference_ratio)
 {
-  static std::map<double, Run> runs;
+  static std::map<double, TuggingRun> runs;
   const auto found = runs.find(interference_ratio);
   if (found != runs.end())
     return found->second;

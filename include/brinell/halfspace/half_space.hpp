@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/halfspace/eigenstrain_stress.hpp"
+#include "brinell/halfspace/image_correction.hpp"
 #include "brinell/halfspace/pressure_stress.hpp"
 
 #include <memory>
@@ -51,6 +52,7 @@ private:
   std::unique_ptr<PaddedFft> fft_;
   PressureStress pressure_stress_;
   EigenstrainStress eigenstrain_stress_;
+  ImageCorrection image_correction_;
 };
 
 } // namespace brinell::halfspace

@@ -106,7 +106,7 @@ TEST(UniformPressureTest, SinksTheCentreOfACircleByTwoPressureRadiusOverModulus)
     return u[static_cast<std::size_t>(n * n / 2)] - 1.0;
   };
   const std::vector<double> errors{error(4), error(8), error(16)};
-  EXPECT_GT(test::observed_order("uniform circle, centre displacement", errors), 1.8);
+  EXPECT_GT(test::Orders("uniform circle, centre displacement", errors).overall, 1.8);
 }
 
 TEST(SurfaceComplianceDoorTest, RefusesFieldsOfAnotherSize)

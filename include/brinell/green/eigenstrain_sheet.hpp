@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/aligned.hpp"
+#include "brinell/foundation/deviator.hpp"
+#include "brinell/green/elastic.hpp"
+
+#include <array>
+
+namespace brinell::green
+{
+
+/// Deviatoric stress at depth z of a thin sheet of traceless plastic strain eps e^{i (m x + n y)} at depth z', in a half
+/// space z >= 0 with a free surface, per unit thickness of the sheet [Pa/m]. The stress inside the sheet itself (a delta
+/// function of z - z') is left out. Formulas: halfspace/eigenstrain_stress.hpp, derived in docs/theory.md.
+/// @param m, n         wavenumbers along x and y [rad/m], not both zero
+/// @param z, z_source  depths of the point and of the sheet [m], >= 0
+/// @param strain       amplitude of the plastic strain, real
+[[nodiscard]] std::array<Complex, Deviator::size> eigenstrain_sheet_stress(double m, double n, double z,
+                                                                           double z_source, const Deviator& strain,
+                                                                           const Elastic& elastic);
+
+} // namespace brinell::green

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/fft.hpp"
+#include "brinell/green/elastic.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// What the periodic images of the plastic strain add to the residual stress, to be taken off: it turns
+/// EigenstrainStress, periodic over the padded lengths, into the operator of a body without neighbours.
+///
+/// The nearest image is at least half a padded length away, so its stress is smooth over the grid: a polynomial of low
+/// degree in (x - x'), (y - y') and Chebyshev polynomials of z and z'. Its coefficients are fitted once to the
+/// difference of two lattice sums over wavenumbers, one with the padded lengths and one with four times those, both
+/// with a Gaussian that cuts off what two lattices share. What is left of the images is of order 1/4^3 of them, and is
+/// extrapolated. Applied through moments of the strain: O(N) with a small factor, symmetric like the operator itself.
+class ImageCorrection
+{
+public:
+  ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft);
+
+  /// Subtracts the deviatoric stress [Pa] of the images of `strain` (5 * grid.size() values, traceless) from `stress`
+  /// in the layers [0, layers); strain beneath must be zero.
+  void subtract(std::span<const double> strain, int layers, std::span<double> stress) const;
+
+private:
+  static constexpr int strains = 5;   ///< components of Deviator
+  static constexpr int depths = 5;    ///< Chebyshev polynomials in z
+  static constexpr int degree = 6;    ///< largest power of x - x' and y - y' together
+  static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
+  static constexpr int moments = strains * depths * powers;
+
+  void fit(const Elastic& elastic, double period_x, double period_y);
+
+  VolumeGrid grid_;
+  std::vector<double> x_, y_;      ///< powers of the cells' coordinates, scaled by the half-lengths: [power][cell]
+  std::vector<double> chebyshev_;  ///< mean over a layer: [depth][layer]
+  /// Moments fall into four classes by their parity in x and in y, which do not couple.
+  struct ParityClass
+  {
+    std::vector<int> members;      ///< indices of moments
+    std::vector<double> coupling;  ///< [moment of stress][moment of strain]
+  };
+  std::array<ParityClass, 4> classes_;
+};
+
+} // namespace brinell::halfspace

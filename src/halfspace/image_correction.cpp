@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/image_correction.hpp"
+
+#include "brinell/foundation/deviator.hpp"
+#include "brinell/green/eigenstrain_sheet.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+constexpr double pi = std::numbers::pi;
+constexpr int enlargement = 4; ///< the second lattice has periods this many times the first one's
+constexpr int offset_nodes = 5;
+
+constexpr std::array<int, Deviator::size> odd_in_x{0, 0, 0, 1, 1}; // xx yy yz xz xy
+constexpr std::array<int, Deviator::size> odd_in_y{0, 0, 1, 0, 1};
+
+/// Place of x^a y^b among the monomials.
+int monomial(int a, int b)
+{
+  const int n = a + b;
+  return n * (n + 1) / 2 + b;
+}
+
+double binomial(int n, int k)
+{
+  double value = 1.0;
+  for (int i = 0; i < k; ++i)
+    value = value * (n - i) / (i + 1);
+  return value;
+}
+
+/// Positive zeros of a Chebyshev polynomial: where the offset polynomials are fitted.
+std::array<double, offset_nodes> fit_offsets()
+{
+  std::array<double, offset_nodes> x{};
+  for (int i = 0; i < offset_nodes; ++i)
+    x[static_cast<std::size_t>(i)] = std::cos((2 * i + 1) * pi / (4.0 * offset_nodes));
+  return x;
+}
+
+/// Powers (a, b) of total degree <= `degree` with the given parities.
+std::vector<std::array<int, 2>> powers_of_parity(int degree, int parity_x, int parity_y)
+{
+  std::vector<std::array<int, 2>> result;
+  for (int a = parity_x; a <= degree; a += 2)
+    for (int b = parity_y; a + b <= degree; b += 2)
+      result.push_back({a, b});
+  return result;
+}
+
+double chebyshev(int order, double t)
+{
+  return std::cos(order * std::acos(std::clamp(t, -1.0, 1.0)));
+}
+
+} // namespace
+
+ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft)
+    : grid_(grid)
+{
+  const SurfaceGrid& s = grid.surface;
+  const auto tabulate = [](int cells, std::vector<double>& table)
+  {
+    table.resize(static_cast<std::size_t>((degree + 1) * cells));
+    const double half = std::max(1, cells - 1);
+    for (int power = 0; power <= degree; ++power)
+      for (int i = 0; i < cells; ++i)
+        table[static_cast<std::size_t>(power * cells + i)] = std::pow((i - 0.5 * (cells - 1)) / half, power);
+  };
+  tabulate(s.nx, x_);
+  tabulate(s.ny, y_);
+  // Mean of T_q over a layer by three Gauss points: exact up to the fifth power, which depths = 6 needs.
+  chebyshev_.resize(static_cast<std::size_t>(depths * grid.nz));
+  for (int q = 0; q < depths; ++q)
+    for (int layer = 0; layer < grid.nz; ++layer)
+    {
+      const auto at = [&](double shift) { return chebyshev(q, 2.0 * (layer + 0.5 + shift) / grid.nz - 1.0); };
+      const double d = 0.5 * std::sqrt(0.6);
+      chebyshev_[static_cast<std::size_t>(q * grid.nz + layer)] = (5.0 * (at(-d) + at(d)) + 8.0 * at(0.0)) / 18.0;
+    }
+  fit(elastic, fft.px() * s.dx, fft.py() * s.dy);
+}
+
+void ImageCorrection::fit(const Elastic& elastic, double period_x, double period_y)
+{
+  const SurfaceGrid& s = grid_.surface;
+  const double half_x = std::max(1, s.nx - 1) * s.dx;
+  const double half_y = std::max(1, s.ny - 1) * s.dy;
+  const double thickness = grid_.nz * grid_.dz;
+  const auto offsets = fit_offsets();
+  std::array<double, depths> node{};
+  for (int i = 0; i < depths; ++i)
+    node[static_cast<std::size_t>(i)] = 0.5 * thickness * (1.0 - std::cos((2 * i + 1) * pi / (2.0 * depths)));
+
+  // Lattice sums at (offset, z, z'): the small lattice minus the large one, times the extrapolation to an infinite one.
+  constexpr int pairs = strains * strains;
+  constexpr int places = offset_nodes * offset_nodes;
+  std::vector<double> value(static_cast<std::size_t>(depths * depths * pairs * places), 0.0);
+  const double width = std::min(period_x, period_y) / 10.0;
+  const double k_max = 6.5 / width;
+  const double e3 = enlargement * enlargement * enlargement;
+  const int nodes_x = static_cast<int>(k_max * enlargement * period_x / (2.0 * pi));
+  const int nodes_y = static_cast<int>(k_max * enlargement * period_y / (2.0 * pi));
+#pragma omp parallel for schedule(dynamic) collapse(2)
+  for (int zi = 0; zi < depths; ++zi)
+    for (int zj = 0; zj < depths; ++zj)
+    {
+      double* out = value.data() + static_cast<std::ptrdiff_t>((zi * depths + zj) * pairs * places);
+      for (int j = 0; j <= nodes_y; ++j)
+        for (int i = 0; i <= nodes_x; ++i)
+        {
+          const double m = 2.0 * pi * i / (enlargement * period_x);
+          const double n = 2.0 * pi * j / (enlargement * period_y);
+          const double k2 = m * m + n * n;
+          if (k2 == 0.0 || k2 > k_max * k_max)
+            continue;
+          const bool on_small = i % enlargement == 0 && j % enlargement == 0;
+          const double copies = (i == 0 ? 1.0 : 2.0) * (j == 0 ? 1.0 : 2.0);
+          const double blur = (1.0 + 0.5 * k2 * width * width) * std::exp(-0.5 * k2 * width * width);
+          const double weight = copies * blur * ((on_small ? 1.0 : 0.0) - 1.0 / (enlargement * enlargement)) /
+                                (period_x * period_y) * e3 / (e3 - 1.0);
+          std::array<double, offset_nodes> cos_x{};
+          std::array<double, offset_nodes> sin_x{};
+          std::array<double, offset_nodes> cos_y{};
+          std::array<double, offset_nodes> sin_y{};
+          for (std::size_t o = 0; o < offset_nodes; ++o)
+          {
+            cos_x[o] = std::cos(m * half_x * offsets[o]);
+            sin_x[o] = std::sin(m * half_x * offsets[o]);
+            cos_y[o] = std::cos(n * half_y * offsets[o]);
+            sin_y[o] = std::sin(n * half_y * offsets[o]);
+          }
+          for (int e = 0; e < strains; ++e)
+          {
+            Deviator unit;
+            unit[e] = 1.0;
+            const auto stress = green::eigenstrain_sheet_stress(m, n, node[static_cast<std::size_t>(zi)],
+                                                                node[static_cast<std::size_t>(zj)], unit, elastic);
+            for (int c = 0; c < strains; ++c)
+            {
+              const auto ce = static_cast<std::size_t>(c);
+              const bool odd_x = (odd_in_x[ce] + odd_in_x[static_cast<std::size_t>(e)]) % 2 != 0;
+              const bool odd_y = (odd_in_y[ce] + odd_in_y[static_cast<std::size_t>(e)]) % 2 != 0;
+              // Sum of K e^{ik.r} over the signs of m and n, K being real if odd in both or none, else imaginary.
+              const double amplitude =
+                  weight * (odd_x == odd_y ? (odd_x ? -stress[ce].real() : stress[ce].real()) : -stress[ce].imag());
+              const auto& in_x = odd_x ? sin_x : cos_x;
+              const auto& in_y = odd_y ? sin_y : cos_y;
+              double* to = out + static_cast<std::ptrdiff_t>((c * strains + e) * places);
+              for (std::size_t oy = 0; oy < offset_nodes; ++oy)
+                for (std::size_t ox = 0; ox < offset_nodes; ++ox)
+                  to[ox + offset_nodes * oy] += amplitude * in_x[ox] * in_y[oy];
+            }
+          }
+        }
+    }
+
+  // Node values in depth -> Chebyshev coefficients (discrete orthogonality).
+  Eigen::MatrixXd to_chebyshev(depths, depths);
+  for (int q = 0; q < depths; ++q)
+    for (int i = 0; i < depths; ++i)
+      to_chebyshev(q, i) = (q == 0 ? 1.0 : 2.0) / depths *
+                           chebyshev(q, 2.0 * node[static_cast<std::size_t>(i)] / thickness - 1.0);
+
+  std::vector<int> class_of(moments);
+  std::vector<std::size_t> place(moments);
+  for (int c = 0; c < strains; ++c)
+    for (int q = 0; q < depths; ++q)
+      for (int a = 0; a <= degree; ++a)
+        for (int b = 0; a + b <= degree; ++b)
+        {
+          const int moment = (c * depths + q) * powers + monomial(a, b);
+          const auto component = static_cast<std::size_t>(c);
+          const int parity = (a + odd_in_x[component]) % 2 + 2 * ((b + odd_in_y[component]) % 2);
+          ParityClass& members = classes_[static_cast<std::size_t>(parity)];
+          class_of[static_cast<std::size_t>(moment)] = parity;
+          place[static_cast<std::size_t>(moment)] = members.members.size();
+          members.members.push_back(moment);
+        }
+  for (ParityClass& c : classes_)
+    c.coupling.assign(c.members.size() * c.members.size(), 0.0);
+
+  for (int c = 0; c < strains; ++c)
+    for (int e = 0; e < strains; ++e)
+    {
+      const auto ce = static_cast<std::size_t>(c);
+      const auto ee = static_cast<std::size_t>(e);
+      const auto powers_here = powers_of_parity(degree, (odd_in_x[ce] + odd_in_x[ee]) % 2, (odd_in_y[ce] + odd_in_y[ee]) % 2);
+      const auto terms = static_cast<Eigen::Index>(powers_here.size());
+      Eigen::MatrixXd basis(places, terms);
+      for (std::size_t oy = 0; oy < offset_nodes; ++oy)
+        for (std::size_t ox = 0; ox < offset_nodes; ++ox)
+          for (Eigen::Index t = 0; t < terms; ++t)
+            basis(static_cast<Eigen::Index>(ox + offset_nodes * oy), t) =
+                std::pow(offsets[ox], powers_here[static_cast<std::size_t>(t)][0]) *
+                std::pow(offsets[oy], powers_here[static_cast<std::size_t>(t)][1]);
+      Eigen::MatrixXd samples(places, depths * depths);
+      for (int z = 0; z < depths * depths; ++z)
+        for (int o = 0; o < places; ++o)
+          samples(o, z) = value[static_cast<std::size_t>((z * pairs + c * strains + e) * places + o)];
+      const Eigen::MatrixXd fitted = basis.colPivHouseholderQr().solve(samples);
+      for (Eigen::Index t = 0; t < terms; ++t)
+      {
+        Eigen::MatrixXd at_nodes(depths, depths);
+        for (int zi = 0; zi < depths; ++zi)
+          for (int zj = 0; zj < depths; ++zj)
+            at_nodes(zi, zj) = fitted(t, zi * depths + zj);
+        const Eigen::MatrixXd coefficient = to_chebyshev * at_nodes * to_chebyshev.transpose();
+        // (x - x')^a (y - y')^b -> monomials of the point times monomials of the source.
+        const auto [a, b] = powers_here[static_cast<std::size_t>(t)];
+        for (int pa = 0; pa <= a; ++pa)
+          for (int pb = 0; pb <= b; ++pb)
+          {
+            const double split = binomial(a, pa) * binomial(b, pb) * ((a - pa + b - pb) % 2 == 0 ? 1.0 : -1.0);
+            for (int qi = 0; qi < depths; ++qi)
+              for (int qj = 0; qj < depths; ++qj)
+              {
+                const auto row = static_cast<std::size_t>((c * depths + qi) * powers + monomial(pa, pb));
+                const auto column = static_cast<std::size_t>((e * depths + qj) * powers + monomial(a - pa, b - pb));
+                ParityClass& parity = classes_[static_cast<std::size_t>(class_of[row])];
+                parity.coupling[place[row] * parity.members.size() + place[column]] += split * coefficient(qi, qj);
+              }
+          }
+      }
+    }
+  // The sum over cells stands for an integral.
+  for (ParityClass& c : classes_)
+    for (double& v : c.coupling)
+      v *= grid_.cell_volume();
+}
+
+void ImageCorrection::subtract(std::span<const double> strain, int layers, std::span<double> stress) const
+{
+  const SurfaceGrid& s = grid_.surface;
+  const std::size_t cells = s.size();
+  constexpr auto count = static_cast<std::size_t>(moments);
+  std::vector<double> layer_moment(static_cast<std::size_t>(strains * grid_.nz * powers), 0.0);
+  const auto of_layer = [&](int component, int layer)
+  { return layer_moment.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers); };
+
+#pragma omp parallel for collapse(2) schedule(static)
+  for (int e = 0; e < strains; ++e)
+    for (int layer = 0; layer < layers; ++layer)
+    {
+      const double* field = strain.data() + static_cast<std::size_t>(e * grid_.nz + layer) * cells;
+      double* moment = of_layer(e, layer);
+      for (int j = 0; j < s.ny; ++j)
+        for (int a = 0; a <= degree; ++a)
+        {
+          double sum = 0.0;
+          const double* x = x_.data() + a * s.nx;
+#pragma omp simd reduction(+ : sum)
+          for (int i = 0; i < s.nx; ++i)
+            sum += x[i] * field[i + s.nx * j];
+          for (int b = 0; a + b <= degree; ++b)
+            moment[monomial(a, b)] += sum * y_[static_cast<std::size_t>(b * s.ny + j)];
+        }
+    }
+
+  std::vector<double> moment(count, 0.0);
+  std::vector<double> response(count, 0.0);
+  for (int e = 0; e < strains; ++e)
+    for (int q = 0; q < depths; ++q)
+      for (int layer = 0; layer < layers; ++layer)
+        for (int p = 0; p < powers; ++p)
+          moment[static_cast<std::size_t>((e * depths + q) * powers + p)] +=
+              chebyshev_[static_cast<std::size_t>(q * grid_.nz + layer)] * of_layer(e, layer)[p];
+  for (const ParityClass& c : classes_)
+  {
+    const std::size_t size = c.members.size();
+    std::array<double, moments> in_class{};
+    for (std::size_t i = 0; i < size; ++i)
+      in_class[i] = moment[static_cast<std::size_t>(c.members[i])];
+    for (std::size_t row = 0; row < size; ++row)
+    {
+      double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+      for (std::size_t column = 0; column < size; ++column)
+        sum += c.coupling[row * size + column] * in_class[column];
+      response[static_cast<std::size_t>(c.members[row])] = sum;
+    }
+  }
+
+#pragma omp parallel for collapse(2) schedule(static)
+  for (int c = 0; c < strains; ++c)
+    for (int layer = 0; layer < layers; ++layer)
+    {
+      std::array<double, powers> of_depth{};
+      for (int q = 0; q < depths; ++q)
+        for (int p = 0; p < powers; ++p)
+          of_depth[static_cast<std::size_t>(p)] += chebyshev_[static_cast<std::size_t>(q * grid_.nz + layer)] *
+                                                   response[static_cast<std::size_t>((c * depths + q) * powers + p)];
+      double* field = stress.data() + static_cast<std::size_t>(c * grid_.nz + layer) * cells;
+      for (int j = 0; j < s.ny; ++j)
+      {
+        std::array<double, degree + 1> of_row{};
+        for (int a = 0; a <= degree; ++a)
+          for (int b = 0; a + b <= degree; ++b)
+            of_row[static_cast<std::size_t>(a)] +=
+                of_depth[static_cast<std::size_t>(monomial(a, b))] * y_[static_cast<std::size_t>(b * s.ny + j)];
+#pragma omp simd
+        for (int i = 0; i < s.nx; ++i)
+        {
+          double sum = 0.0;
+          for (int a = 0; a <= degree; ++a)
+            sum += of_row[static_cast<std::size_t>(a)] * x_[static_cast<std::size_t>(a * s.nx + i)];
+          field[i + s.nx * j] -= sum;
+        }
+      }
+    }
+}
+
+} // namespace brinell::halfspace

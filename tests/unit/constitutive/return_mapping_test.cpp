@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/constitutive/return_mapping.hpp"
+
+#include "order.hpp"
+#include "random_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace brinell::constitutive
+{
+namespace
+{
+
+constexpr double mu = 76.0; // in units of the yield stress about: metals have mu/S_y = 50 to 500
+constexpr PerfectPlasticity perfect{1.0};
+constexpr LinearHardening hardening{1.0, 20.0};
+
+// A Newton iteration stops at 1e-13 of the yield stress; strains are stresses over 2 mu.
+constexpr double tolerance = 1e-12;
+
+Deviator unit_random(unsigned seed, double size)
+{
+  const std::vector<double> v = test::random_field(Deviator::size, seed);
+  Deviator d;
+  for (int c = 0; c < Deviator::size; ++c)
+    d[c] = v[static_cast<std::size_t>(c)];
+  return (size / von_mises(d)) * d;
+}
+
+bool is_finite(const PlasticIncrement& p)
+{
+  bool finite = std::isfinite(p.equivalent) && std::isfinite(p.dissipation);
+  for (int c = 0; c < Deviator::size; ++c)
+    finite = finite && std::isfinite(p.strain[c]);
+  return finite;
+}
+
+Deviator stress_after(const Deviator& q, const PlasticIncrement& p)
+{
+  return q - (2.0 * mu) * p.strain;
+}
+
+double equivalent_of(const Deviator& strain)
+{
+  return std::sqrt(contract(strain, strain) / 1.5);
+}
+
+TEST(ReturnMappingTest, InsideTheYieldSurfaceNothingFlows)
+{
+  for (unsigned seed = 0; seed < 50; ++seed)
+  {
+    const Deviator q = unit_random(seed, 0.999), s0 = unit_random(seed + 100, 0.5);
+    for (const PlasticIncrement& p : {radial_return(q, 0.0, mu, perfect), path_return(s0, q, 0.0, mu, hardening)})
+    {
+      EXPECT_EQ(von_mises(p.strain), 0.0);
+      EXPECT_EQ(p.equivalent, 0.0);
+      EXPECT_EQ(p.dissipation, 0.0);
+    }
+  }
+}
+
+TEST(ReturnMappingTest, StressAfterFlowLiesOnTheYieldSurface)
+{
+  const auto check = [](const auto& law)
+  {
+    for (unsigned seed = 0; seed < 300; ++seed)
+    {
+      const double e = 0.01 * (seed % 7), yield = law.yield_stress_at(e);
+      const double far = std::pow(10.0, 0.01 * seed - 1.0); // up to a trial 100 times beyond yield
+      const Deviator s0 = unit_random(seed, yield * (seed % 11) / 10.0);
+      const Deviator q = unit_random(seed + 1000, yield * (1.0 + far));
+      for (const PlasticIncrement& p : {radial_return(q, e, mu, law), path_return(s0, q, e, mu, law)})
+      {
+        ASSERT_TRUE(is_finite(p)) << seed;
+        const double after = law.yield_stress_at(e + p.equivalent);
+        // The stress is the difference of two values of size |q|.
+        EXPECT_NEAR(von_mises(stress_after(q, p)), after, tolerance * von_mises(q)) << seed;
+        EXPECT_GT(p.equivalent, 0.0);
+        EXPECT_GT(p.dissipation, 0.0);
+      }
+    }
+  };
+  check(perfect);
+  check(hardening);
+}
+
+TEST(ReturnMappingTest, UniaxialHardeningIsExact)
+{
+  // Proportional loading: 3 mu de + H de = |q| - sigma_y(e), flow along q, work under the straight hardening line.
+  const double e = 0.02, yield = hardening.yield_stress_at(e);
+  for (const double size : {1.0001 * yield, 1.5 * yield, 10.0 * yield})
+  {
+    const Deviator q = unit_random(3, size), s0 = (0.4 * yield / size) * q;
+    const double de = (size - yield) / (3.0 * mu + hardening.modulus);
+    const double work = (yield + 0.5 * hardening.modulus * de) * de;
+    const PlasticIncrement radial = radial_return(q, e, mu, hardening), path = path_return(s0, q, e, mu, hardening);
+    for (const PlasticIncrement& p : {radial, path})
+    {
+      EXPECT_NEAR(p.equivalent, de, tolerance * size / mu);
+      EXPECT_NEAR(p.dissipation, work, tolerance * size * size / mu);
+      EXPECT_NEAR(von_mises(p.strain - (1.5 * de / size) * q), 0.0, tolerance * size / mu);
+    }
+  }
+}
+
+TEST(ReturnMappingTest, EquivalentStrainIsThatOfTheRadialStrain)
+{
+  const PlasticIncrement p = radial_return(unit_random(5, 3.0), 0.0, mu, hardening);
+  EXPECT_NEAR(equivalent_of(p.strain), p.equivalent, tolerance / mu);
+}
+
+/// Stress at the end of a straight trial path, integrated in `steps` increments.
+template <typename Step>
+Deviator integrated(const Deviator& s0, const Deviator& q, int steps, Step step)
+{
+  Deviator s = s0;
+  double e = 0.0;
+  for (int n = 0; n < steps; ++n)
+  {
+    const Deviator trial = s + (1.0 / steps) * (q - s0);
+    const PlasticIncrement p = step(s, trial, e);
+    s = trial - (2.0 * mu) * p.strain;
+    e += p.equivalent;
+  }
+  return s;
+}
+
+TEST(ReturnMappingTest, TurningTrialIsSecondOrderByPathAndFirstOrderByRadialReturn)
+{
+  // From the yield surface, the trial goes on at 70 degrees to the stress: the flow direction turns on the way.
+  const auto check = [](const char* name, const auto& law)
+  {
+    const Deviator s0{{2.0 / 3.0, -1.0 / 3.0, 0.0, 0.0, 0.0}}; // uniaxial, von Mises 1
+    const double turn = 70.0 * std::numbers::pi / 180.0;
+    const Deviator along = s0, across{{0.0, 0.0, 0.0, 0.0, 1.0 / std::sqrt(3.0)}};
+    const Deviator q = s0 + 2.0 * (std::cos(turn) * along + std::sin(turn) * across);
+    const auto path = [&](const Deviator& s, const Deviator& trial, double e) { return path_return(s, trial, e, mu, law); };
+    const auto radial = [&](const Deviator& /*s*/, const Deviator& trial, double e)
+    { return radial_return(trial, e, mu, law); };
+    const Deviator exact = integrated(s0, q, 20000, path);
+    std::vector<double> path_errors, radial_errors;
+    for (const int steps : {4, 8, 16, 32})
+    {
+      path_errors.push_back(von_mises(integrated(s0, q, steps, path) - exact));
+      radial_errors.push_back(von_mises(integrated(s0, q, steps, radial) - exact));
+    }
+    EXPECT_NEAR(test::Orders((std::string("path return, ") + name).c_str(), path_errors).last, 2.0, 0.15);
+    EXPECT_NEAR(test::Orders((std::string("radial return, ") + name).c_str(), radial_errors).last, 1.0, 0.15);
+    EXPECT_LT(path_errors.front(), radial_errors.front());
+  };
+  check("perfect", perfect);
+  check("hardening", hardening);
+}
+
+TEST(ReturnMappingTest, PathReturnsFromOutsideMeetTheLimitOfASmallStep)
+{
+  // A step that begins inside and just reaches yield: as many elastic parts as one likes in front change nothing.
+  const Deviator s0 = unit_random(1, 0.2), q = unit_random(2, 1.4);
+  const PlasticIncrement whole = path_return(s0, q, 0.0, mu, hardening);
+  const Deviator later = s0 + 0.3 * (q - s0); // still inside
+  ASSERT_LT(von_mises(later), 1.0);
+  const PlasticIncrement rest = path_return(later, q, 0.0, mu, hardening);
+  EXPECT_NEAR(von_mises(whole.strain - rest.strain), 0.0, tolerance / mu);
+  EXPECT_NEAR(whole.dissipation, rest.dissipation, tolerance / mu);
+}
+
+TEST(ReturnMappingTest, ExtremeTrialsAreFinite)
+{
+  const auto check = [](const auto& law)
+  {
+    const Deviator s0 = unit_random(7, 1.0);
+    const Deviator outside = (1.0 + 1e-4) * s0; // a stress of the last increment, by its tolerance beyond yield
+    const Deviator off = unit_random(8, 1e-9);
+    const std::array<std::pair<Deviator, Deviator>, 9> cases{
+        {{s0, -3.0 * s0},          // reversal through the elastic domain
+         {s0, -1.0000001 * s0},    // ... that hardly yields
+         {outside, outside},       // nothing happens, outside
+         {outside, 1.00001 * s0},  // moves inwards, still outside
+         {outside, outside + off}, // hardly moves
+         {outside, -2.0 * s0},
+         {s0, 1e6 * s0},
+         {s0, 1e6 * unit_random(9, 1.0)},
+         {Deviator{}, 1.0000000001 * s0}}};
+    for (std::size_t n = 0; n < cases.size(); ++n)
+    {
+      const auto& [start, q] = cases[n];
+      const PlasticIncrement p = path_return(start, q, 0.0, mu, law);
+      ASSERT_TRUE(is_finite(p)) << "case " << n;
+      EXPECT_GE(p.dissipation, 0.0) << "case " << n;
+      EXPECT_GE(p.equivalent, 0.0) << "case " << n;
+      EXPECT_NEAR(von_mises(stress_after(q, p)), law.yield_stress_at(p.equivalent), tolerance * von_mises(q))
+          << "case " << n;
+    }
+  };
+  check(perfect);
+  check(hardening);
+}
+
+TEST(ReturnMappingTest, ReversalFlowsOnlyOnTheFarSide)
+{
+  // From s0 on the surface to -3 s0: elastic until -s0, then proportional.
+  const Deviator s0 = unit_random(7, 1.0);
+  const PlasticIncrement p = path_return(s0, -3.0 * s0, 0.0, mu, perfect);
+  EXPECT_NEAR(p.equivalent, 2.0 / (3.0 * mu), tolerance / mu);
+  EXPECT_NEAR(von_mises(p.strain + (1.0 / mu) * s0), 0.0, tolerance / mu);
+}
+
+TEST(ReturnMappingTest, UnitOfStressDoesNotMatter)
+{
+  const Deviator s0 = unit_random(11, 0.7), q = unit_random(12, 2.5);
+  const double unit = 9.115e8; // Pa
+  const PlasticIncrement a = path_return(s0, q, 0.01, mu, hardening);
+  const PlasticIncrement b =
+      path_return(unit * s0, unit * q, 0.01, unit * mu, LinearHardening{unit * 1.0, unit * hardening.modulus});
+  EXPECT_NEAR(von_mises(a.strain - b.strain), 0.0, tolerance / mu);
+  EXPECT_NEAR(a.dissipation, b.dissipation / unit, tolerance / mu);
+}
+
+} // namespace
+} // namespace brinell::constitutive

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/anderson.hpp"
+
+#include "random_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace brinell::elastoplastic
+{
+namespace
+{
+
+/// g(x) = M x + b with a random contraction M, and its fixed point by plain iteration.
+struct Affine
+{
+  explicit Affine(std::size_t n, unsigned seed = 1) : matrix(test::random_field(n * n, seed)), shift(test::random_field(n, seed + 1))
+  {
+    for (double& m : matrix)
+      m *= 0.9 / static_cast<double>(n); // rows sum to less than one
+    for (int i = 0; i < 2000; ++i)
+      solution = i == 0 ? shift : (*this)(solution);
+  }
+  std::vector<double> operator()(const std::vector<double>& x) const
+  {
+    std::vector<double> g = shift;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      for (std::size_t j = 0; j < x.size(); ++j)
+        g[i] += matrix[i * x.size() + j] * x[j];
+    return g;
+  }
+  std::vector<double> matrix, shift, solution;
+};
+
+double distance(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double d = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    d = std::max(d, std::abs(a[i] - b[i]));
+  return d;
+}
+
+TEST(AndersonTest, SolvesALinearProblemOfNUnknownsInNPlusOneSteps)
+{
+  // With n differences the residual is zero in a combination of them, whatever the matrix; to the normal equations'
+  // damping of 1e-12 times their condition.
+  for (const std::size_t n : {1, 3, 6})
+  {
+    const Affine g(n);
+    Anderson anderson(static_cast<int>(n));
+    std::vector<double> x(n, 0.0);
+    for (std::size_t step = 0; step < n + 1; ++step)
+      anderson.advance(x, g(x));
+    EXPECT_LT(distance(x, g.solution), 1e-8) << n;
+  }
+}
+
+TEST(AndersonTest, WithoutDepthIsThePlainIteration)
+{
+  const Affine g(4);
+  Anderson anderson(0);
+  std::vector<double> x(4, 0.5);
+  for (int step = 0; step < 3; ++step)
+  {
+    const std::vector<double> image = g(x);
+    anderson.advance(x, image);
+    EXPECT_EQ(x, image);
+  }
+}
+
+TEST(AndersonTest, FirstStepAndFirstStepAfterAResetArePlain)
+{
+  const Affine g(4);
+  Anderson anderson(3);
+  std::vector<double> x(4, 0.5);
+  for (int step = 0; step < 5; ++step)
+  {
+    const std::vector<double> image = g(x);
+    anderson.advance(x, image);
+    EXPECT_EQ(x == image, step == 0);
+  }
+  anderson.reset();
+  const std::vector<double> image = g(x);
+  anderson.advance(x, image);
+  EXPECT_EQ(x, image);
+}
+
+TEST(AndersonTest, ShallowHistoryStillConvergesFasterThanNone)
+{
+  // A slow symmetric contraction, like the soft directions of plastic flow: eigenvalues 0.98 cos(...) on a chain.
+  constexpr std::size_t n = 12;
+  Affine g(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      g.matrix[i * n + j] = i == j + 1 || j == i + 1 ? 0.49 : 0.0;
+  for (int i = 0; i < 2000; ++i)
+    g.solution = g(g.solution);
+  const auto error_after = [&](int depth, int steps)
+  {
+    Anderson anderson(depth);
+    std::vector<double> x(n, 0.0);
+    for (int step = 0; step < steps; ++step)
+      anderson.advance(x, g(x));
+    return distance(x, g.solution);
+  };
+  EXPECT_LT(error_after(4, 20), 0.1 * error_after(0, 20));
+}
+
+TEST(AndersonTest, ConvergesWhenUnknownsComeInLater)
+{
+  const std::size_t few = 3, all = 6;
+  const Affine g(all);
+  Anderson anderson(static_cast<int>(all));
+  std::vector<double> x(few, 0.0);
+  for (std::size_t step = 0; step < 2; ++step)
+  {
+    std::vector<double> padded = x;
+    padded.resize(all, 0.0);
+    std::vector<double> image = g(padded);
+    image.resize(few);
+    anderson.advance(x, image);
+  }
+  x.resize(all, 0.0);
+  // The first of the old differences do not know the new unknowns; they leave the ring after `depth` more.
+  for (std::size_t step = 0; step < 2 * all + 4; ++step)
+    anderson.advance(x, g(x));
+  EXPECT_LT(distance(x, g.solution), 1e-8);
+}
+
+TEST(AndersonTest, ParallelDifferencesDoNoHarm)
+{
+  // One direction only: after two steps every further difference repeats it, down to zero.
+  Anderson anderson(5);
+  std::vector<double> x{0.0, 0.0};
+  for (int step = 0; step < 12; ++step)
+  {
+    const std::vector<double> image{0.5 * x[0] + 1.0, 0.5 * x[1] + 1.0};
+    anderson.advance(x, image);
+    ASSERT_TRUE(std::isfinite(x[0]) && std::isfinite(x[1])) << step;
+  }
+  EXPECT_NEAR(x[0], 2.0, 1e-10);
+}
+
+} // namespace
+} // namespace brinell::elastoplastic
