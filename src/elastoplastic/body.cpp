@@ -192,6 +192,23 @@ int Body::needed_layers() const
       *material_.hardening);
 }
 
+double Body::edge_strain_share() const
+{
+  const SurfaceGrid& s = grid().surface;
+  double edge = 0.0;
+  double largest = 0.0;
+  for (int k = 0; k < grid().nz; ++k)
+    for (int j = 0; j < s.ny; ++j)
+      for (int i = 0; i < s.nx; ++i)
+      {
+        const double e = state_.equivalent[static_cast<std::size_t>(i + s.nx * (j + s.ny * k))];
+        largest = std::max(largest, e);
+        if (i == 0 || i == s.nx - 1 || j == 0 || j == s.ny - 1 || k == grid().nz - 1)
+          edge = std::max(edge, e);
+      }
+  return largest > 0.0 ? edge / largest : 0.0;
+}
+
 double Body::yield_error() const
 {
   double error = 0.0;
@@ -204,8 +221,11 @@ double Body::yield_error() const
         {
           const double yield = law.yield_stress_at(state_.equivalent[active_[a]] + equivalent_[a]);
           const Deviator g = load_packed(g_, a);
-          if (equivalent_[a] > 0.0 || von_mises(g) > yield)
-            error = std::max(error, von_mises(g - load_packed(q_, a)) / yield);
+          const double size = von_mises(g);
+          if (!std::isfinite(size))
+            error = size;
+          else if (equivalent_[a] > 0.0 || size > yield)
+            error = std::max(error, von_mises(g - load_packed(q_, a)) / yield); // keeps a NaN found before
         }
       },
       *material_.hardening);

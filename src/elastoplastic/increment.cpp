@@ -48,7 +48,7 @@ void CoupledContact::spread_pressure(const Body& body, int offset, std::vector<d
       if (p <= 0.0)
         continue;
       if (column < 0 || column >= to.nx)
-        throw InputError("the contact has reached the end of the material grid: enlarge the grid along x");
+        throw InputError("the contact has reached the end of the material grid: enlarge it by grid.extent");
       out[static_cast<std::size_t>(column + to.nx * j)] = p;
     }
 }
@@ -113,17 +113,61 @@ double largest_change(std::span<const double> a, const std::vector<double>& b)
   return change;
 }
 
+/// Notices when an accelerated iteration runs in circles.
+class Progress
+{
+public:
+  /// @returns whether the error has not halved within the last evaluations.
+  bool stalls(double error)
+  {
+    if (error < 0.5 * best_)
+    {
+      best_ = error;
+      since_ = 0;
+      return false;
+    }
+    return ++since_ > patience;
+  }
+
+private:
+  static constexpr int patience = 20;
+  double best_ = 1e300;
+  int since_ = 0;
+};
+
 } // namespace
 
+/// Contact of the deformed surfaces: gap and pressure for the residual displacements of the present trial.
+void CoupledContact::load(std::span<const double> rigid_gap, const Placement& placement, IncrementReport& report)
+{
+  gather(lower_, placement.lower, lower_.residual_displacement(), gathered_);
+  std::transform(rigid_gap.begin(), rigid_gap.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
+  gather(upper_, placement.upper, upper_.residual_displacement(), gathered_);
+  std::transform(total_gap_.begin(), total_gap_.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
+  constexpr int most_iterations = 2000;
+  const contact::Report contact =
+      contact_.solve(total_gap_, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_);
+  report.contact_iterations += contact.iterations;
+  report.gap_error = std::max(contact.gap_error, contact.penetration);
+  report.contact_converged = contact.converged;
+  spread_pressure(lower_, placement.lower, lower_pressure_);
+  spread_pressure(upper_, placement.upper, upper_pressure_);
+}
+
+double CoupledContact::energy() const
+{
+  return lower_.energy(lower_pressure_) + upper_.energy(upper_pressure_) + elastic_energy();
+}
+
 IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const Placement& placement,
-                                        Integration integration, int max_evaluations, int anderson_depth)
+                                        const Strategy& strategy)
 {
   IncrementReport report;
-  const double stiffness_share = anderson_depth > 0 ? 0.6 : 1.0; // without acceleration: certain descent
-  lower_.begin(placement.lower - placement_.lower, stiffness_share);
-  upper_.begin(placement.upper - placement_.upper, stiffness_share);
-  Anderson anderson(anderson_depth);
+  lower_.begin(placement.lower - placement_.lower, strategy.stiffness_share);
+  upper_.begin(placement.upper - placement_.upper, strategy.stiffness_share);
+  Anderson anderson(strategy.anderson_depth);
   Unknowns unknowns;
+  Progress progress;
   std::vector<double> x;
   std::vector<double> g;
   std::vector<double> last_lower;
@@ -132,30 +176,33 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
   {
     last_lower.assign(lower_.residual_displacement().begin(), lower_.residual_displacement().end());
     last_upper.assign(upper_.residual_displacement().begin(), upper_.residual_displacement().end());
-    lower_.integrate(integration);
-    upper_.integrate(integration);
-
-    gather(lower_, placement.lower, lower_.residual_displacement(), gathered_);
-    std::transform(rigid_gap.begin(), rigid_gap.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
-    gather(upper_, placement.upper, upper_.residual_displacement(), gathered_);
-    std::transform(total_gap_.begin(), total_gap_.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
-    const contact::Report contact =
-        contact_.solve(total_gap_, settings_.contact_tolerance * scales_.gap, 2000, pressure_, gap_);
-    report.contact_iterations += contact.iterations;
-    report.gap_error = std::max(contact.gap_error, contact.penetration);
-
-    spread_pressure(lower_, placement.lower, lower_pressure_);
-    spread_pressure(upper_, placement.upper, upper_pressure_);
+    lower_.integrate(strategy.integration);
+    upper_.integrate(strategy.integration);
+    load(rigid_gap, placement, report);
     const bool lower_grew = lower_.update(lower_pressure_);
     const bool upper_grew = upper_.update(upper_pressure_);
+    const bool grew = lower_grew || upper_grew;
     report.yield_error = std::max(lower_.yield_error(), upper_.yield_error());
     report.displacement_error = std::max(largest_change(lower_.residual_displacement(), last_lower),
                                          largest_change(upper_.residual_displacement(), last_upper));
+    // The first evaluation measures its change against the state before the increment: only a second one can settle it.
     const bool settled = report.evaluations > 1 || lower_.unknowns() + upper_.unknowns() == 0;
-    report.converged = contact.converged && !lower_grew && !upper_grew && settled &&
+    report.converged = report.contact_converged && !grew && settled &&
                        report.yield_error <= settings_.yield_tolerance &&
                        report.displacement_error <= settings_.displacement_tolerance * scales_.displacement;
-    if (report.converged || report.evaluations >= max_evaluations)
+    const bool finite = std::isfinite(report.yield_error + report.displacement_error + report.gap_error);
+    if (report.converged || !finite || report.evaluations >= strategy.max_evaluations)
+      break;
+    if (strategy.watch_energy)
+    {
+      const double now = energy();
+      constexpr double rounding = 1e-10;
+      report.energy_rose = report.evaluations > 2 && !grew && now > report.energy * (1.0 + rounding);
+      report.energy = now;
+      if (report.energy_rose)
+        break;
+    }
+    else if (progress.stalls(report.yield_error))
       break;
     unknowns.grow(lower_, upper_);
     unknowns.pack(lower_.trial(), upper_.trial(), x);
@@ -164,10 +211,13 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
     unknowns.unpack(x, lower_.trial(), upper_.trial());
   }
   if (!report.converged)
+  {
+    std::fill(pressure_.begin(), pressure_.end(), 0.0); // no guess for the next attempt: it may not be finite
     return report;
+  }
+  report.energy = energy();
   lower_.commit(lower_pressure_);
   upper_.commit(upper_pressure_);
-  report.energy = lower_.energy(lower_pressure_) + upper_.energy(upper_pressure_) + elastic_energy();
   placement_ = placement;
   return report;
 }

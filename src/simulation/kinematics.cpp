@@ -6,16 +6,16 @@
 namespace brinell::simulation
 {
 
-Passing::Passing(double radius_lower, double radius_upper, double interference, double relative_shift,
+Passing::Passing(double radius_lower, double radius_upper, double interference, int cells, double dx,
                  Kinematics kinematics)
-    : r1_(radius_lower), r2_(radius_upper), omega_(r1_ + r2_ - interference), shift_(relative_shift),
-      d0_(std::sqrt((r1_ + r2_) * (r1_ + r2_) - omega_ * omega_)), theta0_(std::atan2(d0_, omega_)),
+    : r1_(radius_lower), r2_(radius_upper), omega_(r1_ + r2_ - interference), dx_(dx),
+      d0_(std::sqrt((r1_ + r2_) * (r1_ + r2_) - omega_ * omega_)), theta0_(std::atan2(d0_, omega_)), cells_(cells),
       kinematics_(kinematics)
 {
   if (kinematics_ == Kinematics::exact)
   {
     // The tiny reduction keeps a step that lands on first touch by rounding from being doubled.
-    first_ = -static_cast<int>(std::ceil((1.0 - 1e-12) * theta0_ * (r1_ + r2_) / shift_));
+    first_ = -static_cast<int>(std::ceil((1.0 - 1e-12) * theta0_ * (r1_ + r2_) / (cells_ * dx_)));
     count_ = -2 * first_;
     return;
   }
@@ -23,14 +23,16 @@ Passing::Passing(double radius_lower, double radius_upper, double interference, 
     ++count_;
 }
 
-Position Passing::at(int index, double X, double arc) const
+Position Passing::at(int index, int columns, double X) const
 {
-  const double local_separation = std::hypot(omega_, X);
+  const double first_arc = kinematics_ == Kinematics::exact ? 0.0 : -theta0_ * (r1_ + r2_);
+  const double arc = first_arc + columns * dx_;
   Position p;
   p.index = index;
-  p.X = X;
-  p.theta = std::atan2(X, omega_);
-  p.interference = r1_ + r2_ - local_separation;
+  p.columns = columns;
+  p.X = kinematics_ == Kinematics::exact ? omega_ * std::tan(arc / (r1_ + r2_)) : X;
+  p.theta = std::atan2(p.X, omega_);
+  p.interference = r1_ + r2_ - std::hypot(omega_, p.X);
   p.arc_lower = arc * r1_ / (r1_ + r2_);
   p.arc_upper = -arc * r2_ / (r1_ + r2_);
   return p;
@@ -38,29 +40,23 @@ Position Passing::at(int index, double X, double arc) const
 
 Position Passing::start(int steps_before) const
 {
-  if (kinematics_ == Kinematics::exact)
-  {
-    const int index = first_ - steps_before;
-    const double arc = index * shift_;
-    return at(index, omega_ * std::tan(arc / (r1_ + r2_)), arc);
-  }
   double X = -d0_;
   for (int i = 0; i < steps_before; ++i)
-    X -= omega_ * std::atan(shift_ / std::hypot(omega_, X));
-  return at(-steps_before, X, -theta0_ * (r1_ + r2_) - steps_before * shift_);
+    X -= omega_ * std::atan(cells_ * dx_ / std::hypot(omega_, X));
+  const int index = first_ - steps_before;
+  return at(index, index * cells_, X);
 }
 
 Position Passing::next(const Position& p) const
 {
-  const int index = p.index + 1;
-  if (kinematics_ == Kinematics::exact)
-  {
-    const double arc = index * shift_;
-    return at(index, omega_ * std::tan(arc / (r1_ + r2_)), arc);
-  }
+  return within_step(p, cells_);
+}
+
+Position Passing::within_step(const Position& p, int columns) const
+{
   // Eq. 9 with 2 Delta the arc moved on both bodies together.
-  const double X = p.X + omega_ * std::atan(shift_ / std::hypot(omega_, p.X));
-  return at(index, X, -theta0_ * (r1_ + r2_) + index * shift_);
+  const double X = p.X + omega_ * std::atan(columns * dx_ / std::hypot(omega_, p.X));
+  return at(columns == cells_ ? p.index + 1 : p.index, p.columns + columns, X);
 }
 
 } // namespace brinell::simulation

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/fft.hpp"
+#include "brinell/reference/critical.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,19 @@ namespace brinell::simulation
 namespace
 {
 
-// Extent of the grids in elastic contact radii. Fully plastic spheres reach about 1.15 elastic radii; the plastic zone
-// stays within 1.3 of them sideways and above 1.6 in depth up to interferences of some tens of alpha_c.
+// Extent of the grids in elastic contact radii, enough up to nine times the interference of first yield; beyond, contact
+// and plastic zone grow faster than the elastic contact radius.
 constexpr double contact_extent_x = 2.0;
 constexpr double contact_extent_y = 1.5;
 constexpr double depth_extent = 1.85;
 constexpr double track_extent = 1.6;
 constexpr int track_margin = 4; ///< cells: material pushed ahead
+
+double plastic_growth(const TuggingCase& tugging)
+{
+  constexpr double covered = 9.0;
+  return std::pow(std::max(1.0, tugging.interference / yield_interference(tugging) / covered), 0.3);
+}
 
 /// Half-width in whole cells around a central one that covers `length`.
 int half_cells(double length, double cell)
@@ -34,7 +41,7 @@ double equivalent_radius(const TuggingCase& tugging)
 }
 
 /// Farthest place from the top of a body that the contact's edge passes, from first touch to alignment.
-double track_half_length(const TuggingCase& tugging, double radius, double angle_at_touch)
+double track_half_length(const TuggingCase& tugging, double radius, double angle_at_touch, double scale)
 {
   const double sum = tugging.lower.radius + tugging.upper.radius;
   const double separation = sum - tugging.interference;
@@ -45,19 +52,20 @@ double track_half_length(const TuggingCase& tugging, double radius, double angle
     const double theta = angle_at_touch * i / samples;
     const double interference = std::max(0.0, sum - separation / std::cos(theta));
     farthest = std::max(farthest,
-                        radius * theta + track_extent * std::sqrt(equivalent_radius(tugging) * interference));
+                        radius * theta + scale * track_extent * std::sqrt(equivalent_radius(tugging) * interference));
   }
   return farthest;
 }
 
 VolumeGrid material_grid(const TuggingCase& tugging, const SurfaceGrid& contact, double radius, double angle, double dz,
-                         double contact_radius)
+                         double scaled_radius)
 {
+  const double scale = tugging.extent * plastic_growth(tugging);
   VolumeGrid grid;
   grid.surface = contact;
   grid.surface.nx =
-      2 * (half_cells(track_half_length(tugging, radius, angle), contact.dx) + track_margin) + 1;
-  grid.nz = static_cast<int>(std::ceil(depth_extent * contact_radius / dz - 1e-9));
+      2 * (half_cells(track_half_length(tugging, radius, angle, scale), contact.dx) + track_margin) + 1;
+  grid.nz = static_cast<int>(std::ceil(depth_extent * scaled_radius / dz - 1e-9));
   grid.dz = dz;
   return grid;
 }
@@ -73,6 +81,21 @@ double body_bytes(const VolumeGrid& grid, int anderson_depth)
 }
 
 } // namespace
+
+double yield_interference(const TuggingCase& tugging)
+{
+  double smallest = tugging.interference;
+  const double modulus = contact_modulus(tugging.lower.material.elastic, tugging.upper.material.elastic);
+  for (const Asperity* asperity : {&tugging.lower, &tugging.upper})
+    if (asperity->material.is_plastic())
+    {
+      const double C = reference::critical_pressure_ratio(asperity->material.elastic.poisson_ratio);
+      const double yield = constitutive::initial_yield_stress(*asperity->material.hardening);
+      smallest =
+          std::min(smallest, reference::critical_values(equivalent_radius(tugging), modulus, C, yield).interference);
+    }
+  return smallest;
+}
 
 int relative_cells(const TuggingCase& tugging, double dx)
 {
@@ -97,12 +120,14 @@ TuggingPlan plan(const TuggingCase& tugging)
   constexpr double most_cells = 1e5;
   if (const double finest = std::min({dx, dy, dz}); a / finest > most_cells)
     throw InputError(fmt::format("grid: cells of {:g} m are too small for a contact radius of {:g} m", finest, a));
-  plan.contact = {2 * half_cells(contact_extent_x * a, dx) + 1, 2 * half_cells(contact_extent_y * a, dy) + 1, dx, dy};
+  const double scaled = a * tugging.extent * plastic_growth(tugging);
+  plan.contact = {2 * half_cells(contact_extent_x * scaled, dx) + 1, 2 * half_cells(contact_extent_y * scaled, dy) + 1,
+                  dx, dy};
   const int cells = relative_cells(tugging, dx);
-  const Passing passing(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells * dx,
+  const Passing passing(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells, dx,
                         tugging.kinematics);
-  plan.lower = material_grid(tugging, plan.contact, tugging.lower.radius, passing.angle_at_touch(), dz, a);
-  plan.upper = material_grid(tugging, plan.contact, tugging.upper.radius, passing.angle_at_touch(), dz, a);
+  plan.lower = material_grid(tugging, plan.contact, tugging.lower.radius, passing.angle_at_touch(), dz, scaled);
+  plan.upper = material_grid(tugging, plan.contact, tugging.upper.radius, passing.angle_at_touch(), dz, scaled);
   plan.steps_per_pass = passing.step_count();
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = passing.start_distance();

@@ -10,4 +10,7 @@ namespace brinell::simulation
 /// @throws InputError if the shift is no whole multiple of dx / 2.
 [[nodiscard]] int relative_cells(const TuggingCase& tugging, double dx);
 
+/// Interference at which one of the bodies first yields [m]; the full interference if none does before.
+[[nodiscard]] double yield_interference(const TuggingCase& tugging);
+
 } // namespace brinell::simulation

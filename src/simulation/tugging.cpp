@@ -3,7 +3,6 @@
 
 #include "brinell/elastoplastic/increment.hpp"
 #include "brinell/foundation/error.hpp"
-#include "brinell/reference/critical.hpp"
 #include "brinell/simulation/forces.hpp"
 #include "plan.hpp"
 #include "snapshot.hpp"
@@ -25,29 +24,13 @@ using elastoplastic::IncrementReport;
 using elastoplastic::Integration;
 using elastoplastic::Placement;
 
-/// Interference at which one of the bodies first yields [m]; the full interference if both stay elastic.
-double yield_interference(const TuggingCase& tugging)
-{
-  double smallest = tugging.interference;
-  const double radius = 1.0 / (1.0 / tugging.lower.radius + 1.0 / tugging.upper.radius);
-  const double modulus = contact_modulus(tugging.lower.material.elastic, tugging.upper.material.elastic);
-  for (const Asperity* asperity : {&tugging.lower, &tugging.upper})
-    if (asperity->material.is_plastic())
-    {
-      const double C = reference::critical_pressure_ratio(asperity->material.elastic.poisson_ratio);
-      const double yield = constitutive::initial_yield_stress(*asperity->material.hardening);
-      smallest = std::min(smallest, reference::critical_values(radius, modulus, C, yield).interference);
-    }
-  return smallest;
-}
-
 /// The two bodies, the motion, and the sums kept over a run.
 class Tugging
 {
 public:
   Tugging(const TuggingCase& tugging, const TuggingObserver& observer)
       : case_(tugging), observer_(observer), plan_(plan(tugging)), cells_(relative_cells(tugging, plan_.contact.dx)),
-        passing_(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells_ * plan_.contact.dx,
+        passing_(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells_, plan_.contact.dx,
                  tugging.kinematics),
         pair_(plan_.contact, plan_.lower, plan_.upper, tugging.lower.material, tugging.upper.material,
               {yield_interference(tugging), tugging.interference}, tugging.solver),
@@ -82,7 +65,7 @@ private:
     // The grids of both bodies coincide cell by cell; their relative column changes by whole cells only.
     const Position start = passing_.start(0);
     const int start_columns = static_cast<int>(std::lround((start.arc_lower - start.arc_upper) / dx));
-    const int columns = start_columns + (p.index - start.index) * cells_;
+    const int columns = start_columns + p.columns - start.columns;
     f.placement.upper = centre - columns - half + upper_zero;
     f.upper_origin = f.x0 - (f.placement.upper) * dx + p.arc_upper;
     f.lower_origin = -lower_zero * dx;
@@ -109,8 +92,10 @@ private:
     const int steps = (passing_.start(0).index - position.index) + passing_.step_count();
     for (int step = 0;; ++step)
     {
-      const int evaluations = solve(position, pass);
+      const int evaluations = solve(step == 0 ? position : last_, position, pass);
       record(position, pass, evaluations, steps);
+      check_extent("lower", pair_.lower());
+      check_extent("upper", pair_.upper());
       last_ = position;
       const bool touching = std::any_of(pair_.pressure().begin(), pair_.pressure().end(), [](double p) { return p > 0.0; });
       if (step >= steps && !touching)
@@ -118,6 +103,16 @@ private:
       position = passing_.next(position);
     }
     extra_steps_ = std::max(extra_steps_, last_.index - passing_.start(0).index - passing_.step_count());
+  }
+
+  /// Plastic strain that would spread beyond the grid is lost: better no result than that one.
+  static void check_extent(const char* name, const Body& body)
+  {
+    constexpr double tolerated = 0.02;
+    if (const double share = body.edge_strain_share(); share > tolerated)
+      throw InputError(fmt::format("the plastic zone of the {} body has reached the edge of its grid ({:.0f} % of the "
+                                   "largest plastic strain there): enlarge it by grid.extent. All steps so far are kept",
+                                   name, 100.0 * share));
   }
 
   /// Far enough back that the surfaces, with what earlier passes left on them, do not touch yet.
@@ -143,29 +138,64 @@ private:
     pair_.gather(pair_.upper(), f.placement.upper, pair_.upper().state().residual_displacement, upper_residual_);
   }
 
-  /// One step. If the accelerated fixed point fails, the plain one on the convex problem of backward Euler is tried.
-  int solve(const Position& position, int pass)
+  /// One step from the last position. If it does not converge whole, it is split into moves of one cell; a move that
+  /// still does not is solved by the plain fixed point of the convex problem, watched by its energy.
+  int solve(const Position& from, const Position& to, int pass)
   {
+    int evaluations = 0;
+    if (attempt(to, evaluations))
+      return evaluations;
+    ++split_increments_;
+    const int columns = std::max(1, to.columns - from.columns); // the first position of a pass comes from nowhere
+    for (int c = 1; c <= columns; ++c)
+    {
+      const Position position = c == columns ? to : passing_.within_step(from, c);
+      if (!(columns > 1 && attempt(position, evaluations)))
+        solve_guarded(position, pass, evaluations);
+    }
+    return evaluations;
+  }
+
+  /// Accelerated: first with a cell's own stiffness, then with that which bounds all.
+  bool attempt(const Position& position, int& evaluations)
+  {
+    const elastoplastic::Settings& s = case_.solver;
     const Frame f = frame(position);
     fill_rigid_gap(f);
-    const elastoplastic::Settings& s = case_.solver;
-    IncrementReport report =
-        pair_.advance(rigid_gap_, f.placement, s.integration, s.max_iterations, s.anderson_depth);
-    int evaluations = report.evaluations;
-    if (!report.converged)
+    for (const double share : {0.6, 1.0})
     {
-      ++split_increments_;
-      report = pair_.advance(rigid_gap_, f.placement, Integration::backward_euler, 20 * s.max_iterations, 0);
+      const IncrementReport report =
+          pair_.advance(rigid_gap_, f.placement, {s.integration, s.max_iterations, s.anderson_depth, share, false});
       evaluations += report.evaluations;
+      if (report.converged)
+        return true;
     }
-    if (!report.converged)
-      throw ConvergenceError(fmt::format(
-          "pass {}, X = {:g} m: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), "
-          "change of displacement {:.2e} m, contact gap {:.2e} m. All earlier steps are kept. A smaller tugging.shift "
-          "or a larger solver.max_iterations may help",
-          pass + 1, position.X, evaluations, report.yield_error, s.yield_tolerance, report.displacement_error,
-          report.gap_error));
-    return evaluations;
+    return false;
+  }
+
+  void solve_guarded(const Position& position, int pass, int& evaluations)
+  {
+    const elastoplastic::Settings& s = case_.solver;
+    const Frame f = frame(position);
+    fill_rigid_gap(f);
+    IncrementReport report;
+    constexpr int patience = 20; // the plain fixed point is slow, but it descends
+    for (const double share : {1.0, 2.0, 4.0})
+    {
+      report = pair_.advance(rigid_gap_, f.placement,
+                             {Integration::backward_euler, patience * s.max_iterations, 0, share, true});
+      evaluations += report.evaluations;
+      if (report.converged)
+        return;
+      if (!report.energy_rose)
+        break;
+    }
+    throw ConvergenceError(fmt::format(
+        "pass {}, X = {:g} m: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), "
+        "change of displacement {:.2e} m, contact gap {:.2e} m. All earlier steps are kept. A smaller tugging.shift "
+        "or a larger solver.max_iterations may help",
+        pass + 1, position.X, evaluations, report.yield_error, s.yield_tolerance, report.displacement_error,
+        report.gap_error));
   }
 
   void record(const Position& position, int pass, int evaluations, int steps_per_pass)

@@ -49,6 +49,9 @@ public:
   /// Makes the present trial the new state.
   void commit(std::span<const double> pressure);
 
+  /// Equivalent plastic strain in the outermost columns and rows and in the last layer, over the largest one of all.
+  [[nodiscard]] double edge_strain_share() const;
+
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
   [[nodiscard]] std::vector<double>& trial() { return q_; }             ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& image() const { return g_; } ///< g(q)

@@ -16,12 +16,14 @@ namespace brinell::elastoplastic
 struct IncrementReport
 {
   bool converged = false;
+  bool contact_converged = false;
   int evaluations = 0;             ///< of the elastic-plastic operator of both bodies
   int contact_iterations = 0;
   double yield_error = 0.0;        ///< relative to the yield stress
   double displacement_error = 0.0; ///< last change of residual displacement [m]
   double gap_error = 0.0;          ///< contact complementarity [m]
-  double energy = 0.0;             ///< value of the increment's energy functional [J]
+  double energy = 0.0; ///< locked-in, elastic and dissipated energy: what backward Euler minimises [J]
+  bool energy_rose = false;        ///< stopped by Strategy::watch_energy
 };
 
 /// Where the cells of the contact grid lie on the material grids: contact column i is column i + offset.
@@ -36,6 +38,19 @@ struct Scales
 {
   double displacement = 0.0; ///< alpha_c: for the change of residual displacement
   double gap = 0.0;          ///< interference: for complementarity
+};
+
+/// How one increment is solved.
+struct Strategy
+{
+  Integration integration = Integration::path;
+  int max_evaluations = 60;
+  int anderson_depth = 6;
+  /// c / (2 mu) in q = s + c d_eps, see Body::begin.
+  double stiffness_share = 0.6;
+  /// Give up as soon as the energy of the increment's convex problem rises (backward Euler, plain fixed point): the
+  /// caller then retries with a larger stiffness share, that is with shorter steps.
+  bool watch_energy = false;
 };
 
 /// The coupled solver, with its buffers.
@@ -57,12 +72,14 @@ public:
   /// @param rigid_gap  distance of the undeformed, unindented surfaces on the contact grid [m].
   /// @param placement  of the contact grid on the material grids.
   [[nodiscard]] IncrementReport advance(std::span<const double> rigid_gap, const Placement& placement,
-                                        Integration integration, int max_evaluations, int anderson_depth);
+                                        const Strategy& strategy);
 
   /// Residual displacement of a body under the contact grid [m]; zero outside its material grid.
   void gather(const Body& body, int offset, std::span<const double> field, std::span<double> out) const;
 
 private:
+  void load(std::span<const double> rigid_gap, const Placement& placement, IncrementReport& report);
+  [[nodiscard]] double energy() const;
   void spread_pressure(const Body& body, int offset, std::vector<double>& out) const;
 
   halfspace::SurfaceCompliance compliance_;

@@ -15,6 +15,7 @@ enum class Kinematics
 struct Position
 {
   int index = 0;             ///< step index: 0 at alignment (exact) or at first touch (paper)
+  int columns = 0;           ///< cells that the bodies have moved against each other since index 0
   double X = 0.0;            ///< sliding coordinate, 0 at alignment [m]
   double theta = 0.0;        ///< angle of the line of centres to Z, sign of X
   double interference = 0.0; ///< alpha = R1 + R2 - omega'; negative before first touch [m]
@@ -27,11 +28,13 @@ struct Position
 class Passing
 {
 public:
-  /// @param relative_shift  (R1 + R2) d_theta per step [m].
-  Passing(double radius_lower, double radius_upper, double interference, double relative_shift, Kinematics kinematics);
+  /// @param cells  cells of size dx that the bodies move against each other per step: (R1 + R2) d_theta / dx.
+  Passing(double radius_lower, double radius_upper, double interference, int cells, double dx, Kinematics kinematics);
 
   [[nodiscard]] Position start(int steps_before) const; ///< first touch or just before it, minus some steps
   [[nodiscard]] Position next(const Position& position) const;
+  /// Position `columns` cells after `position`, less than one step ahead of it.
+  [[nodiscard]] Position within_step(const Position& position, int columns) const;
   /// Index of the first position at or before first touch, and steps from there to the last touch of rigid spheres.
   [[nodiscard]] int first_index() const { return first_; }
   [[nodiscard]] int step_count() const { return count_; }
@@ -40,9 +43,10 @@ public:
   [[nodiscard]] double angle_at_touch() const { return theta0_; }
 
 private:
-  [[nodiscard]] Position at(int index, double X, double arc) const;
+  [[nodiscard]] Position at(int index, int columns, double X) const;
 
-  double r1_, r2_, omega_, shift_, d0_, theta0_;
+  double r1_, r2_, omega_, dx_, d0_, theta0_;
+  int cells_;
   Kinematics kinematics_;
   int first_ = 0, count_ = 0;
 };

@@ -34,6 +34,7 @@ struct TuggingCase
   int passes = 1;
   std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
   double resolution = 8.0; ///< cells per elastic contact radius along x if no spacing is given
+  double extent = 1.0;     ///< factor on the automatic extent of the grids around contact and plastic zone, > 0
   elastoplastic::Settings solver;
 };
 

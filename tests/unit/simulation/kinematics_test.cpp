@@ -109,8 +109,9 @@ TEST_P(Kinds, EarlierStartsLieOnTheSamePath)
   EXPECT_EQ(p.index, passing.start(0).index - 3);
   for (int i = 0; i < 3; ++i)
     p = passing.next(p);
-  // A step back of the paper's kinematics is a step forward from a farther place: third order in the step over omega.
-  const double tolerance = GetParam() == Kinematics::exact ? 1e-14 : 3.0 * paper_shift * paper_shift * paper_shift;
+  // The paper's step depends on where it begins, d(step)/dX = -step X/omega'^2: each of the three steps back misses the
+  // way forth by step^2 X/omega'^2, with |X| below 0.12 m here.
+  const double tolerance = GetParam() == Kinematics::exact ? 1e-14 : 3.0 * paper_shift * paper_shift * 0.12 / 4.0;
   EXPECT_NEAR(p.X, passing.start(0).X, tolerance);
   EXPECT_NEAR(p.arc_lower, passing.start(0).arc_lower, 1e-15);
   EXPECT_EQ(p.index, passing.start(0).index);

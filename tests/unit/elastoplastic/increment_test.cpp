@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One increment of two elastic-plastic bodies: the conditions its result must meet.
+#include "sphere_press.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "order.hpp"
+#include "volume_fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace brinell::elastoplastic
+{
+namespace
+{
+
+std::vector<double> copy(std::span<const double> s)
+{
+  return {s.begin(), s.end()};
+}
+
+double largest(const std::vector<double>& v)
+{
+  double m = 0.0;
+  for (const double x : v)
+    m = std::max(m, std::abs(x));
+  return m;
+}
+
+void expect_near(const std::vector<double>& a, const std::vector<double>& b, double relative, const char* what)
+{
+  ASSERT_EQ(a.size(), b.size()) << what;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+  EXPECT_LE(difference, relative * largest(b)) << what;
+}
+
+void expect_same_state(const BodyState& a, const BodyState& b, double relative)
+{
+  expect_near(a.plastic_strain, b.plastic_strain, relative, "plastic strain");
+  expect_near(a.equivalent, b.equivalent, relative, "equivalent plastic strain");
+  expect_near(a.residual_displacement, b.residual_displacement, relative, "residual displacement");
+  EXPECT_NEAR(a.dissipation, b.dissipation, relative * b.dissipation);
+  EXPECT_NEAR(a.locked_in_energy, b.locked_in_energy, relative * b.locked_in_energy);
+}
+
+TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
+{
+  for (const double modulus : {0.0, 20e9})
+  {
+    PressOptions options;
+    options.hardening_modulus = modulus;
+    SpherePress press(options);
+    for (const double interference : {2.0, 4.0, 6.0, 3.0}) // the last one unloads
+    {
+      const IncrementReport report = press.press(interference);
+      ASSERT_TRUE(report.converged);
+      EXPECT_LE(report.yield_error, options.settings.yield_tolerance);
+
+      // The stress anew, from the committed strain and the pressure: it is admissible everywhere, to the tolerance.
+      const std::vector<double> pressure = copy(press.contact().pressure());
+      std::vector<double> gap = press.rigid_gap(interference);
+      for (const Body* body : {&press.contact().lower(), &press.contact().upper()})
+      {
+        const BodyState& state = body->state();
+        const halfspace::HalfSpace half_space(body->grid(), body->material().elastic);
+        const test::StressField stress(half_space, pressure, state.plastic_strain);
+        for (std::size_t cell = 0; cell < body->grid().size(); ++cell)
+        {
+          const double yield = SpherePress::yield_stress + modulus * state.equivalent[cell];
+          ASSERT_LE(von_mises(test::deviator_at(stress.deviator, cell)), yield * (1.0 + options.settings.yield_tolerance));
+        }
+        halfspace::HalfSpace::Work work = half_space.make_work();
+        std::vector<double> u(gap.size());
+        half_space.load_strain(state.plastic_strain, body->grid().nz, work);
+        half_space.residual_displacement(body->grid().nz, work, u);
+        expect_near(u, state.residual_displacement, 1e-10, "residual displacement"); // round-off
+        for (std::size_t i = 0; i < gap.size(); ++i)
+          gap[i] += u[i];
+      }
+      // The gap anew: no pressure where it is open, none closed beyond the tolerance.
+      const halfspace::SurfaceCompliance compliance(
+          press.contact().grid(),
+          contact_modulus(press.contact().lower().material().elastic, press.contact().upper().material().elastic));
+      std::vector<double> u(gap.size());
+      AlignedVector<Complex> scratch(compliance.scratch_size());
+      compliance.apply(pressure, u, scratch);
+      const double tolerance = 1.001 * options.settings.contact_tolerance * 6.0 * SpherePress::alpha_c;
+      for (std::size_t i = 0; i < gap.size(); ++i)
+      {
+        gap[i] += u[i];
+        EXPECT_GE(pressure[i], 0.0);
+        EXPECT_GE(gap[i], -tolerance);
+        EXPECT_TRUE(pressure[i] == 0.0 || std::abs(gap[i]) <= tolerance) << gap[i];
+      }
+    }
+    EXPECT_GT(largest(press.contact().lower().state().equivalent), 1e-3); // the press did yield
+  }
+}
+
+TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)
+{
+  // By the trapezoidal rule from just below first yield, where all is elastic: its error is of second order in the step,
+  // as is the path integration; the backward Euler step makes it first order.
+  const auto balance = [](Integration integration, int steps)
+  {
+    SpherePress press;
+    const double begin = 0.9, end = 6.0;
+    EXPECT_TRUE(press.press(begin, integration).converged);
+    const double energy = press.stored_and_dissipated();
+    double work = 0.0, load = press.load();
+    for (int step = 1; step <= steps; ++step)
+    {
+      EXPECT_TRUE(press.press(begin + (end - begin) * step / steps, integration).converged);
+      work += 0.5 * (load + press.load()) * (end - begin) / steps * SpherePress::alpha_c;
+      load = press.load();
+    }
+    return (press.stored_and_dissipated() - energy) / work - 1.0;
+  };
+  std::vector<double> path, euler;
+  for (const int steps : {3, 6, 12})
+  {
+    path.push_back(balance(Integration::path, steps));
+    euler.push_back(balance(Integration::backward_euler, steps));
+  }
+  EXPECT_GT(test::Orders("energy balance, path", path).overall, 1.6);
+  EXPECT_GT(test::Orders("energy balance, backward Euler", euler).overall, 0.7);
+  EXPECT_LT(std::abs(path.back()), 2e-3);
+}
+
+/// The plain fixed point with the stiffness that bounds that of any plastic strain: it descends always.
+Strategy descent(int max_evaluations)
+{
+  Strategy s;
+  s.integration = Integration::backward_euler;
+  s.max_evaluations = max_evaluations;
+  s.anderson_depth = 0;
+  s.stiffness_share = 1.0;
+  s.watch_energy = true;
+  return s;
+}
+
+TEST(IncrementTest, PlainAndAcceleratedIterationMeet)
+{
+  // Backward Euler makes the increment a convex problem: one answer. Both to 1e-9 of yield, times the ratio of stress to
+  // the softest response, about 1e3.
+  PressOptions options;
+  options.settings = tight_settings();
+  SpherePress accelerated(options), plain(options);
+  for (const double interference : {3.0, 6.0})
+  {
+    ASSERT_TRUE(accelerated.press(interference, Integration::backward_euler).converged);
+    ASSERT_TRUE(plain.press(interference, descent(5000)).converged);
+  }
+  expect_same_state(plain.contact().lower().state(), accelerated.contact().lower().state(), 1e-6);
+  expect_near(copy(plain.contact().pressure()), copy(accelerated.contact().pressure()), 1e-6, "pressure");
+}
+
+TEST(IncrementTest, EnergyFallsAtEveryPlainIteration)
+{
+  // The functional of the increment, 1/2 eps H eps + D + 1/2 p A p, at the iterates one by one: the iteration is stopped
+  // after each, which leaves the state as it was. It may rise by the inexactness of the contact only.
+  PressOptions options;
+  options.settings = tight_settings();
+  SpherePress press(options);
+  ASSERT_TRUE(press.press(3.0, Integration::backward_euler).converged);
+  double previous = 0.0;
+  for (int evaluations = 1; evaluations <= 25; ++evaluations)
+  {
+    const IncrementReport stopped = press.press(5.0, descent(evaluations));
+    ASSERT_FALSE(stopped.converged);
+    EXPECT_FALSE(stopped.energy_rose);
+    const std::vector<double> p = copy(press.contact().pressure());
+    const double energy =
+        press.contact().lower().energy(p) + press.contact().upper().energy(p) + press.contact().elastic_energy();
+    if (evaluations > 1)
+    {
+      EXPECT_LE(energy, previous * (1.0 + 1e-10)) << evaluations;
+    }
+    previous = energy;
+  }
+  const IncrementReport report = press.press(5.0, descent(5000));
+  ASSERT_TRUE(report.converged);
+  EXPECT_LE(report.energy, previous * (1.0 + 1e-10));
+}
+
+TEST(IncrementTest, FailedIncrementLeavesTheStateAndCanBeRepeated)
+{
+  PressOptions options;
+  options.settings = tight_settings();
+  SpherePress press(options), other(options);
+  ASSERT_TRUE(press.press(3.0).converged && other.press(3.0).converged);
+  const BodyState before = press.contact().lower().state();
+  Strategy few;
+  few.max_evaluations = 3;
+  const IncrementReport report = press.press(6.0, few);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.evaluations, 3);
+  const BodyState& after = press.contact().lower().state();
+  EXPECT_EQ(after.plastic_strain, before.plastic_strain);
+  EXPECT_EQ(after.equivalent, before.equivalent);
+  EXPECT_EQ(after.stress, before.stress);
+  EXPECT_EQ(after.residual_displacement, before.residual_displacement);
+  EXPECT_EQ(after.dissipation, before.dissipation);
+  EXPECT_EQ(after.locked_in_energy, before.locked_in_energy);
+  ASSERT_TRUE(press.press(6.0).converged && other.press(6.0).converged);
+  expect_same_state(press.contact().lower().state(), other.contact().lower().state(), 1e-6); // as above
+}
+
+TEST(IncrementTest, SameGapAgainChangesNothing)
+{
+  PressOptions options;
+  options.settings = tight_settings();
+  SpherePress press(options);
+  ASSERT_TRUE(press.press(5.0).converged);
+  const BodyState before = press.contact().lower().state();
+  ASSERT_TRUE(press.press(5.0).converged);
+  expect_same_state(press.contact().lower().state(), before, 1e-6);
+}
+
+TEST(IncrementTest, ElasticBodyStaysElastic)
+{
+  PressOptions options;
+  options.upper_plastic = false;
+  SpherePress press(options);
+  ASSERT_TRUE(press.press(3.0).converged && press.press(6.0).converged);
+  EXPECT_GT(largest(press.contact().lower().state().equivalent), 1e-3);
+  const BodyState& upper = press.contact().upper().state();
+  EXPECT_EQ(largest(upper.plastic_strain), 0.0);
+  EXPECT_EQ(largest(upper.residual_displacement), 0.0);
+  EXPECT_EQ(upper.dissipation, 0.0);
+  EXPECT_EQ(upper.locked_in_energy, 0.0);
+}
+
+TEST(IncrementTest, TwoElasticBodiesNeedOneEvaluation)
+{
+  PressOptions options;
+  options.lower_plastic = options.upper_plastic = false;
+  SpherePress press(options);
+  const IncrementReport report = press.press(6.0);
+  ASSERT_TRUE(report.converged);
+  EXPECT_EQ(report.evaluations, 1);
+  // Hertz, 4/3 E' sqrt(R) alpha^1.5 with R = 1/2, E' = E/(2 (1 - nu^2)); the rim on 13 cells errs by (h/a)^1.5 or so.
+  const double modulus = 200e9 / (2.0 * (1.0 - 0.32 * 0.32));
+  const double hertz = 4.0 / 3.0 * modulus * std::sqrt(0.5) * std::pow(6.0 * SpherePress::alpha_c, 1.5);
+  EXPECT_NEAR(press.load(), hertz, 0.01 * hertz);
+}
+
+TEST(IncrementTest, TwinsDeformAlikeAndMirrorImagesToo)
+{
+  PressOptions options;
+  options.settings = tight_settings();
+  SpherePress press(options);
+  ASSERT_TRUE(press.press(3.0).converged && press.press(6.0).converged);
+  const BodyState& state = press.contact().lower().state();
+  expect_same_state(press.contact().upper().state(), state, 0.0);
+  constexpr int n = SpherePress::n;
+  const double scale = largest(state.residual_displacement);
+  for (int j = 0; j < n; ++j) // four-fold symmetry, to the tolerance
+    for (int i = 0; i < n; ++i)
+    {
+      const auto at = [&](int a, int b) { return state.residual_displacement[static_cast<std::size_t>(a + n * b)]; };
+      EXPECT_NEAR(at(i, j), at(n - 1 - i, j), 1e-6 * scale);
+      EXPECT_NEAR(at(i, j), at(j, i), 1e-6 * scale);
+    }
+}
+
+TEST(IncrementDoorTest, RefusesGridsThatDoNotMatchAndAContactBeyondTheBody)
+{
+  const SurfaceGrid g{5, 5, 1.0, 1.0};
+  const VolumeGrid v{g, 2, 1.0};
+  VolumeGrid other = v;
+  other.surface.dx = 2.0;
+  const constitutive::Material m{{1.0, 0.3}, constitutive::PerfectPlasticity{0.01}};
+  EXPECT_THROW(CoupledContact(g, v, other, m, m, Scales{1.0, 1.0}, Settings{}), InternalError);
+  CoupledContact contact(g, v, v, m, m, Scales{1.0, 1.0}, Settings{});
+  const std::vector<double> gap(g.size(), -0.001);
+  EXPECT_THROW(static_cast<void>(contact.advance(gap, Placement{3, 0}, Strategy{})), InputError);
+}
+
+} // namespace
+} // namespace brinell::elastoplastic
