@@ -33,17 +33,12 @@ void print_warnings(const io::Case& c)
     fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning);
 }
 
-double mean_radius(const simulation::TuggingCase& t)
-{
-  return 0.5 * (t.lower.radius + t.upper.radius);
-}
-
 void print_summary(const io::Case& c, const simulation::TuggingSummary& s, double seconds, const fs::path& folder)
 {
   fmt::print("{} steps, {} iterations, {:.2f} s\n", s.steps, s.iterations, seconds);
   if (s.split_increments > 0)
     fmt::print("{} increments had to be split\n", s.split_increments);
-  const double X = s.X_at_peak_F_X / mean_radius(c.tugging);
+  const double X = s.X_at_peak_F_X / io::equivalent_radius(c.tugging);
   if (c.first_yield)
   {
     const auto& critical = c.first_yield->critical;
@@ -62,7 +57,7 @@ void print_summary(const io::Case& c, const simulation::TuggingSummary& s, doubl
 /// Runs the case and writes its steps; the summary comes back, the folder stays open.
 simulation::TuggingSummary simulate(const io::Case& c, io::ResultDirectory& results, bool quiet)
 {
-  Progress progress(mean_radius(c.tugging), quiet);
+  Progress progress(io::equivalent_radius(c.tugging), quiet);
   io::SnapshotChoice choice(c.snapshots);
   simulation::TuggingObserver observer;
   observer.on_step = [&](const simulation::StepRecord& record, int step_count)

@@ -8,7 +8,7 @@ namespace brinell::contact
 {
 
 ElasticContact::ElasticContact(const halfspace::SurfaceCompliance& compliance)
-    : compliance_(compliance), scratch_(compliance.scratch_size()), direction_(compliance.grid().size()),
+    : compliance_(compliance), scratch_(compliance.make_scratch()), direction_(compliance.grid().size()),
       image_(compliance.grid().size())
 {
 }

@@ -47,8 +47,8 @@ constexpr int spare_layers = 3;
 } // namespace
 
 Body::Body(const VolumeGrid& grid, const constitutive::Material& material)
-    : material_(material), half_space_(grid, material.elastic), work_(half_space_.make_work()),
-      layers_(grid.nz), displacement_(grid.surface.size(), 0.0)
+    : material_(material), half_space_(grid, material.elastic), work_(half_space_.make_work()), layers_(grid.nz),
+      displacement_(grid.surface.size(), 0.0)
 {
   const std::size_t n = grid.size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);

@@ -56,7 +56,7 @@ void CoupledContact::spread_pressure(const Body& body, int offset, std::vector<d
 double CoupledContact::elastic_energy() const
 {
   std::vector<double> displacement(pressure_.size());
-  AlignedVector<Complex> scratch(compliance_.scratch_size());
+  halfspace::SurfaceCompliance::Scratch scratch = compliance_.make_scratch();
   compliance_.apply(pressure_, displacement, scratch);
   double sum = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)

@@ -36,8 +36,8 @@ int fast_length(int n)
   return m;
 }
 
-/// FFTW plans, in place on one plane: rows are real <-> complex, columns complex <-> complex. Only the rows that
-/// hold data are transformed along x; the zero padding costs nothing there.
+/// FFTW plans on one plane: rows between real scratch and complex plane, columns in place. Only the rows that hold data
+/// are transformed along x; the zero padding costs nothing there.
 struct PaddedFft::Plans
 {
   fftw_plan rows_forward = nullptr, rows_inverse = nullptr, all_rows_forward = nullptr;
@@ -47,15 +47,16 @@ struct PaddedFft::Plans
   {
     // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
     const unsigned flags = FFTW_ESTIMATE;
-    AlignedVector<Complex> scratch(plane);
-    auto* c = as_fftw(scratch.data());
-    auto* r = reinterpret_cast<double*>(scratch.data());
+    AlignedVector<Complex> spectrum(plane);
+    AlignedVector<double> real(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
+    auto* c = as_fftw(spectrum.data());
+    double* r = real.data();
     const int kx = px / 2 + 1;
     const auto rows = [&](int count)
-    { return fftw_plan_many_dft_r2c(1, &px, count, r, nullptr, 1, 2 * kx, c, nullptr, 1, kx, flags); };
+    { return fftw_plan_many_dft_r2c(1, &px, count, r, nullptr, 1, px, c, nullptr, 1, kx, flags | FFTW_DESTROY_INPUT); };
     rows_forward = rows(ny);
     all_rows_forward = rows(py);
-    rows_inverse = fftw_plan_many_dft_c2r(1, &px, ny, c, nullptr, 1, kx, r, nullptr, 1, 2 * kx, flags);
+    rows_inverse = fftw_plan_many_dft_c2r(1, &px, ny, c, nullptr, 1, kx, r, nullptr, 1, px, flags | FFTW_DESTROY_INPUT);
     columns_forward = fftw_plan_many_dft(1, &py, kx, c, nullptr, kx, 1, c, nullptr, kx, 1, FFTW_FORWARD, flags);
     columns_inverse = fftw_plan_many_dft(1, &py, kx, c, nullptr, kx, 1, c, nullptr, kx, 1, FFTW_BACKWARD, flags);
     if (!rows_forward || !all_rows_forward || !rows_inverse || !columns_forward || !columns_inverse)
@@ -98,46 +99,33 @@ double PaddedFft::wavenumber_y(int j) const
   return 2.0 * std::numbers::pi * (j <= py_ / 2 ? j : j - py_) / (py_ * grid_.dy);
 }
 
-void PaddedFft::forward(const double* field, Complex* spectrum) const
+void PaddedFft::forward(const double* field, Complex* spectrum, std::span<double> scratch) const
 {
-  auto* real = reinterpret_cast<double*>(spectrum);
-  const int pitch = 2 * kx();
-  for (int j = 0; j < grid_.ny; ++j)
+  const std::ptrdiff_t nx = grid_.nx;
+  for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
   {
-    double* row = std::copy_n(field + static_cast<std::ptrdiff_t>(j) * grid_.nx, grid_.nx,
-                              real + static_cast<std::ptrdiff_t>(j) * pitch);
-    std::fill_n(row, pitch - grid_.nx, 0.0);
+    double* row = std::copy_n(field + j * nx, nx, scratch.data() + j * px_);
+    std::fill_n(row, px_ - nx, 0.0);
   }
-  std::fill_n(real + static_cast<std::ptrdiff_t>(grid_.ny) * pitch, static_cast<std::ptrdiff_t>(py_ - grid_.ny) * pitch,
-              0.0);
-  fftw_execute_dft_r2c(plans_->rows_forward, real, as_fftw(spectrum));
+  fftw_execute_dft_r2c(plans_->rows_forward, scratch.data(), as_fftw(spectrum));
+  const std::ptrdiff_t used = static_cast<std::ptrdiff_t>(grid_.ny) * kx();
+  std::fill_n(spectrum + used, static_cast<std::ptrdiff_t>(py_) * kx() - used, Complex{});
   fftw_execute_dft(plans_->columns_forward, as_fftw(spectrum), as_fftw(spectrum));
 }
 
-void PaddedFft::inverse(Complex* spectrum, double* field) const
+void PaddedFft::inverse(Complex* spectrum, double* field, std::span<double> scratch) const
 {
-  auto* real = reinterpret_cast<double*>(spectrum);
-  const int pitch = 2 * kx();
   fftw_execute_dft(plans_->columns_inverse, as_fftw(spectrum), as_fftw(spectrum));
-  fftw_execute_dft_c2r(plans_->rows_inverse, as_fftw(spectrum), real);
+  fftw_execute_dft_c2r(plans_->rows_inverse, as_fftw(spectrum), scratch.data());
   const double scale = 1.0 / (static_cast<double>(px_) * py_);
-  for (int j = 0; j < grid_.ny; ++j)
-    std::transform(real + static_cast<std::ptrdiff_t>(j) * pitch,
-                   real + static_cast<std::ptrdiff_t>(j) * pitch + grid_.nx,
-                   field + static_cast<std::ptrdiff_t>(j) * grid_.nx, [scale](double v) { return v * scale; });
+  for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
+    for (std::ptrdiff_t i = 0; i < grid_.nx; ++i)
+      field[j * grid_.nx + i] = scale * scratch[static_cast<std::size_t>(j * px_ + i)];
 }
 
-void PaddedFft::forward_padded(const double* field, Complex* spectrum) const
+void PaddedFft::forward_padded(std::span<double> field, Complex* spectrum) const
 {
-  auto* real = reinterpret_cast<double*>(spectrum);
-  const int pitch = 2 * kx();
-  for (int j = 0; j < py_; ++j)
-  {
-    double* row = std::copy_n(field + static_cast<std::ptrdiff_t>(j) * px_, px_,
-                              real + static_cast<std::ptrdiff_t>(j) * pitch);
-    std::fill_n(row, pitch - px_, 0.0);
-  }
-  fftw_execute_dft_r2c(plans_->all_rows_forward, real, as_fftw(spectrum));
+  fftw_execute_dft_r2c(plans_->all_rows_forward, field.data(), as_fftw(spectrum));
   fftw_execute_dft(plans_->columns_forward, as_fftw(spectrum), as_fftw(spectrum));
 }
 

@@ -85,9 +85,9 @@ EigenstrainStress::EigenstrainStress(const VolumeGrid& grid, const Elastic& elas
 {
   const int rows = fft.py() / 2 + 1;
   const auto n = static_cast<std::size_t>(rows * fft.kx());
-  for (auto* v : {&factor_.lx, &factor_.ly, &factor_.lx2, &factor_.ly2, &factor_.lxly, &factor_.q, &factor_.e0,
-                  &factor_.e1, &factor_.e2, &factor_.e3, &factor_.m0, &factor_.m1, &factor_.m2, &factor_.s0,
-                  &factor_.s1, &factor_.x})
+  for (auto* v :
+       {&factor_.lx, &factor_.ly, &factor_.lx2, &factor_.ly2, &factor_.lxly, &factor_.q, &factor_.e0, &factor_.e1,
+        &factor_.e2, &factor_.e3, &factor_.m0, &factor_.m1, &factor_.m2, &factor_.s0, &factor_.s1, &factor_.x})
     v->assign(n, 0.0);
   const double stiffness = mu_ / (2.0 * (1.0 - nu_));
   for (int row = 0; row < rows; ++row)
@@ -220,8 +220,8 @@ struct EigenstrainStress::Block
   void advance(Wave& wave, const Source& s, double g) const
   {
     // c = d + 2 i g lz and w = lt + i g tz: the imaginary part of the shear goes to the real part and back.
-    const auto part = [&](Row& a, Row& c, Row& c1, Row& w, const Row& source_a, const Row& d, const Row& lz, const Row& lt,
-                          const Row& tz, double sign)
+    const auto part = [&](Row& a, Row& c, Row& c1, Row& w, const Row& source_a, const Row& d, const Row& lz,
+                          const Row& lt, const Row& tz, double sign)
     {
 #pragma omp simd
       for (std::size_t i = 0; i < width; ++i)
@@ -240,7 +240,8 @@ struct EigenstrainStress::Block
   /// Amplitudes F, C and W of the image (times the stiffness) from the waves that have arrived at the surface.
   void image(const Wave& wave, double stiffness, double mu, Lane& f, Lane& c, Lane& w) const
   {
-    const auto part = [&](const Row& a0, const Row& c0, const Row& c1, const Row& w0, Row& out_f, Row& out_c, Row& out_w)
+    const auto part =
+        [&](const Row& a0, const Row& c0, const Row& c1, const Row& w0, Row& out_f, Row& out_c, Row& out_w)
     {
       for (std::size_t i = 0; i < width; ++i)
       {

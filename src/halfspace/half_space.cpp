@@ -22,6 +22,7 @@ HalfSpace::Work HalfSpace::make_work() const
   work.strain_hat.resize(Deviator::size * planes);
   work.stress_hat.resize(Deviator::size * planes);
   work.pressure_hat.resize(fft_->plane());
+  work.scratch.resize(fft_->scratch_size());
   return work;
 }
 
@@ -30,26 +31,30 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
   if (plastic_strain.size() != Deviator::size * grid_.size())
     throw InternalError("HalfSpace::load_strain: the strain does not have 5 values per cell");
   const std::size_t cells = grid_.surface.size();
-#pragma omp parallel for collapse(2) schedule(static)
-  for (int component = 0; component < Deviator::size; ++component)
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      const auto plane = static_cast<std::size_t>(component * grid_.nz + layer);
-      fft_->forward(plastic_strain.data() + plane * cells, work.strain_hat.data() + plane * fft_->plane());
-    }
+#pragma omp parallel
+  {
+    AlignedVector<double> scratch(fft_->scratch_size());
+#pragma omp for collapse(2) schedule(static)
+    for (int component = 0; component < Deviator::size; ++component)
+      for (int layer = 0; layer < layers; ++layer)
+      {
+        const auto plane = static_cast<std::size_t>(component * grid_.nz + layer);
+        fft_->forward(plastic_strain.data() + plane * cells, work.strain_hat.data() + plane * fft_->plane(), scratch);
+      }
+  }
 }
 
 void HalfSpace::residual_displacement(int layers, Work& work, std::span<double> displacement) const
 {
   pressure_stress_.displacement(work.strain_hat.data(), work.pressure_hat.data(), layers);
-  fft_->inverse(work.pressure_hat.data(), displacement.data());
+  fft_->inverse(work.pressure_hat.data(), displacement.data(), work.scratch);
 }
 
 void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, int layers,
                                   Work& work, std::span<double> stress) const
 {
   eigenstrain_stress_.apply(work.strain_hat.data(), work.stress_hat.data(), layers);
-  fft_->forward(pressure.data(), work.pressure_hat.data());
+  fft_->forward(pressure.data(), work.pressure_hat.data(), work.scratch);
   pressure_stress_.add_deviator(work.pressure_hat.data(), work.stress_hat.data(), layers);
   finish(plastic_strain, layers, work, stress);
 }
@@ -62,14 +67,14 @@ void HalfSpace::full_stress(std::span<const double> pressure, std::span<const do
   AlignedVector<Complex> contact_trace(residual_trace.size());
   load_strain(plastic_strain, grid_.nz, work);
   eigenstrain_stress_.apply(work.strain_hat.data(), work.stress_hat.data(), grid_.nz, residual_trace.data());
-  fft_->forward(pressure.data(), work.pressure_hat.data());
+  fft_->forward(pressure.data(), work.pressure_hat.data(), work.scratch);
   pressure_stress_.trace(work.pressure_hat.data(), contact_trace.data());
   for (int layer = 0; layer < grid_.nz; ++layer)
   {
     const auto at = static_cast<std::size_t>(layer) * fft_->plane();
     for (std::size_t i = 0; i < fft_->plane(); ++i)
       residual_trace[at + i] += contact_trace[at + i];
-    fft_->inverse(residual_trace.data() + at, trace.data() + static_cast<std::size_t>(layer) * cells);
+    fft_->inverse(residual_trace.data() + at, trace.data() + static_cast<std::size_t>(layer) * cells, work.scratch);
   }
   pressure_stress_.add_deviator(work.pressure_hat.data(), work.stress_hat.data(), grid_.nz);
   finish(plastic_strain, grid_.nz, work, deviator);
@@ -82,13 +87,17 @@ void HalfSpace::full_stress(std::span<const double> pressure, std::span<const do
 void HalfSpace::finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress) const
 {
   const std::size_t cells = grid_.surface.size();
-#pragma omp parallel for collapse(2) schedule(static)
-  for (int component = 0; component < Deviator::size; ++component)
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      const auto plane = static_cast<std::size_t>(component * grid_.nz + layer);
-      fft_->inverse(work.stress_hat.data() + plane * fft_->plane(), stress.data() + plane * cells);
-    }
+#pragma omp parallel
+  {
+    AlignedVector<double> scratch(fft_->scratch_size());
+#pragma omp for collapse(2) schedule(static)
+    for (int component = 0; component < Deviator::size; ++component)
+      for (int layer = 0; layer < layers; ++layer)
+      {
+        const auto plane = static_cast<std::size_t>(component * grid_.nz + layer);
+        fft_->inverse(work.stress_hat.data() + plane * fft_->plane(), stress.data() + plane * cells, scratch);
+      }
+  }
   const std::size_t n = grid_.size();
   const auto used = static_cast<std::size_t>(layers) * cells;
 #pragma omp parallel for simd schedule(static)

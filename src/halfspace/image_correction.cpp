@@ -63,8 +63,7 @@ double chebyshev(int order, double t)
 
 } // namespace
 
-ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft)
-    : grid_(grid)
+ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft) : grid_(grid)
 {
   const SurfaceGrid& s = grid.surface;
   const auto tabulate = [](int cells, std::vector<double>& table)
@@ -167,8 +166,8 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
   Eigen::MatrixXd to_chebyshev(depths, depths);
   for (int q = 0; q < depths; ++q)
     for (int i = 0; i < depths; ++i)
-      to_chebyshev(q, i) = (q == 0 ? 1.0 : 2.0) / depths *
-                           chebyshev(q, 2.0 * node[static_cast<std::size_t>(i)] / thickness - 1.0);
+      to_chebyshev(q, i) =
+          (q == 0 ? 1.0 : 2.0) / depths * chebyshev(q, 2.0 * node[static_cast<std::size_t>(i)] / thickness - 1.0);
 
   std::vector<int> class_of(moments);
   std::vector<std::size_t> place(moments);
@@ -193,7 +192,8 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
     {
       const auto ce = static_cast<std::size_t>(c);
       const auto ee = static_cast<std::size_t>(e);
-      const auto powers_here = powers_of_parity(degree, (odd_in_x[ce] + odd_in_x[ee]) % 2, (odd_in_y[ce] + odd_in_y[ee]) % 2);
+      const auto powers_here =
+          powers_of_parity(degree, (odd_in_x[ce] + odd_in_x[ee]) % 2, (odd_in_y[ce] + odd_in_y[ee]) % 2);
       const auto terms = static_cast<Eigen::Index>(powers_here.size());
       Eigen::MatrixXd basis(places, terms);
       for (std::size_t oy = 0; oy < offset_nodes; ++oy)

@@ -47,7 +47,8 @@ void PressureStress::tabulate(int layer, double poisson_ratio)
   // Values at the cells of the first quadrant, from one lattice of corners per depth.
   std::vector<SymTensor> quadrant(s.size(), SymTensor{});
   std::vector<SymTensor> corner(static_cast<std::size_t>((s.nx + 1) * (s.ny + 1)));
-  const auto corner_at = [&](int i, int j) -> SymTensor& { return corner[static_cast<std::size_t>(i + (s.nx + 1) * j)]; };
+  const auto corner_at = [&](int i, int j) -> SymTensor&
+  { return corner[static_cast<std::size_t>(i + (s.nx + 1) * j)]; };
   for (std::size_t g = 0; g < gauss_point.size(); ++g)
   {
     const double z = (layer + 0.5 + gauss_point[g]) * grid_.dz;
@@ -62,7 +63,7 @@ void PressureStress::tabulate(int layer, double poisson_ratio)
               (corner_at(i + 1, j + 1)[c] + corner_at(i, j)[c] - corner_at(i + 1, j)[c] - corner_at(i, j + 1)[c]);
   }
 
-  std::vector<double> plane(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
+  AlignedVector<double> plane(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
   AlignedVector<Complex> transformed(fft_.plane());
   for (int which = 0; which < kernel_count; ++which)
   {
@@ -78,11 +79,12 @@ void PressureStress::tabulate(int layer, double poisson_ratio)
         plane[static_cast<std::size_t>((j + py) % py * px + (i + px) % px)] =
             sign * value[static_cast<std::size_t>(which)];
       }
-    fft_.forward_padded(plane.data(), transformed.data());
+    fft_.forward_padded(plane, transformed.data());
     const bool imaginary = odd_x != odd_y;
     auto* out = const_cast<double*>(kernel(which, layer, 0));
     for (int k = 0; k < rows_ * fft_.kx(); ++k)
-      out[k] = imaginary ? transformed[static_cast<std::size_t>(k)].imag() : transformed[static_cast<std::size_t>(k)].real();
+      out[k] =
+          imaginary ? transformed[static_cast<std::size_t>(k)].imag() : transformed[static_cast<std::size_t>(k)].real();
   }
 }
 
@@ -132,7 +134,8 @@ void PressureStress::trace(const Complex* pressure_hat, Complex* trace_hat) cons
     {
       const double* k = kernel(tr, layer, row);
       const Complex* p = pressure_hat + row * fft_.kx();
-      Complex* out = trace_hat + static_cast<std::size_t>(layer) * fft_.plane() + static_cast<std::size_t>(row * fft_.kx());
+      Complex* out =
+          trace_hat + static_cast<std::size_t>(layer) * fft_.plane() + static_cast<std::size_t>(row * fft_.kx());
       for (int i = 0; i < fft_.kx(); ++i)
         out[i] = k[i] * p[i];
     }

@@ -60,6 +60,7 @@ simulation::TuggingCase tugging_case(const CaseValues& values)
     tugging.spacing = values.get<Vector3>("grid.spacing");
   else
     tugging.resolution = values.get<double>("grid.resolution");
+  tugging.extent = values.get<double>("grid.extent");
   tugging.solver = solver(values);
   return tugging;
 }

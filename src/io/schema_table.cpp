@@ -154,6 +154,11 @@ std::vector<Entry> grid_entries()
        .fallback = defaults.resolution,
        .text = "Cells per elastic contact radius along x at alignment; the cell sizes follow from it.",
        .excludes = "grid.spacing"},
+      {.key = "grid.extent",
+       .type = Type::number,
+       .range = between(0.5, 10.0),
+       .fallback = defaults.extent,
+       .text = "Factor on the automatic extent of the grids around contact and plastic zone."},
   };
 }
 

@@ -36,17 +36,11 @@ Json critical_json(const Case& c)
           {"yields_first", bodies[static_cast<std::size_t>(c.first_yield->body)]}};
 }
 
-double mean_radius(const simulation::TuggingCase& t)
-{
-  return 0.5 * (t.lower.radius + t.upper.radius);
-}
-
 Json geometry_json(const simulation::TuggingCase& t, const TuggingPlan& plan)
 {
   return {{"lower_radius_m", t.lower.radius},
           {"upper_radius_m", t.upper.radius},
           {"equivalent_radius_m", equivalent_radius(t)},
-          {"mean_radius_m", mean_radius(t)},
           {"contact_modulus_Pa", contact_modulus(t)},
           {"interference_m", t.interference},
           {"start_distance_m", plan.start_distance}};
@@ -60,7 +54,7 @@ Json normalised_json(const Case& c, const TuggingSummary& s)
                     : reference::CriticalValues{.interference = nan, .load = nan, .energy = nan};
   return {{"interference", c.tugging.interference / scale.interference},
           {"peak_F_X", s.peak_F_X / scale.load},
-          {"X_over_R_at_peak_F_X", s.X_at_peak_F_X / mean_radius(c.tugging)},
+          {"X_over_R_at_peak_F_X", s.X_at_peak_F_X / equivalent_radius(c.tugging)},
           {"min_F_X", s.min_F_X / scale.load},
           {"peak_F_Z", s.peak_F_Z / scale.load},
           {"F_X_aligned", s.F_X_aligned / scale.load},

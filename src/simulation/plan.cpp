@@ -63,8 +63,7 @@ VolumeGrid material_grid(const TuggingCase& tugging, const SurfaceGrid& contact,
   const double scale = tugging.extent * plastic_growth(tugging);
   VolumeGrid grid;
   grid.surface = contact;
-  grid.surface.nx =
-      2 * (half_cells(track_half_length(tugging, radius, angle, scale), contact.dx) + track_margin) + 1;
+  grid.surface.nx = 2 * (half_cells(track_half_length(tugging, radius, angle, scale), contact.dx) + track_margin) + 1;
   grid.nz = static_cast<int>(std::ceil(depth_extent * scaled_radius / dz - 1e-9));
   grid.dz = dz;
   return grid;
@@ -103,9 +102,10 @@ int relative_cells(const TuggingCase& tugging, double dx)
   const double cells = 2.0 * shift / dx;
   const int whole = static_cast<int>(std::lround(cells));
   if (whole < 1 || std::abs(cells - whole) > 1e-6 * cells)
-    throw InputError(fmt::format("tugging.shift = {:g} m is {:g} cells of dx = {:g} m; allowed are whole multiples of "
-                                 "half a cell, so that the strain of both bodies is carried along without interpolation",
-                                 shift, shift / dx, dx));
+    throw InputError(
+        fmt::format("tugging.shift = {:g} m is {:g} cells of dx = {:g} m; allowed are whole multiples of "
+                    "half a cell, so that the strain of both bodies is carried along without interpolation",
+                    shift, shift / dx, dx));
   return whole;
 }
 

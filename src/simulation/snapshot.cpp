@@ -29,8 +29,8 @@ std::array<std::vector<double>, 6> expand(const std::vector<double>& deviator, c
   return out;
 }
 
-BodySnapshot body_snapshot(const elastoplastic::Body& body, const SurfaceGrid& contact, std::span<const double> pressure,
-                           int offset, double origin, double contact_x)
+BodySnapshot body_snapshot(const elastoplastic::Body& body, const SurfaceGrid& contact,
+                           std::span<const double> pressure, int offset, double origin, double contact_x)
 {
   BodySnapshot s;
   s.grid = body.grid();

@@ -19,6 +19,7 @@ struct Frame
 };
 
 /// All fields of the present state.
-[[nodiscard]] Snapshot snapshot(const elastoplastic::CoupledContact& pair, const Frame& frame, const StepRecord& record);
+[[nodiscard]] Snapshot snapshot(const elastoplastic::CoupledContact& pair, const Frame& frame,
+                                const StepRecord& record);
 
 } // namespace brinell::simulation

@@ -22,7 +22,6 @@ using elastoplastic::Body;
 using elastoplastic::CoupledContact;
 using elastoplastic::IncrementReport;
 using elastoplastic::Integration;
-using elastoplastic::Placement;
 
 /// The two bodies, the motion, and the sums kept over a run.
 class Tugging
@@ -97,7 +96,8 @@ private:
       check_extent("lower", pair_.lower());
       check_extent("upper", pair_.upper());
       last_ = position;
-      const bool touching = std::any_of(pair_.pressure().begin(), pair_.pressure().end(), [](double p) { return p > 0.0; });
+      const bool touching =
+          std::any_of(pair_.pressure().begin(), pair_.pressure().end(), [](double p) { return p > 0.0; });
       if (step >= steps && !touching)
         break;
       position = passing_.next(position);
@@ -110,9 +110,10 @@ private:
   {
     constexpr double tolerated = 0.02;
     if (const double share = body.edge_strain_share(); share > tolerated)
-      throw InputError(fmt::format("the plastic zone of the {} body has reached the edge of its grid ({:.0f} % of the "
-                                   "largest plastic strain there): enlarge it by grid.extent. All steps so far are kept",
-                                   name, 100.0 * share));
+      throw InputError(
+          fmt::format("the plastic zone of the {} body has reached the edge of its grid ({:.0f} % of the "
+                      "largest plastic strain there): enlarge it by grid.extent. All steps so far are kept",
+                      name, 100.0 * share));
   }
 
   /// Far enough back that the surfaces, with what earlier passes left on them, do not touch yet.
@@ -233,9 +234,8 @@ private:
     r.energy_elastic = pair_.elastic_energy();
     r.max_residual_lower = *std::max_element(lower.residual_displacement.begin(), lower.residual_displacement.end());
     r.max_residual_upper = *std::max_element(upper.residual_displacement.begin(), upper.residual_displacement.end());
-    r.max_equivalent_plastic_strain =
-        std::max(*std::max_element(lower.equivalent.begin(), lower.equivalent.end()),
-                 *std::max_element(upper.equivalent.begin(), upper.equivalent.end()));
+    r.max_equivalent_plastic_strain = std::max(*std::max_element(lower.equivalent.begin(), lower.equivalent.end()),
+                                               *std::max_element(upper.equivalent.begin(), upper.equivalent.end()));
     r.iterations = evaluations;
     summary_.add(r); // sets the work
     if (observer_.on_step)

@@ -122,7 +122,7 @@ TEST(ElasticTugging, ErrorFallsWithTheGrid)
 {
   const reference::ElasticTugging exact = closed_form(9.0);
   std::vector<double> tangential, normal, work;
-  for (const double cells : slow_build ? std::vector{4.0, 8.0} : std::vector{4.0, 8.0, 16.0, 32.0})
+  for (const double cells : slow_build ? std::vector{4.0, 8.0} : std::vector{4.0, 8.0, 16.0})
   {
     const TuggingRun run = elastic_run(9.0, cells);
     tangential.push_back(error_of_F_X(run, exact));

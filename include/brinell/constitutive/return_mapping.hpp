@@ -15,9 +15,9 @@ namespace brinell::constitutive
 /// Plastic strain of one increment at one point.
 struct PlasticIncrement
 {
-  Deviator strain;           ///< d_eps [-]
-  double equivalent = 0.0;   ///< increment of the accumulated equivalent plastic strain [-], >= 0
-  double dissipation = 0.0;  ///< plastic work [J/m^3]
+  Deviator strain;          ///< d_eps [-]
+  double equivalent = 0.0;  ///< increment of the accumulated equivalent plastic strain [-], >= 0
+  double dissipation = 0.0; ///< plastic work [J/m^3]
 };
 
 namespace detail
@@ -54,7 +54,9 @@ template <typename Law>
   if (trial <= law.yield_stress_at(e))
     return {};
   const double de = detail::consistent_multiplier(law, e,
-                                                  [&](double x) { return std::pair{trial - 3.0 * mu * x, -3.0 * mu}; });
+                                                  [&](double x) {
+                                                    return std::pair{trial - 3.0 * mu * x, -3.0 * mu};
+                                                  });
   return {(1.5 * de / trial) * q, de, law.work(e + de) - law.work(e)};
 }
 

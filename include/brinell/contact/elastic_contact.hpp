@@ -36,7 +36,7 @@ public:
 
 private:
   const halfspace::SurfaceCompliance& compliance_;
-  AlignedVector<Complex> scratch_;
+  halfspace::SurfaceCompliance::Scratch scratch_;
   std::vector<double> direction_, image_;
 };
 

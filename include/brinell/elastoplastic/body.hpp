@@ -70,12 +70,12 @@ private:
   halfspace::HalfSpace half_space_;
   halfspace::HalfSpace::Work work_;
   BodyState state_;
-  double stiffness_ = 0.0;             ///< c [Pa]
-  int layers_;                         ///< layers computed: beneath them the stress is far from yield
-  std::vector<std::size_t> active_;    ///< cells that may yield
+  double stiffness_ = 0.0;          ///< c [Pa]
+  int layers_;                      ///< layers computed: beneath them the stress is far from yield
+  std::vector<std::size_t> active_; ///< cells that may yield
   std::vector<char> is_active_;
-  std::vector<double> q_, g_;          ///< trial deviator and its image, [active][component]
-  std::vector<double> q_field_;        ///< q of the last increment on the whole grid (elsewhere the stress)
+  std::vector<double> q_, g_;                    ///< trial deviator and its image, [active][component]
+  std::vector<double> q_field_;                  ///< q of the last increment on the whole grid (elsewhere the stress)
   std::vector<double> equivalent_, dissipation_; ///< increments in the active cells
   std::vector<double> strain_, stress_;          ///< trial fields
   std::vector<double> displacement_;

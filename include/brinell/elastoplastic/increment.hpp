@@ -17,12 +17,12 @@ struct IncrementReport
 {
   bool converged = false;
   bool contact_converged = false;
-  int evaluations = 0;             ///< of the elastic-plastic operator of both bodies
+  int evaluations = 0; ///< of the elastic-plastic operator of both bodies
   int contact_iterations = 0;
   double yield_error = 0.0;        ///< relative to the yield stress
   double displacement_error = 0.0; ///< last change of residual displacement [m]
   double gap_error = 0.0;          ///< contact complementarity [m]
-  double energy = 0.0; ///< locked-in, elastic and dissipated energy: what backward Euler minimises [J]
+  double energy = 0.0;             ///< locked-in, elastic and dissipated energy: what backward Euler minimises [J]
   bool energy_rose = false;        ///< stopped by Strategy::watch_energy
 };
 

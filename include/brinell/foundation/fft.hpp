@@ -32,9 +32,9 @@ public:
   PaddedFft& operator=(const PaddedFft&) = delete;
 
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
-  [[nodiscard]] int px() const { return px_; }         ///< padded cells along x
-  [[nodiscard]] int py() const { return py_; }         ///< padded cells along y
-  [[nodiscard]] int kx() const { return px_ / 2 + 1; } ///< stored wavenumbers along x
+  [[nodiscard]] int px() const { return px_; }               ///< padded cells along x
+  [[nodiscard]] int py() const { return py_; }               ///< padded cells along y
+  [[nodiscard]] int kx() const { return px_ / 2 + 1; }       ///< stored wavenumbers along x
   [[nodiscard]] std::size_t plane() const { return plane_; } ///< complex values from one plane to the next
 
   /// Angular wavenumber of column i [rad/m], >= 0.
@@ -42,12 +42,17 @@ public:
   /// Angular wavenumber of row j [rad/m], signed; negative for j > py/2.
   [[nodiscard]] double wavenumber_y(int j) const;
 
+  /// Real values that `forward` and `inverse` need to work in; one AlignedVector of this size per thread.
+  [[nodiscard]] std::size_t scratch_size() const
+  {
+    return static_cast<std::size_t>(px_) * static_cast<std::size_t>(grid_.ny);
+  }
   /// Spectrum of one real field on the grid (unnormalised: sum of f e^{-i k x}).
-  void forward(const double* field, Complex* spectrum) const;
+  void forward(const double* field, Complex* spectrum, std::span<double> scratch) const;
   /// Real field on the grid of one spectrum (scaled by 1/(px py)); the spectrum is destroyed.
-  void inverse(Complex* spectrum, double* field) const;
-  /// Spectrum of a real field given on the whole padded plane px * py (kernels).
-  void forward_padded(const double* field, Complex* spectrum) const;
+  void inverse(Complex* spectrum, double* field, std::span<double> scratch) const;
+  /// Spectrum of a real field given on the whole padded plane px * py (kernels), cache-line aligned; it is destroyed.
+  void forward_padded(std::span<double> field, Complex* spectrum) const;
 
 private:
   struct Plans;

@@ -16,8 +16,7 @@ namespace brinell::green
 /// @param m, n         wavenumbers along x and y [rad/m], not both zero
 /// @param z, z_source  depths of the point and of the sheet [m], >= 0
 /// @param strain       amplitude of the plastic strain, real
-[[nodiscard]] std::array<Complex, Deviator::size> eigenstrain_sheet_stress(double m, double n, double z,
-                                                                           double z_source, const Deviator& strain,
-                                                                           const Elastic& elastic);
+[[nodiscard]] std::array<Complex, Deviator::size>
+eigenstrain_sheet_stress(double m, double n, double z, double z_source, const Deviator& strain, const Elastic& elastic);
 
 } // namespace brinell::green

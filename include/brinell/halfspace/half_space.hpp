@@ -24,6 +24,7 @@ public:
   struct Work
   {
     AlignedVector<Complex> strain_hat, stress_hat, pressure_hat;
+    AlignedVector<double> scratch;
   };
   [[nodiscard]] Work make_work() const;
 

@@ -29,22 +29,22 @@ public:
   void subtract(std::span<const double> strain, int layers, std::span<double> stress) const;
 
 private:
-  static constexpr int strains = 5;   ///< components of Deviator
-  static constexpr int depths = 5;    ///< Chebyshev polynomials in z
-  static constexpr int degree = 6;    ///< largest power of x - x' and y - y' together
+  static constexpr int strains = 5;                              ///< components of Deviator
+  static constexpr int depths = 5;                               ///< Chebyshev polynomials in z
+  static constexpr int degree = 6;                               ///< largest power of x - x' and y - y' together
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
   static constexpr int moments = strains * depths * powers;
 
   void fit(const Elastic& elastic, double period_x, double period_y);
 
   VolumeGrid grid_;
-  std::vector<double> x_, y_;      ///< powers of the cells' coordinates, scaled by the half-lengths: [power][cell]
-  std::vector<double> chebyshev_;  ///< mean over a layer: [depth][layer]
+  std::vector<double> x_, y_;     ///< powers of the cells' coordinates, scaled by the half-lengths: [power][cell]
+  std::vector<double> chebyshev_; ///< mean over a layer: [depth][layer]
   /// Moments fall into four classes by their parity in x and in y, which do not couple.
   struct ParityClass
   {
-    std::vector<int> members;      ///< indices of moments
-    std::vector<double> coupling;  ///< [moment of stress][moment of strain]
+    std::vector<int> members;     ///< indices of moments
+    std::vector<double> coupling; ///< [moment of stress][moment of strain]
   };
   std::array<ParityClass, 4> classes_;
 };

@@ -47,8 +47,8 @@ private:
 
   VolumeGrid grid_;
   const PaddedFft& fft_;
-  int rows_;                     ///< stored rows of a kernel's quadrant
-  std::vector<double> spectra_;  ///< [kernel][layer][row][kx]; imaginary parts for yz and xz, real parts otherwise
+  int rows_;                    ///< stored rows of a kernel's quadrant
+  std::vector<double> spectra_; ///< [kernel][layer][row][kx]; imaginary parts for yz and xz, real parts otherwise
 };
 
 } // namespace brinell::halfspace

@@ -17,11 +17,21 @@ public:
   /// @param contact_modulus  E' of the pair [Pa]: u = 1/(pi E') * integral of p / r.
   SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus);
 
+  /// Buffers of one application.
+  struct Scratch
+  {
+    AlignedVector<Complex> spectrum;
+    AlignedVector<double> real;
+  };
+
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
   /// Displacement [m] of the pressure [Pa]; both one value per cell; symmetric and positive definite.
-  /// `scratch` holds at least one plane of the transform (see scratch_size).
-  void apply(std::span<const double> pressure, std::span<double> displacement, std::span<Complex> scratch) const;
-  [[nodiscard]] std::size_t scratch_size() const { return fft_.plane(); }
+  /// `scratch` comes from make_scratch, one per concurrent caller.
+  void apply(std::span<const double> pressure, std::span<double> displacement, Scratch& scratch) const;
+  [[nodiscard]] Scratch make_scratch() const
+  {
+    return {AlignedVector<Complex>(fft_.plane()), AlignedVector<double>(fft_.scratch_size())};
+  }
   /// Spectrum of the operator [m/Pa], real and even, one value per stored wavenumber.
   [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
   [[nodiscard]] const PaddedFft& fft() const { return fft_; }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -87,7 +88,7 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
           press.contact().grid(),
           contact_modulus(press.contact().lower().material().elastic, press.contact().upper().material().elastic));
       std::vector<double> u(gap.size());
-      AlignedVector<Complex> scratch(compliance.scratch_size());
+      halfspace::SurfaceCompliance::Scratch scratch = compliance.make_scratch();
       compliance.apply(pressure, u, scratch);
       const double tolerance = 1.001 * options.settings.contact_tolerance * 6.0 * SpherePress::alpha_c;
       for (std::size_t i = 0; i < gap.size(); ++i)
@@ -105,7 +106,7 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
 TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)
 {
   // By the trapezoidal rule from just below first yield, where all is elastic: its error is of second order in the step,
-  // as is the path integration; the backward Euler step makes it first order.
+  // as is that of the path integration. Pressed straight on, the flow hardly turns, so that backward Euler does as well.
   const auto balance = [](Integration integration, int steps)
   {
     SpherePress press;
@@ -128,7 +129,7 @@ TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)
     euler.push_back(balance(Integration::backward_euler, steps));
   }
   EXPECT_GT(test::Orders("energy balance, path", path).overall, 1.6);
-  EXPECT_GT(test::Orders("energy balance, backward Euler", euler).overall, 0.7);
+  EXPECT_GT(test::Orders("energy balance, backward Euler", euler).overall, 0.8);
   EXPECT_LT(std::abs(path.back()), 2e-3);
 }
 
@@ -162,30 +163,41 @@ TEST(IncrementTest, PlainAndAcceleratedIterationMeet)
 
 TEST(IncrementTest, EnergyFallsAtEveryPlainIteration)
 {
-  // The functional of the increment, 1/2 eps H eps + D + 1/2 p A p, at the iterates one by one: the iteration is stopped
-  // after each, which leaves the state as it was. It may rise by the inexactness of the contact only.
+  // The functional of the increment, 1/2 eps H eps + D + 1/2 p A p, at the iterates one by one: a new start each time,
+  // stopped after one more evaluation. It may rise by round-off and the inexactness of the contact only.
   PressOptions options;
   options.settings = tight_settings();
   SpherePress press(options);
   ASSERT_TRUE(press.press(3.0, Integration::backward_euler).converged);
-  double previous = 0.0;
-  for (int evaluations = 1; evaluations <= 25; ++evaluations)
+  double previous = std::numeric_limits<double>::max();
+  for (int evaluations = 2; evaluations <= 26; ++evaluations)
   {
-    const IncrementReport stopped = press.press(5.0, descent(evaluations));
+    const IncrementReport stopped = press.press(5.0, descent(evaluations)); // reports the energy before its last evaluation
     ASSERT_FALSE(stopped.converged);
-    EXPECT_FALSE(stopped.energy_rose);
-    const std::vector<double> p = copy(press.contact().pressure());
-    const double energy =
-        press.contact().lower().energy(p) + press.contact().upper().energy(p) + press.contact().elastic_energy();
-    if (evaluations > 1)
-    {
-      EXPECT_LE(energy, previous * (1.0 + 1e-10)) << evaluations;
-    }
-    previous = energy;
+    ASSERT_FALSE(stopped.energy_rose);
+    EXPECT_LE(stopped.energy, previous * (1.0 + 1e-10)) << evaluations;
+    previous = stopped.energy;
   }
   const IncrementReport report = press.press(5.0, descent(5000));
   ASSERT_TRUE(report.converged);
   EXPECT_LE(report.energy, previous * (1.0 + 1e-10));
+}
+
+TEST(IncrementTest, DescentGivesNoFalseAlarm)
+{
+  // At the default tolerances the contact is known to 1e-7 of the interference only: that must not look like a rise.
+  for (const double share : {0.6, 1.0})
+  {
+    SpherePress press;
+    for (const double interference : {2.0, 3.0, 6.0})
+    {
+      Strategy strategy = descent(200);
+      strategy.stiffness_share = share;
+      const IncrementReport report = press.press(interference, strategy);
+      EXPECT_TRUE(report.converged) << share << ' ' << interference;
+      EXPECT_FALSE(report.energy_rose) << share << ' ' << interference;
+    }
+  }
 }
 
 TEST(IncrementTest, FailedIncrementLeavesTheStateAndCanBeRepeated)
@@ -226,6 +238,7 @@ TEST(IncrementTest, ElasticBodyStaysElastic)
 {
   PressOptions options;
   options.upper_plastic = false;
+  options.settings.max_iterations = 200; // a sharp contrast, in two large steps
   SpherePress press(options);
   ASSERT_TRUE(press.press(3.0).converged && press.press(6.0).converged);
   EXPECT_GT(largest(press.contact().lower().state().equivalent), 1e-3);

@@ -14,26 +14,28 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Results of a press in two steps, as plain numbers.
+/// Results of a press in two steps, as plain numbers. To the tight tolerance, 1e-9 of the yield stress; strain follows
+/// with the factor yield strain over plastic strain, 5, and that of the softest plastic response, some ten.
 struct Outcome
 {
   std::vector<double> pressure, strain, displacement;
   double dissipation = 0.0;
 };
 
-Outcome outcome(SpherePress& press, int offset = 0)
+Outcome results(const SpherePress& press)
 {
-  EXPECT_TRUE(press.press(3.0, Integration::path, offset).converged);
-  EXPECT_TRUE(press.press(6.0, Integration::path, offset).converged);
   const BodyState& state = press.contact().lower().state();
   const auto p = press.contact().pressure();
   return {{p.begin(), p.end()}, state.plastic_strain, state.residual_displacement, state.dissipation};
 }
 
-Outcome outcome(const PressOptions& options = {}, int offset = 0)
+Outcome outcome(PressOptions options = {}, int offset = 0)
 {
+  options.settings = tight_settings();
   SpherePress press(options);
-  return outcome(press, offset);
+  EXPECT_TRUE(press.press(3.0, Integration::path, offset).converged);
+  EXPECT_TRUE(press.press(6.0, Integration::path, offset).converged);
+  return results(press);
 }
 
 double difference(const std::vector<double>& a, const std::vector<double>& b, double factor = 1.0)
@@ -58,41 +60,37 @@ auto with_threads(int threads, F f)
   return result;
 }
 
-TEST(InvarianceTest, TheSameRunGivesTheSameBits)
+TEST(InvarianceTest, NumberOfThreadsDoesNotMatterToTheLastBit)
 {
-  for (const int threads : {1, 2})
+  // Each thread writes to its own cells, and sums have a fixed order. Twice with two threads: no race, no chance.
+  const auto pressed = []
   {
-    const Outcome a = with_threads(threads, [] { return outcome(); });
-    const Outcome b = with_threads(threads, [] { return outcome(); });
-    EXPECT_EQ(a.pressure, b.pressure);
-    EXPECT_EQ(a.strain, b.strain);
-    EXPECT_EQ(a.displacement, b.displacement);
-    EXPECT_EQ(a.dissipation, b.dissipation);
+    SpherePress press;
+    EXPECT_TRUE(press.press(3.0).converged);
+    return results(press);
+  };
+  const Outcome one = with_threads(1, pressed);
+  for (int repetition = 0; repetition < 2; ++repetition)
+  {
+    const Outcome two = with_threads(2, pressed);
+    EXPECT_EQ(one.pressure, two.pressure);
+    EXPECT_EQ(one.strain, two.strain);
+    EXPECT_EQ(one.displacement, two.displacement);
+    EXPECT_EQ(one.dissipation, two.dissipation);
   }
-}
-
-TEST(InvarianceTest, ThreadsDoNotMatter)
-{
-  // Each thread writes to its own cells and sums have a fixed order, so the bits are the same too.
-  const Outcome a = with_threads(1, [] { return outcome(); });
-  const Outcome b = with_threads(2, [] { return outcome(); });
-  EXPECT_EQ(a.pressure, b.pressure);
-  EXPECT_EQ(a.strain, b.strain);
-  EXPECT_EQ(a.displacement, b.displacement);
-  EXPECT_EQ(a.dissipation, b.dissipation);
 }
 
 TEST(InvarianceTest, UnitOfLengthDoesNotMatter)
 {
-  // Micrometres: 1e6 is no power of two, so every number is rounded anew; the iterations are the same, so that only
-  // round-off remains.
+  // Micrometres: 1e6 is no power of two, so every number is rounded anew, and the acceleration makes round-off visible to
+  // the tolerance.
   PressOptions micro;
   micro.unit = 1e-6;
   const Outcome a = outcome(), b = outcome(micro);
-  EXPECT_LE(difference(a.strain, b.strain), 1e-10);
-  EXPECT_LE(difference(a.pressure, b.pressure, 1e-12), 1e-10);
-  EXPECT_LE(difference(a.displacement, b.displacement, 1e6), 1e-10);
-  EXPECT_NEAR(a.dissipation * 1e6, b.dissipation, 1e-10 * b.dissipation);
+  EXPECT_LE(difference(a.strain, b.strain), 1e-7);
+  EXPECT_LE(difference(a.pressure, b.pressure, 1e-12), 1e-8);
+  EXPECT_LE(difference(a.displacement, b.displacement, 1e6), 1e-8);
+  EXPECT_NEAR(a.dissipation * 1e6, b.dissipation, 1e-8 * b.dissipation);
 }
 
 TEST(InvarianceTest, PlaceOnTheBodyDoesNotMatter)
@@ -100,7 +98,6 @@ TEST(InvarianceTest, PlaceOnTheBodyDoesNotMatter)
   // Three cells further on the same body: the strain is three cells further, to what the operator leaves of the
   // periodic images, and to its round-off.
   PressOptions options;
-  options.settings = tight_settings();
   options.spare_columns = 4;
   const Outcome a = outcome(options, 0), b = outcome(options, 3);
   EXPECT_LE(difference(a.pressure, b.pressure), 1e-6);

@@ -20,6 +20,29 @@ namespace
 // N < 2^11 here.
 constexpr double rounding = 50.0 * std::numeric_limits<double>::epsilon();
 
+AlignedVector<Complex> forward(const PaddedFft& fft, const std::vector<double>& field)
+{
+  AlignedVector<Complex> spectrum(fft.plane());
+  AlignedVector<double> scratch(fft.scratch_size());
+  fft.forward(field.data(), spectrum.data(), scratch);
+  return spectrum;
+}
+
+AlignedVector<Complex> forward_padded(const PaddedFft& fft, AlignedVector<double> field)
+{
+  AlignedVector<Complex> spectrum(fft.plane());
+  fft.forward_padded(field, spectrum.data());
+  return spectrum;
+}
+
+std::vector<double> inverse(const PaddedFft& fft, AlignedVector<Complex> spectrum)
+{
+  std::vector<double> field(fft.grid().size());
+  AlignedVector<double> scratch(fft.scratch_size());
+  fft.inverse(spectrum.data(), field.data(), scratch);
+  return field;
+}
+
 class PaddedFftTest : public testing::TestWithParam<SurfaceGrid>
 {
 };
@@ -64,10 +87,7 @@ TEST_P(PaddedFftTest, InverseOfForwardIsTheField)
 {
   const PaddedFft fft(GetParam());
   const std::vector<double> field = test::random_field(GetParam().size(), 1);
-  std::vector<double> back(field.size());
-  AlignedVector<Complex> spectrum(fft.plane());
-  fft.forward(field.data(), spectrum.data());
-  fft.inverse(spectrum.data(), back.data());
+  const std::vector<double> back = inverse(fft, forward(fft, field));
   for (std::size_t i = 0; i < field.size(); ++i)
     EXPECT_NEAR(back[i], field[i], rounding);
 }
@@ -82,19 +102,17 @@ TEST_P(PaddedFftTest, ProductOfSpectraIsTheDirectSum)
   const std::vector<double> kernel = test::random_field(width * static_cast<std::size_t>(2 * ny - 1), 2);
   const auto kernel_at = [&](int di, int dj)
   { return kernel[static_cast<std::size_t>(di + nx - 1) + width * static_cast<std::size_t>(dj + ny - 1)]; };
-  std::vector<double> wrapped(static_cast<std::size_t>(px * py), 0.0);
+  AlignedVector<double> wrapped(static_cast<std::size_t>(px * py), 0.0);
   for (int dj = 1 - ny; dj < ny; ++dj)
     for (int di = 1 - nx; di < nx; ++di)
       wrapped[static_cast<std::size_t>((dj + py) % py * px + (di + px) % px)] = kernel_at(di, dj);
 
   const std::vector<double> field = test::random_field(grid.size(), 3);
-  AlignedVector<Complex> a(fft.plane()), b(fft.plane());
-  fft.forward_padded(wrapped.data(), a.data());
-  fft.forward(field.data(), b.data());
+  const AlignedVector<Complex> a = forward_padded(fft, wrapped);
+  AlignedVector<Complex> b = forward(fft, field);
   for (int k = 0; k < fft.kx() * py; ++k)
     b[static_cast<std::size_t>(k)] *= a[static_cast<std::size_t>(k)];
-  std::vector<double> result(grid.size());
-  fft.inverse(b.data(), result.data());
+  const std::vector<double> result = inverse(fft, b);
 
   const double bound = rounding * static_cast<double>(px * py); // terms of the sum are at most 1
   for (int j = 0; j < ny; ++j)
@@ -113,13 +131,11 @@ TEST_P(PaddedFftTest, PaddedInputIsTheGridWithZeros)
   const SurfaceGrid& grid = GetParam();
   const PaddedFft fft(grid);
   const std::vector<double> field = test::random_field(grid.size(), 4);
-  std::vector<double> padded(static_cast<std::size_t>(fft.px() * fft.py()), 0.0);
+  AlignedVector<double> padded(static_cast<std::size_t>(fft.px() * fft.py()), 0.0);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       padded[static_cast<std::size_t>(i + fft.px() * j)] = field[static_cast<std::size_t>(i + grid.nx * j)];
-  AlignedVector<Complex> a(fft.plane()), b(fft.plane());
-  fft.forward(field.data(), a.data());
-  fft.forward_padded(padded.data(), b.data());
+  const AlignedVector<Complex> a = forward(fft, field), b = forward_padded(fft, padded);
   for (int k = 0; k < fft.kx() * fft.py(); ++k)
     EXPECT_LE(std::abs(a[static_cast<std::size_t>(k)] - b[static_cast<std::size_t>(k)]),
               rounding * static_cast<double>(grid.size()));
@@ -133,8 +149,7 @@ TEST_P(PaddedFftTest, SpectrumOfOneCellIsAWaveOfThoseWavenumbers)
   const int i0 = grid.nx - 1, j0 = grid.ny / 2;
   std::vector<double> field(grid.size(), 0.0);
   field[static_cast<std::size_t>(i0 + grid.nx * j0)] = 1.0;
-  AlignedVector<Complex> spectrum(fft.plane());
-  fft.forward(field.data(), spectrum.data());
+  const AlignedVector<Complex> spectrum = forward(fft, field);
   for (int j = 0; j < fft.py(); ++j)
     for (int i = 0; i < fft.kx(); ++i)
     {
@@ -164,9 +179,7 @@ TEST(FftPlanTest, OnePlanServesSeveralThreads)
   for (int n = 0; n < fields; ++n)
   {
     const std::vector<double> field = test::random_field(grid.size(), static_cast<unsigned>(n));
-    AlignedVector<Complex> spectrum(fft.plane());
-    fft.forward(field.data(), spectrum.data());
-    fft.inverse(spectrum.data(), back[static_cast<std::size_t>(n)].data());
+    back[static_cast<std::size_t>(n)] = inverse(fft, forward(fft, field));
   }
   for (int n = 0; n < fields; ++n)
   {

@@ -20,7 +20,7 @@ namespace
 std::vector<double> displacement(const SurfaceCompliance& compliance, const std::vector<double>& pressure)
 {
   std::vector<double> u(pressure.size());
-  AlignedVector<Complex> scratch(compliance.scratch_size());
+  SurfaceCompliance::Scratch scratch = compliance.make_scratch();
   compliance.apply(pressure, u, scratch);
   return u;
 }
@@ -113,7 +113,7 @@ TEST(SurfaceComplianceDoorTest, RefusesFieldsOfAnotherSize)
 {
   const SurfaceCompliance compliance({4, 3, 1.0, 1.0}, 1.0);
   std::vector<double> p(12), u(11);
-  AlignedVector<Complex> scratch(compliance.scratch_size());
+  SurfaceCompliance::Scratch scratch = compliance.make_scratch();
   EXPECT_THROW(compliance.apply(p, u, scratch), InternalError);
 }
 

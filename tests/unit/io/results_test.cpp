@@ -121,7 +121,7 @@ TEST(Results, SummaryIsNormalised)
   EXPECT_EQ(json["format_version"], 1);
   EXPECT_EQ(json["complete"], true);
   EXPECT_DOUBLE_EQ(json["normalised"]["peak_F_X"], 0.25);
-  EXPECT_DOUBLE_EQ(json["normalised"]["X_over_R_at_peak_F_X"], -0.2); // radii 1 and 2
+  EXPECT_DOUBLE_EQ(json["normalised"]["X_over_R_at_peak_F_X"], -0.45); // radii 1 and 2: R = 2/3
   EXPECT_DOUBLE_EQ(json["normalised"]["net_energy"], 3.0);
   EXPECT_DOUBLE_EQ(json["normalised"]["max_residual_lower"], 0.5);
   EXPECT_DOUBLE_EQ(json["normalised"]["interference"], 9.0);

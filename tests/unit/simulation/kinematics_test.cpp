@@ -13,9 +13,11 @@ namespace brinell::simulation
 namespace
 {
 
-// Boucly, Nelias & Green (2006): R1 = R2 = 1 m, nine critical interferences, Delta = 3.85 mm on each body.
+// Boucly, Nelias & Green (2006): R1 = R2 = 1 m, nine critical interferences, Delta = dx = 3.85 mm on each body.
 constexpr double critical_interference = 2.214290e-4;
-constexpr double paper_shift = 2.0 * 3.85e-3;
+constexpr double paper_dx = 3.85e-3;
+constexpr int paper_cells = 2;
+constexpr double paper_shift = paper_cells * paper_dx;
 
 std::vector<Position> positions(const Passing& passing)
 {
@@ -27,7 +29,7 @@ std::vector<Position> positions(const Passing& passing)
 
 TEST(PassingTest, StartDistanceAndAngleOfThePaper)
 {
-  const Passing p(1.0, 1.0, 9.0 * critical_interference, paper_shift, Kinematics::paper);
+  const Passing p(1.0, 1.0, 9.0 * critical_interference, paper_cells, paper_dx, Kinematics::paper);
   EXPECT_NEAR(p.start_distance(), 0.089261, 0.5e-6); // digits of the source
   EXPECT_DOUBLE_EQ(p.separation(), 2.0 - 9.0 * critical_interference);
   EXPECT_NEAR(std::tan(p.angle_at_touch()), 0.04467, 0.5e-5);
@@ -39,7 +41,7 @@ TEST(PassingTest, StepsOfThePaper)
   // Eqs. 9-14, written once more: d = sum of omega atan(2 Delta/omega').
   const double omega = 2.0 - 9.0 * critical_interference;
   const double d0 = std::sqrt(4.0 - omega * omega);
-  const Passing passing(1.0, 1.0, 9.0 * critical_interference, paper_shift, Kinematics::paper);
+  const Passing passing(1.0, 1.0, 9.0 * critical_interference, paper_cells, paper_dx, Kinematics::paper);
   EXPECT_EQ(passing.step_count(), 24); // crosses 2 d0 (the paper counts the positions: 25)
   double d = 0.0;
   int i = 0;
@@ -64,7 +66,7 @@ TEST_P(Kinds, CentresStayAtOneHeight)
   for (const double upper : {1.0, 1.7})
   {
     const double interference = 0.002;
-    const Passing passing(0.8, upper, interference, 0.004, GetParam());
+    const Passing passing(0.8, upper, interference, 4, 1e-3, GetParam());
     for (const Position& p : positions(passing))
     {
       // omega'^2 = omega^2 + X^2, tan theta = X/omega, alpha = R1 + R2 - omega': to rounding.
@@ -79,7 +81,7 @@ TEST_P(Kinds, CentresStayAtOneHeight)
 TEST_P(Kinds, ArcsAreSharedByTheRadii)
 {
   const double shift = 0.004;
-  const Passing passing(0.8, 1.7, 0.002, shift, GetParam());
+  const Passing passing(0.8, 1.7, 0.002, 4, 1e-3, GetParam());
   const std::vector<Position> all = positions(passing);
   for (std::size_t i = 1; i < all.size(); ++i)
   {
@@ -93,7 +95,7 @@ TEST_P(Kinds, BeginsOutsideContactAndEndsOutsideIt)
 {
   for (const double shift : {0.0005, 0.004, 0.0173, 0.1})
   {
-    const Passing passing(1.0, 1.3, 0.003, shift, GetParam());
+    const Passing passing(1.0, 1.3, 0.003, 3, shift / 3.0, GetParam());
     const std::vector<Position> all = positions(passing);
     EXPECT_LE(all.front().interference, 1e-15) << shift;
     EXPECT_GT(all[1].interference, 0.0) << shift;
@@ -104,7 +106,7 @@ TEST_P(Kinds, BeginsOutsideContactAndEndsOutsideIt)
 
 TEST_P(Kinds, EarlierStartsLieOnTheSamePath)
 {
-  const Passing passing(1.0, 1.0, 0.002, paper_shift, GetParam());
+  const Passing passing(1.0, 1.0, 0.002, paper_cells, paper_dx, GetParam());
   Position p = passing.start(3);
   EXPECT_EQ(p.index, passing.start(0).index - 3);
   for (int i = 0; i < 3; ++i)
@@ -122,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Passing, Kinds, testing::Values(Kinematics::exact, Kine
 
 TEST(PassingTest, ExactStepsAreSymmetricAboutAlignment)
 {
-  const Passing passing(0.8, 1.7, 0.002, 0.004, Kinematics::exact);
+  const Passing passing(0.8, 1.7, 0.002, 4, 1e-3, Kinematics::exact);
   const std::vector<Position> all = positions(passing);
   ASSERT_EQ(all.size() % 2, 1u);
   const std::size_t middle = all.size() / 2;
@@ -140,7 +142,7 @@ TEST(PassingTest, ExactStepsAreSymmetricAboutAlignment)
 
 TEST(PassingTest, ExactArcsAreRadiusTimesAngle)
 {
-  const Passing passing(0.8, 1.7, 0.002, 0.004, Kinematics::exact);
+  const Passing passing(0.8, 1.7, 0.002, 4, 1e-3, Kinematics::exact);
   for (const Position& p : positions(passing))
   {
     EXPECT_NEAR(p.arc_lower, 0.8 * p.theta, 1e-15);
@@ -148,12 +150,33 @@ TEST(PassingTest, ExactArcsAreRadiusTimesAngle)
   }
 }
 
+TEST_P(Kinds, PartsOfAStepLeadToItsEnd)
+{
+  // An increment that has to be split stops at whole cells in between.
+  const Passing passing(0.8, 1.7, 0.002, 4, 1e-3, GetParam());
+  const Position from = passing.next(passing.start(0)), to = passing.next(from);
+  EXPECT_EQ(to.columns - from.columns, 4);
+  double before = from.X;
+  for (int columns = 1; columns <= 3; ++columns)
+  {
+    const Position part = passing.within_step(from, columns);
+    EXPECT_EQ(part.columns, from.columns + columns);
+    EXPECT_NEAR(part.arc_lower - from.arc_lower, columns * 1e-3 * 0.8 / 2.5, 1e-15);
+    EXPECT_GT(part.X, before);
+    EXPECT_LT(part.X, to.X);
+    before = part.X;
+  }
+  const Position end = passing.within_step(from, 4);
+  EXPECT_EQ(end.X, to.X);
+  EXPECT_EQ(end.index, to.index);
+}
+
 TEST(PassingTest, StepThatLandsOnFirstTouchIsNotDoubled)
 {
-  const Passing any(1.0, 1.0, 0.002, 0.004, Kinematics::exact);
+  const Passing any(1.0, 1.0, 0.002, 4, 1e-3, Kinematics::exact);
   for (const int n : {1, 3, 7, 12, 29})
   {
-    const Passing passing(1.0, 1.0, 0.002, 2.0 * any.angle_at_touch() / n, Kinematics::exact);
+    const Passing passing(1.0, 1.0, 0.002, 1, 2.0 * any.angle_at_touch() / n, Kinematics::exact);
     EXPECT_EQ(passing.first_index(), -n);
     EXPECT_EQ(passing.step_count(), 2 * n);
   }
@@ -166,7 +189,7 @@ TEST(PassingTest, BothKinematicsAgreeToSecondOrderInTheAngle)
   std::vector<double> errors;
   for (const double interference : {36.0, 9.0, 2.25, 0.5625})
   {
-    const Passing passing(0.8, 1.2, interference * critical_interference, 1e-3, Kinematics::paper);
+    const Passing passing(0.8, 1.2, interference * critical_interference, 1, 1e-3, Kinematics::paper);
     double error = 0.0;
     for (const Position& p : positions(passing))
       error = std::max(error, std::abs(p.X - passing.separation() * std::tan(p.arc_lower / 0.8)));
