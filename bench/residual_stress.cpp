@@ -87,8 +87,13 @@ void residual_stress(benchmark::State& state)
   state.counters["bytes_per_cell"] = memory / static_cast<double>(grid.size());
   state.SetComplexityN(static_cast<benchmark::IterationCount>(grid.size()));
 }
-BENCHMARK(residual_stress)->Arg(1)->Arg(2)->Arg(4)->UseManualTime()->Unit(benchmark::kMillisecond)->Complexity(
-    benchmark::oNLogN);
+BENCHMARK(residual_stress)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(4)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oNLogN);
 
 /// Tabulating the coefficients, once per run.
 void planning(benchmark::State& state)

@@ -117,16 +117,19 @@ double largest_change(std::span<const double> a, const std::vector<double>& b)
 class Progress
 {
 public:
-  /// @returns whether the error has not halved within the last evaluations.
-  bool stalls(double error)
+  /// @returns whether the error has not halved within the last evaluations with the same active cells.
+  bool stalls(double error, bool grew)
   {
-    if (error < 0.5 * best_)
+    if (grew)
+      *this = {};
+    else if (error < 0.5 * best_)
     {
       best_ = error;
       since_ = 0;
-      return false;
     }
-    return ++since_ > patience;
+    else
+      ++since_;
+    return since_ > patience;
   }
 
 private:
@@ -156,7 +159,11 @@ void CoupledContact::load(std::span<const double> rigid_gap, const Placement& pl
 
 double CoupledContact::energy() const
 {
-  return lower_.energy(lower_pressure_) + upper_.energy(upper_pressure_) + elastic_energy();
+  // The contact's part as the dual value -(1/2 p A p + p gap): its error is of second order in that of the pressure.
+  double work = 0.0;
+  for (std::size_t i = 0; i < pressure_.size(); ++i)
+    work += pressure_[i] * total_gap_[i];
+  return lower_.energy(lower_pressure_) + upper_.energy(upper_pressure_) - elastic_energy() - work * grid().cell_area();
 }
 
 IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const Placement& placement,
@@ -202,7 +209,7 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
       if (report.energy_rose)
         break;
     }
-    else if (progress.stalls(report.yield_error))
+    else if (progress.stalls(report.yield_error, grew || report.evaluations == 1))
       break;
     unknowns.grow(lower_, upper_);
     unknowns.pack(lower_.trial(), upper_.trial(), x);

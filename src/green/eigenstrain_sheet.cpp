@@ -6,8 +6,8 @@
 namespace brinell::green
 {
 
-std::array<Complex, Deviator::size> eigenstrain_sheet_stress(double m, double n, double z, double z_source,
-                                                             const Deviator& strain, const Elastic& elastic)
+SheetStress eigenstrain_sheet_stress(double m, double n, double z, double z_source, const Deviator& strain,
+                                     const Elastic& elastic)
 {
   using D = Deviator;
   const double k = std::hypot(m, n);
@@ -60,9 +60,10 @@ std::array<Complex, Deviator::size> eigenstrain_sheet_stress(double m, double n,
 
   const Complex tt = nu * (ll + zz);
   const Complex mean = (ll + tt + zz) / 3.0;
-  return {lx * lx * (ll - mean) + ly * ly * (tt - mean) - 2.0 * lx * ly * lt,
-          ly * ly * (ll - mean) + lx * lx * (tt - mean) + 2.0 * lx * ly * lt, ly * lz + lx * tz, lx * lz - ly * tz,
-          lx * ly * (ll - tt) + (lx * lx - ly * ly) * lt};
+  return {{lx * lx * (ll - mean) + ly * ly * (tt - mean) - 2.0 * lx * ly * lt,
+           ly * ly * (ll - mean) + lx * lx * (tt - mean) + 2.0 * lx * ly * lt, ly * lz + lx * tz, lx * lz - ly * tz,
+           lx * ly * (ll - tt) + (lx * lx - ly * ly) * lt},
+          3.0 * mean};
 }
 
 } // namespace brinell::green

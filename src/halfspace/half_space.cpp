@@ -77,14 +77,15 @@ void HalfSpace::full_stress(std::span<const double> pressure, std::span<const do
     fft_->inverse(residual_trace.data() + at, trace.data() + static_cast<std::size_t>(layer) * cells, work.scratch);
   }
   pressure_stress_.add_deviator(work.pressure_hat.data(), work.stress_hat.data(), grid_.nz);
-  finish(plastic_strain, grid_.nz, work, deviator);
+  finish(plastic_strain, grid_.nz, work, deviator, trace);
   const std::size_t n = grid_.size();
   for (std::size_t i = 0; i < n; ++i)
     trace[i] += eigenstrain_stress_.local_trace({{plastic_strain[i], plastic_strain[n + i], 0.0, 0.0, 0.0}});
 }
 
 /// Back to real space, plus the local part of the residual stress, less the stress of the periodic images.
-void HalfSpace::finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress) const
+void HalfSpace::finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress,
+                       std::span<double> trace) const
 {
   const std::size_t cells = grid_.surface.size();
 #pragma omp parallel
@@ -110,7 +111,7 @@ void HalfSpace::finish(std::span<const double> plastic_strain, int layers, Work&
     for (int c = 0; c < Deviator::size; ++c)
       stress[static_cast<std::size_t>(c) * n + i] += s[c];
   }
-  image_correction_.subtract(plastic_strain, layers, stress);
+  image_correction_.subtract(plastic_strain, layers, stress, trace);
 }
 
 } // namespace brinell::halfspace

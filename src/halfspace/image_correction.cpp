@@ -19,8 +19,8 @@ constexpr double pi = std::numbers::pi;
 constexpr int enlargement = 4; ///< the second lattice has periods this many times the first one's
 constexpr int offset_nodes = 5;
 
-constexpr std::array<int, Deviator::size> odd_in_x{0, 0, 0, 1, 1}; // xx yy yz xz xy
-constexpr std::array<int, Deviator::size> odd_in_y{0, 0, 1, 0, 1};
+constexpr std::array<int, Deviator::size + 1> odd_in_x{0, 0, 0, 1, 1, 0}; // xx yy yz xz xy, trace
+constexpr std::array<int, Deviator::size + 1> odd_in_y{0, 0, 1, 0, 1, 0};
 
 /// Place of x^a y^b among the monomials.
 int monomial(int a, int b)
@@ -100,7 +100,7 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
     node[static_cast<std::size_t>(i)] = 0.5 * thickness * (1.0 - std::cos((2 * i + 1) * pi / (2.0 * depths)));
 
   // Lattice sums at (offset, z, z'): the small lattice minus the large one, times the extrapolation to an infinite one.
-  constexpr int pairs = strains * strains;
+  constexpr int pairs = stresses * strains;
   constexpr int places = offset_nodes * offset_nodes;
   std::vector<double> value(static_cast<std::size_t>(depths * depths * pairs * places), 0.0);
   const double width = std::min(period_x, period_y) / 10.0;
@@ -143,14 +143,15 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
             unit[e] = 1.0;
             const auto stress = green::eigenstrain_sheet_stress(m, n, node[static_cast<std::size_t>(zi)],
                                                                 node[static_cast<std::size_t>(zj)], unit, elastic);
-            for (int c = 0; c < strains; ++c)
+            for (int c = 0; c < stresses; ++c)
             {
               const auto ce = static_cast<std::size_t>(c);
+              const Complex value_here = c < strains ? stress.deviator[ce] : stress.trace;
               const bool odd_x = (odd_in_x[ce] + odd_in_x[static_cast<std::size_t>(e)]) % 2 != 0;
               const bool odd_y = (odd_in_y[ce] + odd_in_y[static_cast<std::size_t>(e)]) % 2 != 0;
               // Sum of K e^{ik.r} over the signs of m and n, K being real if odd in both or none, else imaginary.
               const double amplitude =
-                  weight * (odd_x == odd_y ? (odd_x ? -stress[ce].real() : stress[ce].real()) : -stress[ce].imag());
+                  weight * (odd_x == odd_y ? (odd_x ? -value_here.real() : value_here.real()) : -value_here.imag());
               const auto& in_x = odd_x ? sin_x : cos_x;
               const auto& in_y = odd_y ? sin_y : cos_y;
               double* to = out + static_cast<std::ptrdiff_t>((c * strains + e) * places);
@@ -169,9 +170,9 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
       to_chebyshev(q, i) =
           (q == 0 ? 1.0 : 2.0) / depths * chebyshev(q, 2.0 * node[static_cast<std::size_t>(i)] / thickness - 1.0);
 
-  std::vector<int> class_of(moments);
-  std::vector<std::size_t> place(moments);
-  for (int c = 0; c < strains; ++c)
+  std::vector<int> class_of(stress_moments);
+  std::vector<std::size_t> place(stress_moments);
+  for (int c = 0; c < stresses; ++c)
     for (int q = 0; q < depths; ++q)
       for (int a = 0; a <= degree; ++a)
         for (int b = 0; a + b <= degree; ++b)
@@ -183,11 +184,12 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
           class_of[static_cast<std::size_t>(moment)] = parity;
           place[static_cast<std::size_t>(moment)] = members.members.size();
           members.members.push_back(moment);
+          members.strains += c < strains ? 1 : 0;
         }
   for (ParityClass& c : classes_)
-    c.coupling.assign(c.members.size() * c.members.size(), 0.0);
+    c.coupling.assign(c.members.size() * c.strains, 0.0);
 
-  for (int c = 0; c < strains; ++c)
+  for (int c = 0; c < stresses; ++c)
     for (int e = 0; e < strains; ++e)
     {
       const auto ce = static_cast<std::size_t>(c);
@@ -226,7 +228,7 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
                 const auto row = static_cast<std::size_t>((c * depths + qi) * powers + monomial(pa, pb));
                 const auto column = static_cast<std::size_t>((e * depths + qj) * powers + monomial(a - pa, b - pb));
                 ParityClass& parity = classes_[static_cast<std::size_t>(class_of[row])];
-                parity.coupling[place[row] * parity.members.size() + place[column]] += split * coefficient(qi, qj);
+                parity.coupling[place[row] * parity.strains + place[column]] += split * coefficient(qi, qj);
               }
           }
       }
@@ -237,11 +239,11 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
       v *= grid_.cell_volume();
 }
 
-void ImageCorrection::subtract(std::span<const double> strain, int layers, std::span<double> stress) const
+void ImageCorrection::subtract(std::span<const double> strain, int layers, std::span<double> stress,
+                               std::span<double> trace) const
 {
   const SurfaceGrid& s = grid_.surface;
   const std::size_t cells = s.size();
-  constexpr auto count = static_cast<std::size_t>(moments);
   std::vector<double> layer_moment(static_cast<std::size_t>(strains * grid_.nz * powers), 0.0);
   const auto of_layer = [&](int component, int layer)
   { return layer_moment.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers); };
@@ -265,8 +267,8 @@ void ImageCorrection::subtract(std::span<const double> strain, int layers, std::
         }
     }
 
-  std::vector<double> moment(count, 0.0);
-  std::vector<double> response(count, 0.0);
+  std::vector<double> moment(strain_moments, 0.0);
+  std::vector<double> response(stress_moments, 0.0);
   for (int e = 0; e < strains; ++e)
     for (int q = 0; q < depths; ++q)
       for (int layer = 0; layer < layers; ++layer)
@@ -275,22 +277,23 @@ void ImageCorrection::subtract(std::span<const double> strain, int layers, std::
               chebyshev_[static_cast<std::size_t>(q * grid_.nz + layer)] * of_layer(e, layer)[p];
   for (const ParityClass& c : classes_)
   {
-    const std::size_t size = c.members.size();
-    std::array<double, moments> in_class{};
-    for (std::size_t i = 0; i < size; ++i)
+    std::array<double, strain_moments> in_class{};
+    for (std::size_t i = 0; i < c.strains; ++i)
       in_class[i] = moment[static_cast<std::size_t>(c.members[i])];
-    for (std::size_t row = 0; row < size; ++row)
+    const std::size_t rows = trace.empty() ? c.strains : c.members.size();
+    for (std::size_t row = 0; row < rows; ++row)
     {
       double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
-      for (std::size_t column = 0; column < size; ++column)
-        sum += c.coupling[row * size + column] * in_class[column];
+      for (std::size_t column = 0; column < c.strains; ++column)
+        sum += c.coupling[row * c.strains + column] * in_class[column];
       response[static_cast<std::size_t>(c.members[row])] = sum;
     }
   }
 
+  const int components = trace.empty() ? strains : stresses;
 #pragma omp parallel for collapse(2) schedule(static)
-  for (int c = 0; c < strains; ++c)
+  for (int c = 0; c < components; ++c)
     for (int layer = 0; layer < layers; ++layer)
     {
       std::array<double, powers> of_depth{};
@@ -298,7 +301,8 @@ void ImageCorrection::subtract(std::span<const double> strain, int layers, std::
         for (int p = 0; p < powers; ++p)
           of_depth[static_cast<std::size_t>(p)] += chebyshev_[static_cast<std::size_t>(q * grid_.nz + layer)] *
                                                    response[static_cast<std::size_t>((c * depths + q) * powers + p)];
-      double* field = stress.data() + static_cast<std::size_t>(c * grid_.nz + layer) * cells;
+      double* field = c < strains ? stress.data() + static_cast<std::size_t>(c * grid_.nz + layer) * cells
+                                  : trace.data() + static_cast<std::size_t>(layer) * cells;
       for (int j = 0; j < s.ny; ++j)
       {
         std::array<double, degree + 1> of_row{};

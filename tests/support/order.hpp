@@ -11,8 +11,9 @@ namespace brinell::test
 /// Orders of convergence seen on several grids, each `ratio` times finer than the one before; printed when made.
 struct Orders
 {
-  double overall = 0.0; ///< between the first and the last: for an error that jumps with the cells an edge happens to touch
-  double last = 0.0;    ///< between the last two: for a smooth error whose first grid is too coarse to show the order
+  double overall =
+      0.0; ///< between the first and the last: for an error that jumps with the cells an edge happens to touch
+  double last = 0.0; ///< between the last two: for a smooth error whose first grid is too coarse to show the order
 
   Orders(const char* what, const std::vector<double>& errors, double ratio = 2.0)
   {

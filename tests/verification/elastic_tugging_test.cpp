@@ -82,8 +82,8 @@ TEST_P(ElasticTuggingTable, FollowsTheClosedForm)
   test::expect_close(name("F_Z / P_c at X = 0"), run.summary.F_Z_aligned / c.load, row.normal, mesh * row.normal,
                      origin);
   test::expect_close(name("start distance d0 / omega"),
-                     run.plan.start_distance / (2.0 - row.interference * c.interference), row.first_touch,
-                     0.5e-5, origin); // digits of the table
+                     run.plan.start_distance / (2.0 - row.interference * c.interference), row.first_touch, 0.5e-5,
+                     origin); // digits of the table
 
   // Peak between the steps: the parabola through the three largest values. Its third-order remainder over a step h is
   // F''' h^3/27 at most, and F''' ~ 6 peak/|X_peak|^3 for a curve of this width.

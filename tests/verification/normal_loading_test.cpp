@@ -46,7 +46,8 @@ class Indentation
 {
 public:
   Indentation(double largest_ratio, double cells, const Extent& extent = {})
-      : Indentation(std::sqrt(0.5 * largest_ratio * exact_critical().interference) / cells, cells, largest_ratio, extent)
+      : Indentation(std::sqrt(0.5 * largest_ratio * exact_critical().interference) / cells, cells, largest_ratio,
+                    extent)
   {
   }
 
@@ -58,7 +59,8 @@ public:
       for (int i = 0; i < g.nx; ++i)
       {
         const double x = (i - 0.5 * (g.nx - 1)) * g.dx, y = (j - 0.5 * (g.ny - 1)) * g.dy;
-        gap_[static_cast<std::size_t>(i + g.nx * j)] = x * x + y * y - ratio * exact_critical().interference; // 2R = 1 m
+        gap_[static_cast<std::size_t>(i + g.nx * j)] =
+            x * x + y * y - ratio * exact_critical().interference; // 2R = 1 m
       }
     const IncrementReport report = pair_.advance(gap_, {0, 0}, {Integration::path, 100, 6});
     if (!report.converged || !std::isfinite(load()))
@@ -201,8 +203,7 @@ TEST(NormalLoading, WorkOfACycleIsDissipationPlusLockedInEnergy)
     }
     const auto& lower = spheres.pair().lower().state();
     const auto& upper = spheres.pair().upper().state();
-    const double taken_up =
-        lower.dissipation + upper.dissipation + lower.locked_in_energy + upper.locked_in_energy;
+    const double taken_up = lower.dissipation + upper.dissipation + lower.locked_in_energy + upper.locked_in_energy;
     errors.push_back((work - taken_up) / largest);
     EXPECT_EQ(spheres.load(), 0.0); // the dent does not reach back to the undeformed surface
     // Trapezoidal rule in the work and a second-order return in the dissipation: 1/n^2 of the whole, at most.

@@ -147,20 +147,22 @@ TEST(PaperTugging, WorkIsDissipationPlusLockedInEnergy)
 
 TEST(PaperTugging, EnergyBalanceClosesWithTheMesh)
 {
-  // Cells and shift together. Isotropic cells per contact radius along x.
+  if (slow_build)
+    GTEST_SKIP() << "the largest interference is too expensive in this build";
+  // All cells and the shift together: twice and four thirds of the paper's, and the paper's. The slope of the residual
+  // surface is a central difference, the trapezoidal work and the step are second order, the contact's edge 1.5.
   std::vector<double> errors;
-  const std::vector<double> grids = slow_build ? std::vector{3.0, 4.0} : std::vector{3.0, 6.0, 12.0};
-  for (const double cells : grids)
+  for (const double coarsening : {2.0, 4.0 / 3.0, 1.0})
   {
-    simulation::TuggingCase t = equal_spheres(slow_build ? 4.0 : 9.0, perfect_material());
-    const double a = simulation::plan(t).elastic_contact_radius;
-    t.spacing = {{a / cells, 2.0 * a / cells, 0.5 * a / cells}}; // the paper's proportions
-    errors.push_back(computed(t).summary.energy_balance_error);
-    test::expect_close("energy balance over the largest work, " + std::to_string(std::lround(cells)) +
-                           " cells per radius",
-                       errors.back(), 0.0, 1.0 / cells, "exact: conservation of energy; first order in the cell");
+    const double error = coarsening == 1.0 ? paper_run(9.0).summary.energy_balance_error
+                                           : computed(paper_case(9.0, coarsening)).summary.energy_balance_error;
+    errors.push_back(error);
+    test::expect_close("alpha* = 9: energy balance over the largest work, cells of " +
+                           std::to_string(coarsening).substr(0, 4) + " of the paper's",
+                       error, 0.0, 0.03 * coarsening, "exact: conservation of energy");
   }
-  EXPECT_LT(std::abs(errors.back()), std::abs(errors.front()));
+  test::expect_within("order of the energy balance in the cells", std::log2(std::abs(errors.front() / errors.back())),
+                      1.0, 3.0, "theory: 1.5 to 2");
 }
 
 TEST(PaperTugging, EqualBodiesEndAlike)

@@ -30,14 +30,11 @@ struct Series
     return std::log2(std::abs((value[first] - value[first + 1]) / (value[first + 1] - value[first + 2])));
   }
   /// The two finest, extrapolated with an order that is known.
-  [[nodiscard]] double limit(double order) const
-  {
-    return value[3] + (value[3] - value[2]) / (std::exp2(order) - 1.0);
-  }
+  [[nodiscard]] double limit(double order) const { return value[3] + (value[3] - value[2]) / (std::exp2(order) - 1.0); }
   void print(const char* what) const
   {
-    std::printf("  %-34s %10.5f %10.5f %10.5f %10.5f   orders %.2f %.2f\n", what, value[0], value[1], value[2], value[3],
-                order(0), order(1));
+    std::printf("  %-34s %10.5f %10.5f %10.5f %10.5f   orders %.2f %.2f\n", what, value[0], value[1], value[2],
+                value[3], order(0), order(1));
   }
 };
 

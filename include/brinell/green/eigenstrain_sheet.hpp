@@ -10,13 +10,20 @@
 namespace brinell::green
 {
 
-/// Deviatoric stress at depth z of a thin sheet of traceless plastic strain eps e^{i (m x + n y)} at depth z', in a half
+/// Amplitude of a plane wave of stress [Pa/m per unit strain].
+struct SheetStress
+{
+  std::array<Complex, Deviator::size> deviator; ///< order of Deviator
+  Complex trace;
+};
+
+/// Stress at depth z of a thin sheet of traceless plastic strain eps e^{i (m x + n y)} at depth z', in a half
 /// space z >= 0 with a free surface, per unit thickness of the sheet [Pa/m]. The stress inside the sheet itself (a delta
 /// function of z - z') is left out. Formulas: halfspace/eigenstrain_stress.hpp, derived in docs/theory.md.
 /// @param m, n         wavenumbers along x and y [rad/m], not both zero
 /// @param z, z_source  depths of the point and of the sheet [m], >= 0
 /// @param strain       amplitude of the plastic strain, real
-[[nodiscard]] std::array<Complex, Deviator::size>
-eigenstrain_sheet_stress(double m, double n, double z, double z_source, const Deviator& strain, const Elastic& elastic);
+[[nodiscard]] SheetStress eigenstrain_sheet_stress(double m, double n, double z, double z_source,
+                                                   const Deviator& strain, const Elastic& elastic);
 
 } // namespace brinell::green

@@ -46,7 +46,8 @@ public:
                    std::span<double> deviator, std::span<double> trace) const;
 
 private:
-  void finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress) const;
+  void finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress,
+              std::span<double> trace = {}) const;
 
   VolumeGrid grid_;
   Elastic elastic_;

@@ -25,15 +25,18 @@ public:
   ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft);
 
   /// Subtracts the deviatoric stress [Pa] of the images of `strain` (5 * grid.size() values, traceless) from `stress`
-  /// in the layers [0, layers); strain beneath must be zero.
-  void subtract(std::span<const double> strain, int layers, std::span<double> stress) const;
+  /// in the layers [0, layers); strain beneath must be zero. The same for the trace of the stress, unless that is empty.
+  void subtract(std::span<const double> strain, int layers, std::span<double> stress,
+                std::span<double> trace = {}) const;
 
 private:
   static constexpr int strains = 5;                              ///< components of Deviator
   static constexpr int depths = 5;                               ///< Chebyshev polynomials in z
   static constexpr int degree = 6;                               ///< largest power of x - x' and y - y' together
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
-  static constexpr int moments = strains * depths * powers;
+  static constexpr int stresses = strains + 1;                   ///< deviator and trace
+  static constexpr int strain_moments = strains * depths * powers;
+  static constexpr int stress_moments = stresses * depths * powers;
 
   void fit(const Elastic& elastic, double period_x, double period_y);
 
@@ -43,7 +46,8 @@ private:
   /// Moments fall into four classes by their parity in x and in y, which do not couple.
   struct ParityClass
   {
-    std::vector<int> members;     ///< indices of moments
+    std::vector<int> members;     ///< indices of moments of stress, those of the trace last; of strain without them
+    std::size_t strains = 0;      ///< how many are moments of strain
     std::vector<double> coupling; ///< [moment of stress][moment of strain]
   };
   std::array<ParityClass, 4> classes_;

@@ -30,9 +30,9 @@ SymTensor layered_strain_stress(const VolumeGrid& grid, const LayeredStrain& str
           continue;
         for (std::size_t g = 0; g < 3; ++g)
         {
-          const SymTensor part = green::cuboid_stress_half_space(
-              i * s.dx - x, j * s.dy - y, (k + 0.5 + gauss_point[g]) * grid.dz, (layer + 0.5) * grid.dz, dx, dy, grid.dz,
-              eigenstrain, elastic);
+          const SymTensor part =
+              green::cuboid_stress_half_space(i * s.dx - x, j * s.dy - y, (k + 0.5 + gauss_point[g]) * grid.dz,
+                                              (layer + 0.5) * grid.dz, dx, dy, grid.dz, eigenstrain, elastic);
           for (std::size_t c = 0; c < 6; ++c)
             sum[c] += gauss_weight[g] * part[c];
         }
@@ -40,8 +40,8 @@ SymTensor layered_strain_stress(const VolumeGrid& grid, const LayeredStrain& str
   return sum;
 }
 
-SymTensor extrapolated_strain_stress(const VolumeGrid& grid, const LayeredStrain& strain, int i, int j, int k, int parts,
-                                     const Elastic& elastic)
+SymTensor extrapolated_strain_stress(const VolumeGrid& grid, const LayeredStrain& strain, int i, int j, int k,
+                                     int parts, const Elastic& elastic)
 {
   const int fewer = parts - 2;
   const SymTensor coarse = layered_strain_stress(grid, strain, i, j, k, fewer, elastic);

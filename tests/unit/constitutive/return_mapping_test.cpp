@@ -139,7 +139,8 @@ TEST(ReturnMappingTest, TurningTrialIsSecondOrderByPathAndFirstOrderByRadialRetu
     const double turn = 70.0 * std::numbers::pi / 180.0;
     const Deviator along = s0, across{{0.0, 0.0, 0.0, 0.0, 1.0 / std::sqrt(3.0)}};
     const Deviator q = s0 + 2.0 * (std::cos(turn) * along + std::sin(turn) * across);
-    const auto path = [&](const Deviator& s, const Deviator& trial, double e) { return path_return(s, trial, e, mu, law); };
+    const auto path = [&](const Deviator& s, const Deviator& trial, double e)
+    { return path_return(s, trial, e, mu, law); };
     const auto radial = [&](const Deviator& /*s*/, const Deviator& trial, double e)
     { return radial_return(trial, e, mu, law); };
     const Deviator exact = integrated(s0, q, 20000, path);
@@ -176,16 +177,15 @@ TEST(ReturnMappingTest, ExtremeTrialsAreFinite)
     const Deviator s0 = unit_random(7, 1.0);
     const Deviator outside = (1.0 + 1e-4) * s0; // a stress of the last increment, by its tolerance beyond yield
     const Deviator off = unit_random(8, 1e-9);
-    const std::array<std::pair<Deviator, Deviator>, 9> cases{
-        {{s0, -3.0 * s0},          // reversal through the elastic domain
-         {s0, -1.0000001 * s0},    // ... that hardly yields
-         {outside, outside},       // nothing happens, outside
-         {outside, 1.00001 * s0},  // moves inwards, still outside
-         {outside, outside + off}, // hardly moves
-         {outside, -2.0 * s0},
-         {s0, 1e6 * s0},
-         {s0, 1e6 * unit_random(9, 1.0)},
-         {Deviator{}, 1.0000000001 * s0}}};
+    const std::array<std::pair<Deviator, Deviator>, 9> cases{{{s0, -3.0 * s0}, // reversal through the elastic domain
+                                                              {s0, -1.0000001 * s0},    // ... that hardly yields
+                                                              {outside, outside},       // nothing happens, outside
+                                                              {outside, 1.00001 * s0},  // moves inwards, still outside
+                                                              {outside, outside + off}, // hardly moves
+                                                              {outside, -2.0 * s0},
+                                                              {s0, 1e6 * s0},
+                                                              {s0, 1e6 * unit_random(9, 1.0)},
+                                                              {Deviator{}, 1.0000000001 * s0}}};
     for (std::size_t n = 0; n < cases.size(); ++n)
     {
       const auto& [start, q] = cases[n];

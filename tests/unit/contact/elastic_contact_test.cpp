@@ -89,8 +89,8 @@ TEST(HertzContactTest, LoadRadiusAndPeakPressureConverge)
     expect_complementary(s, 1e-10 * approach);
     const auto touching = std::count_if(s.pressure.begin(), s.pressure.end(), [](double p) { return p > 0.0; });
     load.push_back(sum(s.pressure) * g.cell_area() / exact.load - 1.0);
-    radius.push_back(std::sqrt(static_cast<double>(touching) * g.cell_area() / std::numbers::pi) / exact.contact_radius -
-                     1.0);
+    radius.push_back(
+        std::sqrt(static_cast<double>(touching) * g.cell_area() / std::numbers::pi) / exact.contact_radius - 1.0);
     peak.push_back(largest(s.pressure) / exact.peak_pressure - 1.0);
   }
   EXPECT_GT(test::Orders("Hertz, load", load).overall, 1.3);
@@ -136,7 +136,8 @@ std::vector<double> dense_pressure(const SurfaceGrid& g, double modulus, const s
 TEST(RoughContactTest, MeetsTheDenseSolver)
 {
   // Both stop at 1e-13 of the roughness; pressure is gap times the inverse of a matrix of condition below 100.
-  for (const auto& [grid, seed] : {std::pair{SurfaceGrid{12, 9, 1.0, 1.3}, 1u}, std::pair{SurfaceGrid{7, 13, 1.0, 0.8}, 2u}})
+  for (const auto& [grid, seed] :
+       {std::pair{SurfaceGrid{12, 9, 1.0, 1.3}, 1u}, std::pair{SurfaceGrid{7, 13, 1.0, 0.8}, 2u}})
   {
     const std::vector<double> rigid_gap = test::random_field(grid.size(), seed, -1.0, 1.5);
     const Solution s = solution(grid, 1.0, rigid_gap, 1e-13);

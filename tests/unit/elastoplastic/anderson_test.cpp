@@ -16,7 +16,8 @@ namespace
 /// g(x) = M x + b with a random contraction M, and its fixed point by plain iteration.
 struct Affine
 {
-  explicit Affine(std::size_t n, unsigned seed = 1) : matrix(test::random_field(n * n, seed)), shift(test::random_field(n, seed + 1))
+  explicit Affine(std::size_t n, unsigned seed = 1)
+      : matrix(test::random_field(n * n, seed)), shift(test::random_field(n, seed + 1))
   {
     for (double& m : matrix)
       m *= 0.9 / static_cast<double>(n); // rows sum to less than one

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One increment of two elastic-plastic bodies: the conditions its result must meet.
 #include "sphere_press.hpp"
+#include "state_comparison.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "order.hpp"
@@ -10,44 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace brinell::elastoplastic
 {
 namespace
 {
-
-std::vector<double> copy(std::span<const double> s)
-{
-  return {s.begin(), s.end()};
-}
-
-double largest(const std::vector<double>& v)
-{
-  double m = 0.0;
-  for (const double x : v)
-    m = std::max(m, std::abs(x));
-  return m;
-}
-
-void expect_near(const std::vector<double>& a, const std::vector<double>& b, double relative, const char* what)
-{
-  ASSERT_EQ(a.size(), b.size()) << what;
-  double difference = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-  EXPECT_LE(difference, relative * largest(b)) << what;
-}
-
-void expect_same_state(const BodyState& a, const BodyState& b, double relative)
-{
-  expect_near(a.plastic_strain, b.plastic_strain, relative, "plastic strain");
-  expect_near(a.equivalent, b.equivalent, relative, "equivalent plastic strain");
-  expect_near(a.residual_displacement, b.residual_displacement, relative, "residual displacement");
-  EXPECT_NEAR(a.dissipation, b.dissipation, relative * b.dissipation);
-  EXPECT_NEAR(a.locked_in_energy, b.locked_in_energy, relative * b.locked_in_energy);
-}
 
 TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
 {
@@ -73,7 +42,8 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
         for (std::size_t cell = 0; cell < body->grid().size(); ++cell)
         {
           const double yield = SpherePress::yield_stress + modulus * state.equivalent[cell];
-          ASSERT_LE(von_mises(test::deviator_at(stress.deviator, cell)), yield * (1.0 + options.settings.yield_tolerance));
+          ASSERT_LE(von_mises(test::deviator_at(stress.deviator, cell)),
+                    yield * (1.0 + options.settings.yield_tolerance));
         }
         halfspace::HalfSpace::Work work = half_space.make_work();
         std::vector<double> u(gap.size());
@@ -131,73 +101,6 @@ TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)
   EXPECT_GT(test::Orders("energy balance, path", path).overall, 1.6);
   EXPECT_GT(test::Orders("energy balance, backward Euler", euler).overall, 0.8);
   EXPECT_LT(std::abs(path.back()), 2e-3);
-}
-
-/// The plain fixed point with the stiffness that bounds that of any plastic strain: it descends always.
-Strategy descent(int max_evaluations)
-{
-  Strategy s;
-  s.integration = Integration::backward_euler;
-  s.max_evaluations = max_evaluations;
-  s.anderson_depth = 0;
-  s.stiffness_share = 1.0;
-  s.watch_energy = true;
-  return s;
-}
-
-TEST(IncrementTest, PlainAndAcceleratedIterationMeet)
-{
-  // Backward Euler makes the increment a convex problem: one answer. Both to 1e-9 of yield, times the ratio of stress to
-  // the softest response, about 1e3.
-  PressOptions options;
-  options.settings = tight_settings();
-  SpherePress accelerated(options), plain(options);
-  for (const double interference : {3.0, 6.0})
-  {
-    ASSERT_TRUE(accelerated.press(interference, Integration::backward_euler).converged);
-    ASSERT_TRUE(plain.press(interference, descent(5000)).converged);
-  }
-  expect_same_state(plain.contact().lower().state(), accelerated.contact().lower().state(), 1e-6);
-  expect_near(copy(plain.contact().pressure()), copy(accelerated.contact().pressure()), 1e-6, "pressure");
-}
-
-TEST(IncrementTest, EnergyFallsAtEveryPlainIteration)
-{
-  // The functional of the increment, 1/2 eps H eps + D + 1/2 p A p, at the iterates one by one: a new start each time,
-  // stopped after one more evaluation. It may rise by round-off and the inexactness of the contact only.
-  PressOptions options;
-  options.settings = tight_settings();
-  SpherePress press(options);
-  ASSERT_TRUE(press.press(3.0, Integration::backward_euler).converged);
-  double previous = std::numeric_limits<double>::max();
-  for (int evaluations = 2; evaluations <= 26; ++evaluations)
-  {
-    const IncrementReport stopped = press.press(5.0, descent(evaluations)); // reports the energy before its last evaluation
-    ASSERT_FALSE(stopped.converged);
-    ASSERT_FALSE(stopped.energy_rose);
-    EXPECT_LE(stopped.energy, previous * (1.0 + 1e-10)) << evaluations;
-    previous = stopped.energy;
-  }
-  const IncrementReport report = press.press(5.0, descent(5000));
-  ASSERT_TRUE(report.converged);
-  EXPECT_LE(report.energy, previous * (1.0 + 1e-10));
-}
-
-TEST(IncrementTest, DescentGivesNoFalseAlarm)
-{
-  // At the default tolerances the contact is known to 1e-7 of the interference only: that must not look like a rise.
-  for (const double share : {0.6, 1.0})
-  {
-    SpherePress press;
-    for (const double interference : {2.0, 3.0, 6.0})
-    {
-      Strategy strategy = descent(200);
-      strategy.stiffness_share = share;
-      const IncrementReport report = press.press(interference, strategy);
-      EXPECT_TRUE(report.converged) << share << ' ' << interference;
-      EXPECT_FALSE(report.energy_rose) << share << ' ' << interference;
-    }
-  }
 }
 
 TEST(IncrementTest, FailedIncrementLeavesTheStateAndCanBeRepeated)

@@ -62,22 +62,22 @@ auto with_threads(int threads, F f)
 
 TEST(InvarianceTest, NumberOfThreadsDoesNotMatterToTheLastBit)
 {
-  // Each thread writes to its own cells, and sums have a fixed order. Twice with two threads: no race, no chance.
+  // Each thread writes to its own cells, and sums have a fixed order. One body and a small press: two threads on a busy
+  // machine wait for each other at every loop.
   const auto pressed = []
   {
-    SpherePress press;
-    EXPECT_TRUE(press.press(3.0).converged);
+    PressOptions options;
+    options.upper_plastic = false;
+    SpherePress press(options);
+    EXPECT_TRUE(press.press(1.6).converged);
     return results(press);
   };
-  const Outcome one = with_threads(1, pressed);
-  for (int repetition = 0; repetition < 2; ++repetition)
-  {
-    const Outcome two = with_threads(2, pressed);
-    EXPECT_EQ(one.pressure, two.pressure);
-    EXPECT_EQ(one.strain, two.strain);
-    EXPECT_EQ(one.displacement, two.displacement);
-    EXPECT_EQ(one.dissipation, two.dissipation);
-  }
+  const Outcome one = with_threads(1, pressed), two = with_threads(2, pressed);
+  EXPECT_GT(one.dissipation, 0.0);
+  EXPECT_EQ(one.pressure, two.pressure);
+  EXPECT_EQ(one.strain, two.strain);
+  EXPECT_EQ(one.displacement, two.displacement);
+  EXPECT_EQ(one.dissipation, two.dissipation);
 }
 
 TEST(InvarianceTest, UnitOfLengthDoesNotMatter)

@@ -14,7 +14,7 @@ namespace brinell::elastoplastic
 struct PressOptions
 {
   Settings settings;
-  double unit = 1.0;    ///< metres per unit of length; forces stay in newtons
+  double unit = 1.0;     ///< metres per unit of length; forces stay in newtons
   int spare_columns = 0; ///< of the material grids, beyond those of the contact
   bool lower_plastic = true, upper_plastic = true;
   double hardening_modulus = 0.0; ///< [Pa]
@@ -26,7 +26,7 @@ struct PressOptions
 class SpherePress
 {
 public:
-  static constexpr double alpha_c = 2.214290e-4; // m
+  static constexpr double alpha_c = 2.214290e-4;   // m
   static constexpr double yield_stress = 0.9115e9; // Pa
   static constexpr int n = 13, nz = 12;
 

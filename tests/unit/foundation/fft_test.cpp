@@ -51,8 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Grids, PaddedFftTest,
                          testing::Values(SurfaceGrid{1, 1, 1.0, 1.0}, SurfaceGrid{2, 3, 1.0, 1.0},
                                          SurfaceGrid{7, 4, 0.5, 2.0}, SurfaceGrid{16, 9, 1.0, 0.3},
                                          SurfaceGrid{1, 12, 1.0, 1.0}, SurfaceGrid{11, 1, 2.0, 1.0}),
-                         [](const auto& p)
-                         { return std::to_string(p.param.nx) + "x" + std::to_string(p.param.ny); });
+                         [](const auto& p) { return std::to_string(p.param.nx) + "x" + std::to_string(p.param.ny); });
 
 TEST(FastLengthTest, IsTheSmallestEvenProductOfSmallPrimes)
 {

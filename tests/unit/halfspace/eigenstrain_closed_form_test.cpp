@@ -48,16 +48,18 @@ TEST_P(EigenstrainClosedFormTest, SmoothBlobUnderAFreeSurfaceMeetsTheSumOfCuboid
   const direct::LayeredStrain layered = [&](double x, double y, int layer)
   { return test::as_tensor((profile[static_cast<std::size_t>(layer)] * blob(x, y)) * strain); };
 
-  const test::StressField stress(
-      HalfSpace(grid, elastic), {},
-      test::sampled_strain(grid, strain, [&](double x, double y, double z) { return profile[layer_of(z)] * blob(x, y); }));
+  const test::StressField stress(HalfSpace(grid, elastic), {},
+                                 test::sampled_strain(grid, strain,
+                                                      [&](double x, double y, double z)
+                                                      { return profile[layer_of(z)] * blob(x, y); }));
   struct Point
   {
     int i, j, k, parts; // sub-cells: more where the staircase of the source is near
   };
   const double scale = 2.0 * elastic.shear_modulus();
   double worst = 0.0;
-  for (const auto& [i, j, k, parts] : {Point{13, 13, 0, 5}, Point{15, 11, 3, 3}, Point{16, 14, 6, 3}, Point{31, 25, 0, 3}})
+  for (const auto& [i, j, k, parts] :
+       {Point{13, 13, 0, 5}, Point{15, 11, 3, 3}, Point{16, 14, 6, 3}, Point{31, 25, 0, 3}})
   {
     const SymTensor expected = direct::extrapolated_strain_stress(grid, layered, i, j, k, parts, elastic);
     const SymTensor found = stress.at(test::cell_index(grid, i, j, k));
@@ -71,9 +73,10 @@ TEST_P(EigenstrainClosedFormTest, SmoothBlobUnderAFreeSurfaceMeetsTheSumOfCuboid
               test::deviator_names[static_cast<std::size_t>(GetParam())], worst);
 }
 
-// The half space has no other blobs than this one: the same strain on a grid four times as wide gives the same stress.
-// There the images are four times as far, so that 1/64 of their stress is left. The blob is as wide as the grid allows
-// (cut off at 3.6 s, where it is 1e-3).
+// The half space has no other blobs than this one: the same strain on a grid four times as wide, where images are far,
+// gives the same stress. Without a correction they give 5e-3 here. The correction is a polynomial of sixth degree in the
+// distance, which is up to half a period: it leaves 2^-6 of them or so, and two to three times that in the corners, where
+// the distance is half a period both ways. (The blob reaches from edge to edge of the middle half, as 3 s = 6 cells.)
 TEST_P(EigenstrainClosedFormTest, PeriodicImagesAreNotFelt)
 {
   const Elastic elastic{1.0, 0.3};
@@ -83,7 +86,7 @@ TEST_P(EigenstrainClosedFormTest, PeriodicImagesAreNotFelt)
   wide.surface.ny *= 4;
   const auto blob = [&](double x, double y, double z)
   {
-    const double u = (x - 11.5) / 3.2, v = (y - 8.5 * 1.2) / 2.88;
+    const double u = (x - 11.5) / 2.0, v = (y - 8.5 * 1.2) / 1.8;
     const bool inside = x < 23.5 && y < 17.5 * 1.2;
     return inside ? std::exp(-0.5 * (u * u + v * v)) * (1.0 - z / 10.0) : 0.0;
   };
@@ -91,21 +94,25 @@ TEST_P(EigenstrainClosedFormTest, PeriodicImagesAreNotFelt)
   const test::StressField narrow_stress(HalfSpace(grid, elastic), {}, test::sampled_strain(grid, strain, blob));
   const test::StressField wide_stress(HalfSpace(wide, elastic), {}, test::sampled_strain(wide, strain, blob));
   const double scale = 2.0 * elastic.shear_modulus();
-  double deviator = 0.0, trace = 0.0;
+  double everywhere = 0.0, middle = 0.0;
   for (int k = 0; k < grid.nz; ++k)
     for (int j = 0; j < grid.surface.ny; ++j)
       for (int i = 0; i < grid.surface.nx; ++i)
       {
-        const std::size_t a = test::cell_index(grid, i, j, k), b = test::cell_index(wide, i, j, k);
-        const Deviator difference =
-            test::deviator_at(narrow_stress.deviator, a) - test::deviator_at(wide_stress.deviator, b);
-        deviator = std::max(deviator, von_mises(difference) / scale);
-        trace = std::max(trace, std::abs(narrow_stress.trace[a] - wide_stress.trace[b]) / 3.0 / scale);
+        const SymTensor a = narrow_stress.at(test::cell_index(grid, i, j, k));
+        const SymTensor b = wide_stress.at(test::cell_index(wide, i, j, k));
+        const bool is_middle = i >= 6 && i < 18 && j >= 4 && j < 14;
+        for (std::size_t c = 0; c < 6; ++c)
+        {
+          const double error = std::abs(a[c] - b[c]) / scale;
+          everywhere = std::max(everywhere, error);
+          middle = std::max(middle, is_middle ? error : 0.0);
+        }
       }
-  std::printf("strain %s: images give von Mises %.2e, mean stress %.2e of 2 mu max|eps|, bound 1e-4\n",
-              test::deviator_names[static_cast<std::size_t>(GetParam())], deviator, trace);
-  EXPECT_LE(deviator, 1e-4);
-  EXPECT_LE(trace, 1e-4);
+  std::printf("strain %s: images leave %.2e of 2 mu max|eps| where the strain is, %.2e at worst\n",
+              test::deviator_names[static_cast<std::size_t>(GetParam())], middle, everywhere);
+  EXPECT_LE(middle, 1.5e-4);
+  EXPECT_LE(everywhere, 3e-4);
 }
 
 // Ball after ball of one strain, each with Eshelby's uniform stress inside: a strain f(r) e with f falling from 1 gives at
@@ -133,7 +140,8 @@ TEST_P(EigenstrainClosedFormTest, DeepBallHasEshelbysStressAtItsCentre)
                                    test::sampled_strain(grid, strain,
                                                         [&](double x, double y, double z)
                                                         {
-                                                          const double r = std::hypot(x - middle, y - middle, z - depth);
+                                                          const double r =
+                                                              std::hypot(x - middle, y - middle, z - depth);
                                                           return std::exp(-0.5 * r * r / (s * s));
                                                         }));
     const SymTensor found = stress.at(test::cell_index(grid, 14, 14, 8 * layers_per_s));

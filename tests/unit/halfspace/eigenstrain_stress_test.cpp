@@ -37,7 +37,8 @@ class EigenstrainStressTest : public testing::TestWithParam<VolumeGrid>
 
 INSTANTIATE_TEST_SUITE_P(Grids, EigenstrainStressTest,
                          testing::Values(VolumeGrid{{6, 6, 1.0, 1.0}, 5, 1.0}, VolumeGrid{{9, 4, 0.5, 1.5}, 7, 0.3},
-                                         VolumeGrid{{1, 5, 1.0, 1.0}, 1, 2.0}, VolumeGrid{{33, 7, 1e-6, 2e-6}, 4, 5e-7}),
+                                         VolumeGrid{{1, 5, 1.0, 1.0}, 1, 2.0},
+                                         VolumeGrid{{33, 7, 1e-6, 2e-6}, 4, 5e-7}),
                          [](const auto& p)
                          {
                            const VolumeGrid& g = p.param;
@@ -170,8 +171,8 @@ class EigenstrainFieldTest : public testing::TestWithParam<int>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Strains, EigenstrainFieldTest, testing::Range(0, Deviator::size), [](const auto& p)
-                         { return test::deviator_names[static_cast<std::size_t>(p.param)]; });
+INSTANTIATE_TEST_SUITE_P(Strains, EigenstrainFieldTest, testing::Range(0, Deviator::size),
+                         [](const auto& p) { return test::deviator_names[static_cast<std::size_t>(p.param)]; });
 
 TEST_P(EigenstrainFieldTest, SurfaceIsFreeOfTraction)
 {

@@ -33,8 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Grids, SurfaceComplianceTest,
                          testing::Values(SurfaceGrid{1, 1, 1.0, 2.0}, SurfaceGrid{6, 6, 1.0, 1.0},
                                          SurfaceGrid{9, 4, 0.5, 1.5}, SurfaceGrid{13, 7, 1e-6, 2e-6},
                                          SurfaceGrid{1, 8, 1.0, 1.0}),
-                         [](const auto& p)
-                         { return std::to_string(p.param.nx) + "x" + std::to_string(p.param.ny); });
+                         [](const auto& p) { return std::to_string(p.param.nx) + "x" + std::to_string(p.param.ny); });
 
 TEST_P(SurfaceComplianceTest, EqualsTheSumOverAllPairsOfCells)
 {

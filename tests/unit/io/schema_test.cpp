@@ -90,7 +90,7 @@ TEST(Suggestion, FindsWhatWasMeant)
   EXPECT_EQ(suggestion("upper.material.poisson"), "did you mean upper.material.poisson_ratio?");
   EXPECT_EQ(suggestion("upper.young_modulus"), "did you mean upper.material.young_modulus?");
   EXPECT_EQ(suggestion("kinematics"), "did you mean tugging.kinematics?");
-  EXPECT_EQ(suggestion("grid.colour"), "allowed in grid: spacing, resolution");
+  EXPECT_EQ(suggestion("grid.colour"), "allowed in grid: spacing, resolution, extent");
 }
 
 } // namespace
