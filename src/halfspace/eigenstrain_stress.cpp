@@ -341,7 +341,7 @@ void EigenstrainStress::apply_block(int row, int first, int count, const Complex
 {
   const int folded = std::min(row, fft_.py() - row);
   const Block f(factor_, static_cast<std::size_t>(folded * fft_.kx() + first), count, row > fft_.py() / 2 ? -1.0 : 1.0);
-  const std::size_t in_plane = static_cast<std::size_t>(row * fft_.kx() + first);
+  const auto in_plane = static_cast<std::size_t>(row * fft_.kx() + first);
   const auto offset = [&](int component, int layer)
   { return static_cast<std::size_t>(component * grid_.nz + layer) * fft_.plane() + in_plane; };
   const auto stress = [&](int component, int layer)
