@@ -137,8 +137,7 @@ void Body::integrate(Integration integration)
         }
       },
       *material_.hardening);
-  half_space_.load_strain(strain_, layers_, work_);
-  half_space_.residual_displacement(layers_, work_, displacement_);
+  half_space_.load_strain(strain_, layers_, work_, displacement_);
 }
 
 bool Body::update(std::span<const double> pressure)
@@ -146,7 +145,7 @@ bool Body::update(std::span<const double> pressure)
   if (!is_plastic())
     return false;
   const std::size_t n = grid().size();
-  half_space_.deviatoric_stress(pressure, strain_, layers_, work_, stress_);
+  half_space_.deviatoric_stress(pressure, strain_, work_, stress_);
   std::visit(
       [&](const auto& law)
       {

@@ -2,116 +2,205 @@
 #include "brinell/halfspace/half_space.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/fft.hpp"
 
 #include <algorithm>
+#include <omp.h>
 
 namespace brinell::halfspace
 {
 
-HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
-    : grid_(grid), elastic_(elastic), fft_(std::make_unique<PaddedFft>(grid.surface)),
-      pressure_stress_(grid, elastic.poisson_ratio, *fft_), eigenstrain_stress_(grid, elastic, *fft_),
-      image_correction_(grid, elastic, *fft_)
+namespace
 {
+
+/// In a spectrum of one block, or of all blocks one after the other: the row of one wavenumber along y.
+std::ptrdiff_t row_at(const BlockedFft& fft, int block, int row)
+{
+  return (static_cast<std::ptrdiff_t>(block) * fft.py() + row) * fft.planes() * lane_count;
+}
+
+/// The last step back to real space.
+void real_field(const BlockedFft& fft, const Complex* rows, int plane, BlockedFft::Scratch& scratch, double* field)
+{
+  const SurfaceGrid& s = fft.grid();
+  const double* row = fft.rows_inverse(rows, plane, scratch);
+  for (std::ptrdiff_t j = 0; j < s.ny; ++j, row += fft.px())
+    for (std::ptrdiff_t i = 0; i < s.nx; ++i)
+      field[j * s.nx + i] = fft.scale() * row[i];
+}
+
+int padded(int cells)
+{
+  return fast_length(2 * cells - 1);
+}
+
+} // namespace
+
+HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
+    : grid_(grid), elastic_(elastic), surface_fft_(grid.surface, padded(grid.surface.nx), padded(grid.surface.ny), 1),
+      volume_fft_(grid.surface, surface_fft_.px(), surface_fft_.py(), Deviator::size * grid.nz),
+      pressure_stress_(grid, elastic.poisson_ratio, surface_fft_), eigenstrain_stress_(grid, elastic, surface_fft_),
+      image_correction_(grid, elastic, surface_fft_)
+{
+}
+
+/// Place of one component in one layer of a field.
+std::size_t HalfSpace::field_at(int component, int layer) const
+{
+  return static_cast<std::size_t>(component * grid_.nz + layer) * grid_.surface.size();
 }
 
 HalfSpace::Work HalfSpace::make_work() const
 {
-  const std::size_t planes = static_cast<std::size_t>(grid_.nz) * fft_->plane();
+  const auto blocks = static_cast<std::size_t>(volume_fft_.blocks());
   Work work;
-  work.strain_hat.resize(Deviator::size * planes);
-  work.stress_hat.resize(Deviator::size * planes);
-  work.pressure_hat.resize(fft_->plane());
-  work.scratch.resize(fft_->scratch_size());
+  for (int thread = 0; thread < omp_get_max_threads(); ++thread)
+    work.threads_.push_back({volume_fft_.make_scratch(), eigenstrain_stress_.make_scratch()});
+  work.rows_.resize(volume_fft_.rows_size());
+  work.strain_.resize(volume_fft_.block_size());
+  work.stress_.resize(volume_fft_.block_size() * blocks);
+  work.surface_rows_.resize(surface_fft_.rows_size());
+  work.surface_.resize(surface_fft_.block_size() * blocks);
+  work.images_ = image_correction_.make_response();
   return work;
 }
 
-void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, Work& work) const
+void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, Work& work,
+                            std::span<double> displacement) const
+{
+  load_strain(plastic_strain, layers, work, displacement, nullptr);
+}
+
+void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, Work& work,
+                            std::span<double> displacement, Complex* trace) const
 {
   if (plastic_strain.size() != Deviator::size * grid_.size())
     throw InternalError("HalfSpace::load_strain: the strain does not have 5 values per cell");
-  const std::size_t cells = grid_.surface.size();
-#pragma omp parallel
+  const auto has_strain = [&](int layer)
   {
-    AlignedVector<double> scratch(fft_->scratch_size());
-#pragma omp for collapse(2) schedule(static)
-    for (int component = 0; component < Deviator::size; ++component)
-      for (int layer = 0; layer < layers; ++layer)
+    for (int c = 0; c < Deviator::size; ++c)
+    {
+      const auto field = plastic_strain.subspan(field_at(c, layer), grid_.surface.size());
+      if (std::any_of(field.begin(), field.end(), [](double e) { return e != 0.0; }))
+        return true;
+    }
+    return false;
+  };
+  int strained = layers;
+  while (strained > 0 && !has_strain(strained - 1))
+    --strained;
+  work.layers_ = layers;
+  work.strained_ = strained;
+  image_correction_.respond(plastic_strain, strained, work.images_);
+  const int planes = Deviator::size * strained;
+
+#pragma omp parallel num_threads(static_cast <int>(work.threads_.size()))
+  {
+    Work::Scratch& scratch = work.threads_[static_cast<std::size_t>(omp_get_thread_num())];
+#pragma omp for schedule(static)
+    for (int plane = 0; plane < planes; ++plane)
+      volume_fft_.rows_forward(plastic_strain.data() + field_at(plane % Deviator::size, plane / Deviator::size), plane,
+                               work.rows_.data(), scratch.fft);
+    for (int block = 0; block < volume_fft_.blocks(); ++block)
+    {
+#pragma omp for schedule(static)
+      for (int plane = 0; plane < planes; ++plane)
+        volume_fft_.columns_forward(work.rows_.data(), block, plane, work.strain_.data(), scratch.fft);
+#pragma omp for schedule(static)
+      for (int row = 0; row < volume_fft_.py(); ++row)
       {
-        const auto plane = static_cast<std::size_t>(component * grid_.nz + layer);
-        fft_->forward(plastic_strain.data() + plane * cells, work.strain_hat.data() + plane * fft_->plane(), scratch);
+        const Complex* strain = work.strain_.data() + row_at(volume_fft_, 0, row);
+        pressure_stress_.displacement(block, row, strain, work.surface_.data() + row_at(surface_fft_, block, row),
+                                      strained);
+        eigenstrain_stress_.apply(block, row, strain, strained, work.stress_.data() + row_at(volume_fft_, block, row),
+                                  layers, scratch.layers,
+                                  trace == nullptr ? nullptr : trace + row_at(surface_fft_, block, row) * grid_.nz);
       }
+    }
+#pragma omp for schedule(static)
+    for (int block = 0; block < surface_fft_.blocks(); ++block)
+      surface_fft_.columns_inverse(work.surface_.data() + row_at(surface_fft_, block, 0), block, 0,
+                                   work.surface_rows_.data(), scratch.fft);
+  }
+  real_field(surface_fft_, work.surface_rows_.data(), 0, work.threads_.front().fft, displacement.data());
+}
+
+void HalfSpace::load_pressure(std::span<const double> pressure, Work& work) const
+{
+  BlockedFft::Scratch& scratch = work.threads_.front().fft;
+  surface_fft_.rows_forward(pressure.data(), 0, work.surface_rows_.data(), scratch);
+  for (int block = 0; block < surface_fft_.blocks(); ++block)
+    surface_fft_.columns_forward(work.surface_rows_.data(), block, 0,
+                                 work.surface_.data() + row_at(surface_fft_, block, 0), scratch);
+}
+
+void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
+                                  std::span<double> stress) const
+{
+  load_pressure(pressure, work);
+  const int planes = Deviator::size * work.layers_;
+#pragma omp parallel num_threads(static_cast <int>(work.threads_.size()))
+  {
+    Work::Scratch& scratch = work.threads_[static_cast<std::size_t>(omp_get_thread_num())];
+    for (int block = 0; block < volume_fft_.blocks(); ++block)
+    {
+      Complex* spectrum = work.stress_.data() + row_at(volume_fft_, block, 0);
+#pragma omp for schedule(static)
+      for (int row = 0; row < volume_fft_.py(); ++row)
+        pressure_stress_.add_deviator(block, row, work.surface_.data() + row_at(surface_fft_, block, row),
+                                      spectrum + row_at(volume_fft_, 0, row), work.layers_);
+#pragma omp for schedule(static)
+      for (int plane = 0; plane < planes; ++plane)
+        volume_fft_.columns_inverse(spectrum, block, plane, work.rows_.data(), scratch.fft);
+    }
+#pragma omp for schedule(static)
+    for (int plane = 0; plane < planes; ++plane)
+    {
+      const int component = plane % Deviator::size;
+      const int layer = plane / Deviator::size;
+      double* field = stress.data() + field_at(component, layer);
+      real_field(volume_fft_, work.rows_.data(), plane, scratch.fft, field);
+      finish(component, layer, plastic_strain, work, field);
+    }
   }
 }
 
-void HalfSpace::residual_displacement(int layers, Work& work, std::span<double> displacement) const
+/// Adds the local part of the residual stress and takes off the stress of the periodic images.
+void HalfSpace::finish(int component, int layer, std::span<const double> plastic_strain, const Work& work,
+                       double* field) const
 {
-  pressure_stress_.displacement(work.strain_hat.data(), work.pressure_hat.data(), layers);
-  fft_->inverse(work.pressure_hat.data(), displacement.data(), work.scratch);
-}
-
-void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, int layers,
-                                  Work& work, std::span<double> stress) const
-{
-  eigenstrain_stress_.apply(work.strain_hat.data(), work.stress_hat.data(), layers);
-  fft_->forward(pressure.data(), work.pressure_hat.data(), work.scratch);
-  pressure_stress_.add_deviator(work.pressure_hat.data(), work.stress_hat.data(), layers);
-  finish(plastic_strain, layers, work, stress);
+  std::array<const double*, Deviator::size> strain{};
+  for (int c = 0; c < Deviator::size; ++c)
+    strain[static_cast<std::size_t>(c)] = plastic_strain.data() + field_at(c, layer);
+  eigenstrain_stress_.add_local(component, strain, grid_.surface.size(), field);
+  image_correction_.subtract(work.images_, component, layer, field);
 }
 
 void HalfSpace::full_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
                             std::span<double> deviator, std::span<double> trace) const
 {
-  const std::size_t cells = grid_.surface.size();
-  AlignedVector<Complex> residual_trace(static_cast<std::size_t>(grid_.nz) * fft_->plane());
-  AlignedVector<Complex> contact_trace(residual_trace.size());
-  load_strain(plastic_strain, grid_.nz, work);
-  eigenstrain_stress_.apply(work.strain_hat.data(), work.stress_hat.data(), grid_.nz, residual_trace.data());
-  fft_->forward(pressure.data(), work.pressure_hat.data(), work.scratch);
-  pressure_stress_.trace(work.pressure_hat.data(), contact_trace.data());
+  const BlockedFft fft(grid_.surface, surface_fft_.px(), surface_fft_.py(), grid_.nz);
+  AlignedVector<Complex> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
+  AlignedVector<Complex> rows(fft.rows_size());
+  std::vector<double> displacement(grid_.surface.size());
+  load_strain(plastic_strain, grid_.nz, work, displacement, spectra.data());
+  deviatoric_stress(pressure, plastic_strain, work, deviator);
+  BlockedFft::Scratch& scratch = work.threads_.front().fft;
+  for (int block = 0; block < fft.blocks(); ++block)
+  {
+    Complex* spectrum = spectra.data() + row_at(fft, block, 0);
+    for (int row = 0; row < fft.py(); ++row)
+      pressure_stress_.add_trace(block, row, work.surface_.data() + row_at(surface_fft_, block, row),
+                                 spectrum + row_at(fft, 0, row));
+    for (int layer = 0; layer < grid_.nz; ++layer)
+      fft.columns_inverse(spectrum, block, layer, rows.data(), scratch);
+  }
   for (int layer = 0; layer < grid_.nz; ++layer)
   {
-    const auto at = static_cast<std::size_t>(layer) * fft_->plane();
-    for (std::size_t i = 0; i < fft_->plane(); ++i)
-      residual_trace[at + i] += contact_trace[at + i];
-    fft_->inverse(residual_trace.data() + at, trace.data() + static_cast<std::size_t>(layer) * cells, work.scratch);
+    double* field = trace.data() + field_at(0, layer);
+    real_field(fft, rows.data(), layer, scratch, field);
+    finish(ImageCorrection::trace, layer, plastic_strain, work, field);
   }
-  pressure_stress_.add_deviator(work.pressure_hat.data(), work.stress_hat.data(), grid_.nz);
-  finish(plastic_strain, grid_.nz, work, deviator, trace);
-  const std::size_t n = grid_.size();
-  for (std::size_t i = 0; i < n; ++i)
-    trace[i] += eigenstrain_stress_.local_trace({{plastic_strain[i], plastic_strain[n + i], 0.0, 0.0, 0.0}});
-}
-
-/// Back to real space, plus the local part of the residual stress, less the stress of the periodic images.
-void HalfSpace::finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress,
-                       std::span<double> trace) const
-{
-  const std::size_t cells = grid_.surface.size();
-#pragma omp parallel
-  {
-    AlignedVector<double> scratch(fft_->scratch_size());
-#pragma omp for collapse(2) schedule(static)
-    for (int component = 0; component < Deviator::size; ++component)
-      for (int layer = 0; layer < layers; ++layer)
-      {
-        const auto plane = static_cast<std::size_t>(component * grid_.nz + layer);
-        fft_->inverse(work.stress_hat.data() + plane * fft_->plane(), stress.data() + plane * cells, scratch);
-      }
-  }
-  const std::size_t n = grid_.size();
-  const auto used = static_cast<std::size_t>(layers) * cells;
-#pragma omp parallel for simd schedule(static)
-  for (std::size_t i = 0; i < used; ++i)
-  {
-    Deviator e;
-    for (int c = 0; c < Deviator::size; ++c)
-      e[c] = plastic_strain[static_cast<std::size_t>(c) * n + i];
-    const Deviator s = eigenstrain_stress_.local_stress(e);
-    for (int c = 0; c < Deviator::size; ++c)
-      stress[static_cast<std::size_t>(c) * n + i] += s[c];
-  }
-  image_correction_.subtract(plastic_strain, layers, stress, trace);
 }
 
 } // namespace brinell::halfspace

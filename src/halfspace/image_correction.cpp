@@ -63,7 +63,7 @@ double chebyshev(int order, double t)
 
 } // namespace
 
-ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft) : grid_(grid)
+ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft) : grid_(grid)
 {
   const SurfaceGrid& s = grid.surface;
   const auto tabulate = [](int cells, std::vector<double>& table)
@@ -239,14 +239,18 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
       v *= grid_.cell_volume();
 }
 
-void ImageCorrection::subtract(std::span<const double> strain, int layers, std::span<double> stress,
-                               std::span<double> trace) const
+ImageCorrection::Response ImageCorrection::make_response() const
+{
+  return {std::vector<double>(static_cast<std::size_t>(strains * grid_.nz * powers)),
+          std::vector<double>(strain_moments), std::vector<double>(stress_moments)};
+}
+
+void ImageCorrection::respond(std::span<const double> strain, int layers, Response& response) const
 {
   const SurfaceGrid& s = grid_.surface;
   const std::size_t cells = s.size();
-  std::vector<double> layer_moment(static_cast<std::size_t>(strains * grid_.nz * powers), 0.0);
   const auto of_layer = [&](int component, int layer)
-  { return layer_moment.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers); };
+  { return response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers); };
 
 #pragma omp parallel for collapse(2) schedule(static)
   for (int e = 0; e < strains; ++e)
@@ -254,6 +258,7 @@ void ImageCorrection::subtract(std::span<const double> strain, int layers, std::
     {
       const double* field = strain.data() + static_cast<std::size_t>(e * grid_.nz + layer) * cells;
       double* moment = of_layer(e, layer);
+      std::fill_n(moment, powers, 0.0);
       for (int j = 0; j < s.ny; ++j)
         for (int a = 0; a <= degree; ++a)
         {
@@ -267,59 +272,55 @@ void ImageCorrection::subtract(std::span<const double> strain, int layers, std::
         }
     }
 
-  std::vector<double> moment(strain_moments, 0.0);
-  std::vector<double> response(stress_moments, 0.0);
+  std::fill(response.moments.begin(), response.moments.end(), 0.0);
   for (int e = 0; e < strains; ++e)
     for (int q = 0; q < depths; ++q)
       for (int layer = 0; layer < layers; ++layer)
         for (int p = 0; p < powers; ++p)
-          moment[static_cast<std::size_t>((e * depths + q) * powers + p)] +=
+          response.moments[static_cast<std::size_t>((e * depths + q) * powers + p)] +=
               chebyshev_[static_cast<std::size_t>(q * grid_.nz + layer)] * of_layer(e, layer)[p];
   for (const ParityClass& c : classes_)
   {
     std::array<double, strain_moments> in_class{};
     for (std::size_t i = 0; i < c.strains; ++i)
-      in_class[i] = moment[static_cast<std::size_t>(c.members[i])];
-    const std::size_t rows = trace.empty() ? c.strains : c.members.size();
-    for (std::size_t row = 0; row < rows; ++row)
+      in_class[i] = response.moments[static_cast<std::size_t>(c.members[i])];
+    for (std::size_t row = 0; row < c.members.size(); ++row)
     {
       double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
       for (std::size_t column = 0; column < c.strains; ++column)
         sum += c.coupling[row * c.strains + column] * in_class[column];
-      response[static_cast<std::size_t>(c.members[row])] = sum;
+      response.stress[static_cast<std::size_t>(c.members[row])] = sum;
     }
   }
+}
 
-  const int components = trace.empty() ? strains : stresses;
-#pragma omp parallel for collapse(2) schedule(static)
-  for (int c = 0; c < components; ++c)
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      std::array<double, powers> of_depth{};
-      for (int q = 0; q < depths; ++q)
-        for (int p = 0; p < powers; ++p)
-          of_depth[static_cast<std::size_t>(p)] += chebyshev_[static_cast<std::size_t>(q * grid_.nz + layer)] *
-                                                   response[static_cast<std::size_t>((c * depths + q) * powers + p)];
-      double* field = c < strains ? stress.data() + static_cast<std::size_t>(c * grid_.nz + layer) * cells
-                                  : trace.data() + static_cast<std::size_t>(layer) * cells;
-      for (int j = 0; j < s.ny; ++j)
-      {
-        std::array<double, degree + 1> of_row{};
-        for (int a = 0; a <= degree; ++a)
-          for (int b = 0; a + b <= degree; ++b)
-            of_row[static_cast<std::size_t>(a)] +=
-                of_depth[static_cast<std::size_t>(monomial(a, b))] * y_[static_cast<std::size_t>(b * s.ny + j)];
+void ImageCorrection::subtract(const Response& response, int component, int layer, double* stress) const
+{
+  const SurfaceGrid& s = grid_.surface;
+  std::array<double, powers> of_depth{};
+  for (int q = 0; q < depths; ++q)
+    for (int p = 0; p < powers; ++p)
+      of_depth[static_cast<std::size_t>(p)] +=
+          chebyshev_[static_cast<std::size_t>(q * grid_.nz + layer)] *
+          response.stress[static_cast<std::size_t>((component * depths + q) * powers + p)];
+  for (int j = 0; j < s.ny; ++j)
+  {
+    std::array<double, degree + 1> of_row{};
+    for (int a = 0; a <= degree; ++a)
+      for (int b = 0; a + b <= degree; ++b)
+        of_row[static_cast<std::size_t>(a)] +=
+            of_depth[static_cast<std::size_t>(monomial(a, b))] * y_[static_cast<std::size_t>(b * s.ny + j)];
+    double* row = stress + static_cast<std::ptrdiff_t>(s.nx) * j;
 #pragma omp simd
-        for (int i = 0; i < s.nx; ++i)
-        {
-          double sum = 0.0;
-          for (int a = 0; a <= degree; ++a)
-            sum += of_row[static_cast<std::size_t>(a)] * x_[static_cast<std::size_t>(a * s.nx + i)];
-          field[i + s.nx * j] -= sum;
-        }
-      }
+    for (int i = 0; i < s.nx; ++i)
+    {
+      double sum = 0.0;
+      for (int a = 0; a <= degree; ++a)
+        sum += of_row[static_cast<std::size_t>(a)] * x_[static_cast<std::size_t>(a * s.nx + i)];
+      row[i] -= sum;
     }
+  }
 }
 
 } // namespace brinell::halfspace

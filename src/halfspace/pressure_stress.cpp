@@ -20,29 +20,28 @@ constexpr std::array<double, 3> gauss_weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}
 
 } // namespace
 
-PressureStress::PressureStress(const VolumeGrid& grid, double poisson_ratio, const PaddedFft& fft)
+PressureStress::PressureStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft)
     : grid_(grid), fft_(fft), rows_(fft.py() / 2 + 1),
-      spectra_(static_cast<std::size_t>(kernel_count) * static_cast<std::size_t>(grid.nz) *
-               static_cast<std::size_t>(rows_) * static_cast<std::size_t>(fft.kx()))
+      kernels_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows_) *
+               static_cast<std::size_t>(grid.nz))
 {
+  const PaddedFft padded(grid.surface, fft.px(), fft.py());
 #pragma omp parallel for schedule(dynamic)
   for (int layer = 0; layer < grid_.nz; ++layer)
-    tabulate(layer, poisson_ratio);
+    tabulate(layer, poisson_ratio, padded);
 }
 
-const double* PressureStress::kernel(int which, int layer, int row) const
+const PressureStress::Kernels* PressureStress::kernels(int block, int row) const
 {
   const int folded = std::min(row, fft_.py() - row);
-  const auto index = (static_cast<std::size_t>(which * grid_.nz + layer) * static_cast<std::size_t>(rows_)) +
-                     static_cast<std::size_t>(folded);
-  return spectra_.data() + index * static_cast<std::size_t>(fft_.kx());
+  return kernels_.data() + static_cast<std::size_t>(block * rows_ + folded) * static_cast<std::size_t>(grid_.nz);
 }
 
-void PressureStress::tabulate(int layer, double poisson_ratio)
+void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& fft)
 {
   const SurfaceGrid& s = grid_.surface;
-  const int px = fft_.px();
-  const int py = fft_.py();
+  const int px = fft.px();
+  const int py = fft.py();
 
   // Values at the cells of the first quadrant, from one lattice of corners per depth.
   std::vector<SymTensor> quadrant(s.size(), SymTensor{});
@@ -64,7 +63,18 @@ void PressureStress::tabulate(int layer, double poisson_ratio)
   }
 
   AlignedVector<double> plane(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
-  AlignedVector<Complex> transformed(fft_.plane());
+  AlignedVector<Complex> transformed(fft.plane());
+  enum : int
+  {
+    xx,
+    yy,
+    yz,
+    xz,
+    xy,
+    trace
+  };
+  constexpr std::array<Lanes Kernels::*, kernel_count> member{&Kernels::xx, &Kernels::yy, &Kernels::yz,
+                                                              &Kernels::xz, &Kernels::xy, &Kernels::trace};
   for (int which = 0; which < kernel_count; ++which)
   {
     const bool odd_x = which == xz || which == xy;
@@ -79,103 +89,76 @@ void PressureStress::tabulate(int layer, double poisson_ratio)
         plane[static_cast<std::size_t>((j + py) % py * px + (i + px) % px)] =
             sign * value[static_cast<std::size_t>(which)];
       }
-    fft_.forward_padded(plane, transformed.data());
+    fft.forward_padded(plane, transformed.data());
     const bool imaginary = odd_x != odd_y;
-    auto* out = const_cast<double*>(kernel(which, layer, 0));
-    for (int k = 0; k < rows_ * fft_.kx(); ++k)
-      out[k] =
-          imaginary ? transformed[static_cast<std::size_t>(k)].imag() : transformed[static_cast<std::size_t>(k)].real();
+    for (int row = 0; row < rows_; ++row)
+      for (int i = 0; i < fft.kx(); ++i)
+      {
+        const Complex value = transformed[static_cast<std::size_t>(row * fft.kx() + i)];
+        const auto at = static_cast<std::size_t>((i / lane_count * rows_ + row) * grid_.nz + layer);
+        (kernels_[at].*member[static_cast<std::size_t>(which)])[i % lane_count] =
+            imaginary ? value.imag() : value.real();
+      }
   }
 }
 
-void PressureStress::add_deviator(const Complex* pressure_hat, Complex* stress_hat, int layers) const
+namespace
 {
-  const int kx = fft_.kx();
-  const std::size_t component = static_cast<std::size_t>(grid_.nz) * fft_.plane();
-#pragma omp parallel for schedule(static)
-  for (int layer = 0; layer < layers; ++layer)
-    for (int row = 0; row < fft_.py(); ++row)
-    {
-      const double sign = row > fft_.py() / 2 ? -1.0 : 1.0; // kernels odd in y
-      const double* a = kernel(xx_minus_zz, layer, row);
-      const double* b = kernel(yy_minus_zz, layer, row);
-      const double* k_yz = kernel(yz, layer, row);
-      const double* k_xz = kernel(xz, layer, row);
-      const double* k_xy = kernel(xy, layer, row);
-      const auto* p = reinterpret_cast<const double*>(pressure_hat + row * kx);
-      auto* out = reinterpret_cast<double*>(stress_hat + static_cast<std::size_t>(layer) * fft_.plane() +
-                                            static_cast<std::size_t>(row * kx));
-      const std::size_t next = 2 * component;
-#pragma omp simd
-      for (int i = 0; i < kx; ++i)
-      {
-        const double re = p[2 * i];
-        const double im = p[2 * i + 1];
-        const double xx = (2.0 * a[i] - b[i]) / 3.0;
-        const double yy = (2.0 * b[i] - a[i]) / 3.0;
-        out[2 * i] += xx * re;
-        out[2 * i + 1] += xx * im;
-        out[next + 2 * i] += yy * re;
-        out[next + 2 * i + 1] += yy * im;
-        out[2 * next + 2 * i] -= sign * k_yz[i] * im;
-        out[2 * next + 2 * i + 1] += sign * k_yz[i] * re;
-        out[3 * next + 2 * i] -= k_xz[i] * im;
-        out[3 * next + 2 * i + 1] += k_xz[i] * re;
-        out[4 * next + 2 * i] += sign * k_xy[i] * re;
-        out[4 * next + 2 * i + 1] += sign * k_xy[i] * im;
-      }
-    }
+
+/// Rows of negative wavenumbers in y are stored with those of the positive ones; kernels odd in y change sign.
+double sign_of_row(int row, int py)
+{
+  return row > py / 2 ? -1.0 : 1.0;
 }
 
-void PressureStress::trace(const Complex* pressure_hat, Complex* trace_hat) const
+void add_lanes(const ComplexLanes& value, Complex* to)
 {
-  for (int layer = 0; layer < grid_.nz; ++layer)
-    for (int row = 0; row < fft_.py(); ++row)
-    {
-      const double* k = kernel(tr, layer, row);
-      const Complex* p = pressure_hat + row * fft_.kx();
-      Complex* out =
-          trace_hat + static_cast<std::size_t>(layer) * fft_.plane() + static_cast<std::size_t>(row * fft_.kx());
-      for (int i = 0; i < fft_.kx(); ++i)
-        out[i] = k[i] * p[i];
-    }
+  store_lanes(load_lanes(to) + value, to);
 }
 
-void PressureStress::displacement(const Complex* strain_hat, Complex* displacement_hat, int layers) const
+} // namespace
+
+void PressureStress::add_deviator(int block, int row, const Complex* pressure, Complex* stress, int layers) const
 {
-  const int kx = fft_.kx();
-  const std::size_t next = 2 * static_cast<std::size_t>(grid_.nz) * fft_.plane();
-#pragma omp parallel for schedule(static)
-  for (int row = 0; row < fft_.py(); ++row)
+  const Kernels* kernel = kernels(block, row);
+  const ComplexLanes p = load_lanes(pressure);
+  const ComplexLanes third = (1.0 / 3.0) * p;
+  const ComplexLanes p_y = sign_of_row(row, fft_.py()) * p;
+  for (int layer = 0; layer < layers; ++layer, ++kernel, stress += Deviator::size * lane_count)
   {
-    const double sign = row > fft_.py() / 2 ? -1.0 : 1.0;
-    auto* out = reinterpret_cast<double*>(displacement_hat + row * kx);
-    std::fill_n(out, 2 * kx, 0.0);
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      const double* a = kernel(xx_minus_zz, layer, row);
-      const double* b = kernel(yy_minus_zz, layer, row);
-      const double* k_yz = kernel(yz, layer, row);
-      const double* k_xz = kernel(xz, layer, row);
-      const double* k_xy = kernel(xy, layer, row);
-      const auto* e = reinterpret_cast<const double*>(strain_hat + static_cast<std::size_t>(layer) * fft_.plane() +
-                                                      static_cast<std::size_t>(row * kx));
-#pragma omp simd
-      for (int i = 0; i < kx; ++i)
-      {
-        // conj(K) : eps; conj(i k) = -i k for the kernels odd in one direction.
-        const double yz_factor = 2.0 * sign * k_yz[i];
-        const double xz_factor = 2.0 * k_xz[i];
-        const double xy_factor = 2.0 * sign * k_xy[i];
-        out[2 * i] += a[i] * e[2 * i] + b[i] * e[next + 2 * i] + yz_factor * e[2 * next + 2 * i + 1] +
-                      xz_factor * e[3 * next + 2 * i + 1] + xy_factor * e[4 * next + 2 * i];
-        out[2 * i + 1] += a[i] * e[2 * i + 1] + b[i] * e[next + 2 * i + 1] - yz_factor * e[2 * next + 2 * i] -
-                          xz_factor * e[3 * next + 2 * i] + xy_factor * e[4 * next + 2 * i + 1];
-      }
-    }
-    for (int i = 0; i < 2 * kx; ++i)
-      out[i] *= grid_.dz;
+    add_lanes((2.0 * kernel->xx - kernel->yy) * third, stress);
+    add_lanes((2.0 * kernel->yy - kernel->xx) * third, stress + lane_count);
+    add_lanes(kernel->yz * times_i(p_y), stress + 2 * lane_count);
+    add_lanes(kernel->xz * times_i(p), stress + 3 * lane_count);
+    add_lanes(kernel->xy * p_y, stress + 4 * lane_count);
   }
+}
+
+void PressureStress::add_trace(int block, int row, const Complex* pressure, Complex* trace) const
+{
+  const Kernels* kernel = kernels(block, row);
+  const ComplexLanes p = load_lanes(pressure);
+  for (int layer = 0; layer < grid_.nz; ++layer, ++kernel, trace += lane_count)
+    add_lanes(kernel->trace * p, trace);
+}
+
+void PressureStress::displacement(int block, int row, const Complex* strain, Complex* displacement, int layers) const
+{
+  const Kernels* kernel = kernels(block, row);
+  ComplexLanes even;  // conj(K) : eps; the kernels odd in one direction are imaginary,
+  ComplexLanes odd;   // conj(i K) = -i K,
+  ComplexLanes odd_y; // and those odd in y change sign with the row
+  ComplexLanes odd_xy;
+  for (int layer = 0; layer < layers; ++layer, ++kernel, strain += Deviator::size * lane_count)
+  {
+    even = even + kernel->xx * load_lanes(strain) + kernel->yy * load_lanes(strain + lane_count);
+    odd_y = odd_y + kernel->yz * load_lanes(strain + 2 * lane_count);
+    odd = odd + kernel->xz * load_lanes(strain + 3 * lane_count);
+    odd_xy = odd_xy + kernel->xy * load_lanes(strain + 4 * lane_count);
+  }
+  const double sign = sign_of_row(row, fft_.py());
+  const ComplexLanes shear = 2.0 * (sign * odd_xy - times_i(sign * odd_y + odd));
+  store_lanes(grid_.dz * (even + shear), displacement);
 }
 
 } // namespace brinell::halfspace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/blocked_fft.hpp"
 #include "brinell/foundation/deviator.hpp"
-#include "brinell/foundation/fft.hpp"
 #include "brinell/green/elastic.hpp"
 
-#include <vector>
+#include <array>
 
 namespace brinell::halfspace
 {
@@ -20,49 +20,56 @@ namespace brinell::halfspace
 ///   sigma_ll = P e^-s (a + 2 c_g - s c_g)       sigma_zz = P e^-s (-a + s c_g)
 ///   sigma_lz = i g P e^-s (a + c_g - s c_g)     sigma_tt = nu (sigma_ll + sigma_zz)
 ///   sigma_lt = mu k e^-s w_g                    sigma_tz = i g mu k e^-s w_g
-/// plus, inside the layer, the stress of a uniform layer held in its plane. Mirror image and Boussinesq's pressure that
-/// frees the surface are, with F = int (a - k z' c_-) e^-kz' dz', C = int c_- e^-kz' dz', W = int w_- e^-kz' dz' and
-/// V = C + 2 F,
-///   sigma_ll = P e^-kz (F + V + C - k z V)      sigma_zz = P e^-kz (F + k z V)
-///   sigma_lz = i P e^-kz (F + C - k z V)        sigma_lt = mu k e^-kz W,   sigma_tz = i sigma_lt.
-/// (Mura 1987, Eq. 11.30 for the potentials; derivation in docs/theory.md.) The stress of a layer is its mean over the
-/// thickness, as the strain is constant in it: the operator is symmetric, and its energy exact for such a strain.
+/// plus, inside the layer, the stress of a uniform layer held in its plane. Mirror image and Boussinesq's pressure, which
+/// free the surface, together travel downwards like one more wave that starts there, with the amplitudes
+///   a = -F,  c = C + 2 F,  w = W,   F = int (a - k z' c_-) e^-kz' dz',  C = int c_- e^-kz' dz',  W = int w_- e^-kz' dz'
+/// of what arrives from below. (Mura 1987, Eq. 11.30 for the potentials; derivation in docs/theory.md.) The stress of a
+/// layer is its mean over the thickness, as the strain is constant in it: the operator is symmetric, and its energy exact
+/// for such a strain.
 ///
 /// In the plane the strain is the trigonometric interpolant of the cell values, periodic over the padded lengths;
 /// halfspace::ImageCorrection removes the images.
 class EigenstrainStress
 {
 public:
-  EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft);
+  /// @param fft  transform of 5 * nz planes, those of one layer together (order of Deviator); must outlive this object.
+  EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft);
+  ~EigenstrainStress();
+  EigenstrainStress(const EigenstrainStress&) = delete;
+  EigenstrainStress& operator=(const EigenstrainStress&) = delete;
 
-  /// Non-local part of the residual stress (the caller adds `local_stress` in real space).
-  /// @param strain_hat  5 * nz planes, traceless plastic strain.
-  /// @param stress_hat  5 * nz planes, deviatoric stress [Pa]; overwritten in layers [0, layers).
-  /// @param trace_hat   nullptr, or nz planes for the trace of the stress [Pa].
-  void apply(const Complex* strain_hat, Complex* stress_hat, int layers, Complex* trace_hat = nullptr) const;
+  /// What `apply` keeps of the layers between its way up and its way down.
+  struct Layer
+  {
+    ComplexLanes a, d, lz, lt, tz;                       ///< strain in the frame of the wavevector
+    ComplexLanes below_ll, below_zz, below_lz, below_lt; ///< stress of the layers below
+  };
+  using Scratch = AlignedVector<Layer>;
+  [[nodiscard]] Scratch make_scratch() const { return Scratch(static_cast<std::size_t>(grid_.nz)); }
 
-  /// Deviator of the local stress [Pa]: a uniform, unbounded layer held in its plane (plane stress across it).
-  [[nodiscard]] Deviator local_stress(const Deviator& strain) const;
-  /// Trace of the same [Pa].
-  [[nodiscard]] double local_trace(const Deviator& strain) const;
+  /// Non-local part of the residual stress at the wavenumbers of one row of one block (the caller adds `local_stress`
+  /// in real space).
+  /// @param strain    [5 * nz planes][lane], traceless plastic strain; zero in layers >= `strained`, which are not read.
+  /// @param stress    deviatoric stress [Pa]; overwritten in layers [0, layers).
+  /// @param trace     nullptr, or [nz][lane] for the trace of the stress [Pa].
+  void apply(int block, int row, const Complex* strain, int strained, Complex* stress, int layers, Scratch& scratch,
+             Complex* trace = nullptr) const;
+
+  /// Local stress [Pa]: a uniform, unbounded layer held in its plane (plane stress across it). Adds one component of
+  /// its deviator, or for component 5 its trace, over `cells` cells.
+  /// @param strain  components of the strain of the same cells.
+  void add_local(int component, const std::array<const double*, Deviator::size>& strain, std::size_t cells,
+                 double* stress) const;
+
+  struct Factors; ///< of one block of wavenumbers
 
 private:
-  struct Block;
-  void apply_block(int row, int first, int count, const Complex* strain_hat, Complex* stress_hat, int layers,
-                   Complex* trace_hat) const;
+  [[nodiscard]] Factors factors_at(int block, int row) const;
 
   VolumeGrid grid_;
   double nu_, mu_;
-  const PaddedFft& fft_;
-  /// Factors of one wavenumber, [row][kx]; rows of the quadrant ky >= 0.
-  struct Factors
-  {
-    std::vector<double> lx, ly, lx2, ly2, lxly; ///< direction of the wavevector; products odd in a Nyquist index are 0
-    std::vector<double> q;                      ///< e^{-k dz}
-    std::vector<double> e0, e1, e2, e3;         ///< neighbouring layers
-    std::vector<double> m0, m1, m2;             ///< a layer on itself
-    std::vector<double> s0, s1, x;              ///< layer means of e^{-kz} and k z e^{-kz}; x = k dz
-  } factor_;
+  const BlockedFft& fft_;
+  AlignedVector<Factors> factors_; ///< [block][row], rows of the half-plane ky >= 0
 };
 
 } // namespace brinell::halfspace

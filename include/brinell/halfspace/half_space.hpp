@@ -5,7 +5,6 @@
 #include "brinell/halfspace/image_correction.hpp"
 #include "brinell/halfspace/pressure_stress.hpp"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,40 +20,58 @@ public:
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic);
 
   /// Buffers of one evaluation; make one per concurrent caller, once.
-  struct Work
-  {
-    AlignedVector<Complex> strain_hat, stress_hat, pressure_hat;
-    AlignedVector<double> scratch;
-  };
+  class Work;
   [[nodiscard]] Work make_work() const;
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const Elastic& elastic() const { return elastic_; }
-  [[nodiscard]] const PaddedFft& fft() const { return *fft_; }
 
-  /// Transforms the plastic strain [-] of the layers [0, layers), for the two functions below; the strain in the
-  /// layers beneath must be zero.
-  void load_strain(std::span<const double> plastic_strain, int layers, Work& work) const;
-  /// Residual normal displacement of the surface [m], into the body positive, of the strain loaded.
-  void residual_displacement(int layers, Work& work, std::span<double> displacement) const;
-  /// Deviatoric stress [Pa] of the pressure [Pa] (on the grid's surface) and of the strain loaded, which is used up.
-  /// Only the layers [0, layers) are computed.
-  void deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, int layers,
-                         Work& work, std::span<double> stress) const;
-  /// Like deviatoric_stress, in all layers, with the trace of the stress [Pa] besides (for output).
+  /// Takes in the plastic strain [-] (zero beneath the layers [0, layers)) and prepares its stress in these layers, for
+  /// the functions below.
+  /// @param displacement  receives the residual normal displacement of the surface [m], into the body positive.
+  void load_strain(std::span<const double> plastic_strain, int layers, Work& work,
+                   std::span<double> displacement) const;
+  /// Deviatoric stress [Pa] of the pressure [Pa] (on the grid's surface) and of the strain loaded, in the layers loaded.
+  /// Uses up what was loaded.
+  void deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
+                         std::span<double> stress) const;
+  /// Deviator and trace of the stress [Pa] in all layers (for output); loads the strain itself.
   void full_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
                    std::span<double> deviator, std::span<double> trace) const;
 
 private:
-  void finish(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> stress,
-              std::span<double> trace = {}) const;
+  void load_strain(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> displacement,
+                   Complex* trace) const;
+  void load_pressure(std::span<const double> pressure, Work& work) const;
+  void finish(int component, int layer, std::span<const double> plastic_strain, const Work& work, double* field) const;
+  [[nodiscard]] std::size_t field_at(int component, int layer) const;
 
   VolumeGrid grid_;
   Elastic elastic_;
-  std::unique_ptr<PaddedFft> fft_;
+  BlockedFft surface_fft_; ///< of one plane
+  BlockedFft volume_fft_;  ///< of a deviator field
   PressureStress pressure_stress_;
   EigenstrainStress eigenstrain_stress_;
   ImageCorrection image_correction_;
+};
+
+class HalfSpace::Work
+{
+  friend class HalfSpace;
+  struct Scratch
+  {
+    BlockedFft::Scratch fft;
+    EigenstrainStress::Scratch layers;
+  };
+  std::vector<Scratch> threads_;        ///< one per thread
+  AlignedVector<Complex> rows_;         ///< of strain, later of stress
+  AlignedVector<Complex> strain_;       ///< spectrum of one block
+  AlignedVector<Complex> stress_;       ///< spectra of all blocks
+  AlignedVector<Complex> surface_rows_; ///< of a displacement or pressure
+  AlignedVector<Complex> surface_;      ///< spectrum of the same
+  ImageCorrection::Response images_;
+  int layers_ = 0;   ///< layers with stress
+  int strained_ = 0; ///< layers with strain
 };
 
 } // namespace brinell::halfspace

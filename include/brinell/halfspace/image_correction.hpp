@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/fft.hpp"
+#include "brinell/foundation/blocked_fft.hpp"
 #include "brinell/green/elastic.hpp"
 
 #include <array>
@@ -22,12 +22,22 @@ namespace brinell::halfspace
 class ImageCorrection
 {
 public:
-  ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const PaddedFft& fft);
+  ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft);
 
-  /// Subtracts the deviatoric stress [Pa] of the images of `strain` (5 * grid.size() values, traceless) from `stress`
-  /// in the layers [0, layers); strain beneath must be zero. The same for the trace of the stress, unless that is empty.
-  void subtract(std::span<const double> strain, int layers, std::span<double> stress,
-                std::span<double> trace = {}) const;
+  /// Polynomial coefficients of the stress of the images, and what is needed to find them.
+  struct Response
+  {
+    std::vector<double> of_layers; ///< moments of the strain, [component][layer][power]
+    std::vector<double> moments;   ///< of strain, [component][depth][power]
+    std::vector<double> stress;    ///< of the stress, [component or trace][depth][power]
+  };
+  [[nodiscard]] Response make_response() const;
+
+  /// Response to `strain` (5 * grid.size() values, component by component, traceless; zero beneath layer `layers`).
+  void respond(std::span<const double> strain, int layers, Response& response) const;
+  static constexpr int trace = 5; ///< component index of the trace of the stress, after those of Deviator
+  /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
+  void subtract(const Response& response, int component, int layer, double* stress) const;
 
 private:
   static constexpr int strains = 5;                              ///< components of Deviator

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/blocked_fft.hpp"
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/foundation/fft.hpp"
-
-#include <vector>
 
 namespace brinell::halfspace
 {
@@ -16,39 +15,37 @@ namespace brinell::halfspace
 ///   u(x) = integral of s^(unit load at x) : eps_p dV,
 /// with the same coefficients, so the discrete system stays symmetric.
 ///
-/// Everything here works on spectra of one PaddedFft: a stress or strain is 5 * nz planes, component by component
-/// (order of Deviator), layer by layer.
+/// Everything here works on one row of one block of BlockedFft's spectra: a stress or strain is [5 * nz planes][lane],
+/// the components (order of Deviator) of one layer together.
 class PressureStress
 {
 public:
-  /// @param fft  transform of the surface of `grid`; must outlive this object.
-  PressureStress(const VolumeGrid& grid, double poisson_ratio, const PaddedFft& fft);
+  /// @param fft  transform of single planes on the surface of `grid`; must outlive this object.
+  PressureStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft);
 
-  /// Adds the deviatoric stress of the pressure [Pa] to `stress_hat` (layers [0, layers)).
-  void add_deviator(const Complex* pressure_hat, Complex* stress_hat, int layers) const;
-  /// Trace of the stress of the pressure [Pa], nz planes.
-  void trace(const Complex* pressure_hat, Complex* trace_hat) const;
-  /// Normal surface displacement [m], positive into the body, of traceless plastic strain (layers [0, layers)): one plane.
-  void displacement(const Complex* strain_hat, Complex* displacement_hat, int layers) const;
+  /// Adds the deviatoric stress of the pressure [Pa] (one plane) to `stress` (layers [0, layers)).
+  void add_deviator(int block, int row, const Complex* pressure, Complex* stress, int layers) const;
+  /// Adds the trace of the stress of the pressure [Pa] to `trace`, nz planes.
+  void add_trace(int block, int row, const Complex* pressure, Complex* trace) const;
+  /// Normal surface displacement [m] (one plane), positive into the body, of traceless plastic strain in the layers
+  /// [0, layers).
+  void displacement(int block, int row, const Complex* strain, Complex* displacement, int layers) const;
 
 private:
-  enum Kernel : int
+  static constexpr int kernel_count = 6;
+  /// Kernels of one layer, for `lane_count` wavenumbers: imaginary parts for yz and xz, real parts otherwise.
+  struct Kernels
   {
-    xx_minus_zz,
-    yy_minus_zz,
-    yz,
-    xz,
-    xy,
-    tr,
-    kernel_count
+    Lanes xx, yy, yz, xz, xy; ///< xx and yy less zz
+    Lanes trace;
   };
-  [[nodiscard]] const double* kernel(int which, int layer, int row) const;
-  void tabulate(int layer, double poisson_ratio);
+  [[nodiscard]] const Kernels* kernels(int block, int row) const;
+  void tabulate(int layer, double poisson_ratio, const PaddedFft& fft);
 
   VolumeGrid grid_;
-  const PaddedFft& fft_;
-  int rows_;                    ///< stored rows of a kernel's quadrant
-  std::vector<double> spectra_; ///< [kernel][layer][row][kx]; imaginary parts for yz and xz, real parts otherwise
+  const BlockedFft& fft_;
+  int rows_;                       ///< stored rows, ky >= 0
+  AlignedVector<Kernels> kernels_; ///< [block][row][layer]
 };
 
 } // namespace brinell::halfspace

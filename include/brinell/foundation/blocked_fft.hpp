@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/aligned.hpp"
+#include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/lanes.hpp"
+
+#include <memory>
+
+namespace brinell
+{
+
+/// Zero-padded transforms (as PaddedFft) of many planes at once: the components of a field in every layer of a volume.
+///
+/// Work on a layered body couples all planes at one wavenumber. So the spectrum is cut into blocks of `lane_count`
+/// neighbouring wavenumbers along x, each small enough for the cache, and the transforms along x and y are apart:
+///   rows      [block][plane][ny][lane]         after the transform along x; the zero padding in y is not stored
+///   spectrum  [block][row][plane][lane]        row = wavenumber index along y, wrapped
+/// Lanes beyond the last wavenumber hold zeros. Planned once; every function is const and may be called from several
+/// threads for different planes or blocks, each with its own Scratch.
+class BlockedFft
+{
+public:
+  /// @param px, py  padded lengths (PaddedFft chooses them).
+  BlockedFft(const SurfaceGrid& grid, int px, int py, int planes);
+  ~BlockedFft();
+  BlockedFft(BlockedFft&&) noexcept;
+  BlockedFft& operator=(BlockedFft&&) noexcept;
+  BlockedFft(const BlockedFft&) = delete;
+  BlockedFft& operator=(const BlockedFft&) = delete;
+
+  [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
+  [[nodiscard]] int px() const { return px_; }
+  [[nodiscard]] int py() const { return py_; }
+  [[nodiscard]] int kx() const { return px_ / 2 + 1; } ///< wavenumbers along x
+  [[nodiscard]] int planes() const { return planes_; }
+  [[nodiscard]] int blocks() const { return (kx() + lane_count - 1) / lane_count; }
+  /// Complex values of all rows, and of the spectrum of one block.
+  [[nodiscard]] std::size_t rows_size() const;
+  [[nodiscard]] std::size_t block_size() const;
+
+  struct Scratch
+  {
+    AlignedVector<double> real;    ///< [ny][px]
+    AlignedVector<Complex> half;   ///< [ny][blocks][lane]
+    AlignedVector<Complex> padded; ///< [py][lane], zero beyond row ny
+    AlignedVector<Complex> column; ///< [py][lane]
+  };
+  [[nodiscard]] Scratch make_scratch() const;
+
+  /// Along x: one real field on the grid to its rows (unnormalised).
+  void rows_forward(const double* field, int plane, Complex* rows, Scratch& scratch) const;
+  /// Along y: the rows of one plane in one block to the spectrum of this block.
+  void columns_forward(const Complex* rows, int block, int plane, Complex* spectrum, Scratch& scratch) const;
+  /// The way back along y.
+  void columns_inverse(const Complex* spectrum, int block, int plane, Complex* rows, Scratch& scratch) const;
+  /// The way back along x. @returns the rows of the real field, px values apart, in `scratch`; they are to be multiplied
+  /// by `scale()`.
+  const double* rows_inverse(const Complex* rows, int plane, Scratch& scratch) const;
+  [[nodiscard]] double scale() const { return 1.0 / (static_cast<double>(px_) * py_); }
+
+private:
+  struct Plans;
+  [[nodiscard]] std::size_t rows_at(int block, int plane) const;
+
+  SurfaceGrid grid_;
+  int px_ = 0, py_ = 0, planes_ = 0;
+  std::unique_ptr<Plans> plans_;
+};
+
+} // namespace brinell

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/aligned.hpp"
+
+#include <cstring>
+
+namespace brinell
+{
+
+/// Values worked on together, one per lane of the processor's vector units (two or four instructions where these are
+/// narrower). A vector type of the compiler: sums kept in it stay in registers, which loops over arrays do not achieve.
+inline constexpr int lane_count = 8;
+using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+
+/// `lane_count` complex values, real and imaginary parts apart.
+struct ComplexLanes
+{
+  Lanes re{}, im{};
+};
+
+inline ComplexLanes operator+(const ComplexLanes& a, const ComplexLanes& b)
+{
+  return {a.re + b.re, a.im + b.im};
+}
+inline ComplexLanes operator-(const ComplexLanes& a, const ComplexLanes& b)
+{
+  return {a.re - b.re, a.im - b.im};
+}
+inline ComplexLanes operator*(const Lanes& f, const ComplexLanes& a)
+{
+  return {f * a.re, f * a.im};
+}
+inline ComplexLanes operator*(double f, const ComplexLanes& a)
+{
+  return {f * a.re, f * a.im};
+}
+inline ComplexLanes times_i(const ComplexLanes& a)
+{
+  return {-a.im, a.re};
+}
+
+inline Lanes load_lanes(const double* from)
+{
+  Lanes value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+inline ComplexLanes load_lanes(const Complex* from)
+{
+  const Lanes low = load_lanes(reinterpret_cast<const double*>(from));
+  const Lanes high = load_lanes(reinterpret_cast<const double*>(from) + lane_count);
+  return {__builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14),
+          __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15)};
+}
+inline void store_lanes(const ComplexLanes& value, Complex* to)
+{
+  const Lanes low = __builtin_shufflevector(value.re, value.im, 0, 8, 1, 9, 2, 10, 3, 11);
+  const Lanes high = __builtin_shufflevector(value.re, value.im, 4, 12, 5, 13, 6, 14, 7, 15);
+  std::memcpy(static_cast<void*>(to), &low, sizeof low);
+  std::memcpy(static_cast<void*>(to + lane_count / 2), &high, sizeof high);
+}
+
+} // namespace brinell

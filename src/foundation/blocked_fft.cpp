@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/blocked_fft.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <algorithm>
+#include <fftw3.h>
+
+namespace brinell
+{
+
+namespace
+{
+
+fftw_complex* as_fftw(Complex* c)
+{
+  return reinterpret_cast<fftw_complex*>(c);
+}
+
+std::size_t product(int a, int b, int c, int d = 1)
+{
+  return static_cast<std::size_t>(a) * static_cast<std::size_t>(b) * static_cast<std::size_t>(c) *
+         static_cast<std::size_t>(d);
+}
+
+} // namespace
+
+/// Out of place throughout: in place, FFTW's transforms of a few neighbouring columns take about half as long again.
+struct BlockedFft::Plans
+{
+  fftw_plan rows_forward = nullptr, rows_inverse = nullptr, columns_forward = nullptr, columns_inverse = nullptr;
+
+  Plans(const BlockedFft& f, Scratch& scratch)
+  {
+    // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
+    const unsigned flags = FFTW_ESTIMATE;
+    const int width = f.blocks() * lane_count;
+    const int pitch = f.planes_ * lane_count;
+    auto* half = as_fftw(scratch.half.data());
+    double* real = scratch.real.data();
+    rows_forward = fftw_plan_many_dft_r2c(1, &f.px_, f.grid_.ny, real, nullptr, 1, f.px_, half, nullptr, 1, width,
+                                          flags | FFTW_DESTROY_INPUT);
+    rows_inverse = fftw_plan_many_dft_c2r(1, &f.px_, f.grid_.ny, half, nullptr, 1, width, real, nullptr, 1, f.px_,
+                                          flags | FFTW_DESTROY_INPUT);
+    AlignedVector<Complex> block(f.block_size());
+    auto* spectrum = as_fftw(block.data());
+    columns_forward = fftw_plan_many_dft(1, &f.py_, lane_count, as_fftw(scratch.padded.data()), nullptr, lane_count, 1,
+                                         spectrum, nullptr, pitch, 1, FFTW_FORWARD, flags | FFTW_PRESERVE_INPUT);
+    columns_inverse =
+        fftw_plan_many_dft(1, &f.py_, lane_count, spectrum, nullptr, pitch, 1, as_fftw(scratch.column.data()), nullptr,
+                           lane_count, 1, FFTW_BACKWARD, flags | FFTW_PRESERVE_INPUT);
+    if (!rows_forward || !rows_inverse || !columns_forward || !columns_inverse)
+      throw InternalError("FFTW made no plan");
+  }
+  ~Plans()
+  {
+    for (fftw_plan p : {rows_forward, rows_inverse, columns_forward, columns_inverse})
+      fftw_destroy_plan(p);
+  }
+  Plans(const Plans&) = delete;
+  Plans& operator=(const Plans&) = delete;
+};
+
+BlockedFft::BlockedFft(const SurfaceGrid& grid, int px, int py, int planes)
+    : grid_(grid), px_(px), py_(py), planes_(planes)
+{
+  if (grid.nx < 1 || grid.ny < 1 || planes < 1 || px < grid.nx || py < grid.ny || px % 2 != 0 || py % 2 != 0)
+    throw InternalError("BlockedFft: the padded lengths must be even and hold the grid");
+  Scratch scratch = make_scratch();
+  plans_ = std::make_unique<Plans>(*this, scratch);
+}
+
+BlockedFft::~BlockedFft() = default;
+BlockedFft::BlockedFft(BlockedFft&&) noexcept = default;
+BlockedFft& BlockedFft::operator=(BlockedFft&&) noexcept = default;
+
+std::size_t BlockedFft::rows_size() const
+{
+  return product(blocks(), planes_, grid_.ny, lane_count);
+}
+
+std::size_t BlockedFft::block_size() const
+{
+  return product(py_, planes_, lane_count);
+}
+
+std::size_t BlockedFft::rows_at(int block, int plane) const
+{
+  return (static_cast<std::size_t>(block) * static_cast<std::size_t>(planes_) + static_cast<std::size_t>(plane)) *
+         product(grid_.ny, lane_count, 1);
+}
+
+BlockedFft::Scratch BlockedFft::make_scratch() const
+{
+  Scratch scratch;
+  scratch.real.resize(product(grid_.ny, px_, 1));
+  scratch.half.resize(product(grid_.ny, blocks(), lane_count));
+  scratch.padded.resize(product(py_, lane_count, 1));
+  scratch.column.resize(product(py_, lane_count, 1));
+  return scratch;
+}
+
+void BlockedFft::rows_forward(const double* field, int plane, Complex* rows, Scratch& scratch) const
+{
+  const std::ptrdiff_t nx = grid_.nx;
+  for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
+  {
+    double* padding = std::copy_n(field + j * nx, nx, scratch.real.data() + j * px_);
+    std::fill_n(padding, px_ - nx, 0.0);
+  }
+  fftw_execute_dft_r2c(plans_->rows_forward, scratch.real.data(), as_fftw(scratch.half.data()));
+  for (int block = 0; block < blocks(); ++block)
+  {
+    Complex* to = rows + rows_at(block, plane);
+    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
+      to = std::copy_n(scratch.half.data() + (j * blocks() + block) * lane_count, lane_count, to);
+  }
+}
+
+void BlockedFft::columns_forward(const Complex* rows, int block, int plane, Complex* spectrum, Scratch& scratch) const
+{
+  std::copy_n(rows + rows_at(block, plane), product(grid_.ny, lane_count, 1), scratch.padded.data());
+  fftw_execute_dft(plans_->columns_forward, as_fftw(scratch.padded.data()), as_fftw(spectrum + plane * lane_count));
+}
+
+void BlockedFft::columns_inverse(const Complex* spectrum, int block, int plane, Complex* rows, Scratch& scratch) const
+{
+  auto* from = as_fftw(const_cast<Complex*>(spectrum) + plane * lane_count); // planned to preserve its input
+  fftw_execute_dft(plans_->columns_inverse, from, as_fftw(scratch.column.data()));
+  std::copy_n(scratch.column.data(), product(grid_.ny, lane_count, 1), rows + rows_at(block, plane));
+}
+
+const double* BlockedFft::rows_inverse(const Complex* rows, int plane, Scratch& scratch) const
+{
+  for (int block = 0; block < blocks(); ++block)
+  {
+    const Complex* from = rows + rows_at(block, plane);
+    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j, from += lane_count)
+      std::copy_n(from, lane_count, scratch.half.data() + (j * blocks() + block) * lane_count);
+  }
+  fftw_execute_dft_c2r(plans_->rows_inverse, as_fftw(scratch.half.data()), scratch.real.data());
+  return scratch.real.data();
+}
+
+} // namespace brinell
