@@ -7,58 +7,41 @@
 namespace brinell::elastoplastic
 {
 
-Anderson::Anderson(int depth) : depth_(static_cast<std::size_t>(std::max(depth, 0))), dx_(depth_), df_(depth_) {}
+namespace
+{
+
+auto as_vector(const std::vector<double>& v)
+{
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
+}
+
+} // namespace
+
+Anderson::Anderson(int depth)
+    : depth_(static_cast<std::size_t>(std::max(depth, 0))), dg_(depth_), df_(depth_), gram_(depth_ * depth_)
+{
+}
 
 void Anderson::advance(std::span<double> x, std::span<const double> g)
 {
-  const auto as_vector = [](const std::vector<double>& v)
-  { return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())); };
-  if (depth_ == 0)
-  {
-    std::copy(g.begin(), g.end(), x.begin());
-    return;
-  }
-  const std::size_t size = x.size();
-  for (std::size_t i = previous_x_.size(); i < size; ++i)
-  {
-    previous_x_.push_back(x[i]);
-    previous_f_.push_back(g[i] - x[i]);
-  }
-  for (std::size_t d = 0; d < depth_; ++d)
-  {
-    dx_[d].resize(size, 0.0);
-    df_[d].resize(size, 0.0);
-  }
-  std::vector<double>& f = previous_f_; // overwritten by this residual below
-  if (count_ > 0)
-  {
-    const std::size_t slot = (count_ - 1) % depth_;
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      dx_[slot][i] = x[i] - previous_x_[i];
-      df_[slot][i] = (g[i] - x[i]) - previous_f_[i];
-    }
-  }
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    previous_x_[i] = x[i];
-    f[i] = g[i] - x[i];
-  }
-  const std::size_t used = std::min(count_, depth_);
-  ++count_;
+  if (depth_ > 0)
+    remember(x, g);
   std::copy(g.begin(), g.end(), x.begin());
+  const std::size_t used = std::min(count_, depth_);
+  if (depth_ > 0)
+    ++count_;
   if (used == 0)
     return;
 
   const auto m = static_cast<Eigen::Index>(used);
   Eigen::MatrixXd gram(m, m);
   Eigen::VectorXd right(m);
-  for (Eigen::Index a = 0; a < m; ++a)
+  for (std::size_t a = 0; a < used; ++a)
   {
-    const auto fa = as_vector(df_[static_cast<std::size_t>(a)]);
-    right(a) = fa.dot(as_vector(f));
-    for (Eigen::Index b = 0; b <= a; ++b)
-      gram(a, b) = gram(b, a) = fa.dot(as_vector(df_[static_cast<std::size_t>(b)]));
+    const auto row = static_cast<Eigen::Index>(a);
+    right(row) = as_vector(df_[a]).dot(as_vector(previous_f_));
+    for (std::size_t b = 0; b < used; ++b)
+      gram(row, static_cast<Eigen::Index>(b)) = gram_[a * depth_ + b];
   }
   // Differences that have become parallel carry no information: damp them relative to the size of the system.
   gram.diagonal() *= 1.0 + 1e-12;
@@ -68,9 +51,39 @@ void Anderson::advance(std::span<double> x, std::span<const double> g)
   for (std::size_t a = 0; a < used; ++a)
   {
     const double w = weight(static_cast<Eigen::Index>(a));
-    for (std::size_t i = 0; i < size; ++i)
-      x[i] -= w * (dx_[a][i] + df_[a][i]);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] -= w * dg_[a][i];
   }
+}
+
+/// Adds the differences to the last evaluation to the history, and makes this evaluation the last.
+void Anderson::remember(std::span<const double> x, std::span<const double> g)
+{
+  const std::size_t size = x.size();
+  for (std::size_t i = previous_g_.size(); i < size; ++i)
+  {
+    previous_g_.push_back(g[i]);
+    previous_f_.push_back(g[i] - x[i]);
+  }
+  for (std::size_t d = 0; d < depth_; ++d)
+  {
+    dg_[d].resize(size, 0.0);
+    df_[d].resize(size, 0.0);
+  }
+  const std::size_t slot = count_ > 0 ? (count_ - 1) % depth_ : 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const double f = g[i] - x[i];
+    if (count_ > 0)
+    {
+      dg_[slot][i] = g[i] - previous_g_[i];
+      df_[slot][i] = f - previous_f_[i];
+    }
+    previous_g_[i] = g[i];
+    previous_f_[i] = f;
+  }
+  for (std::size_t d = 0; d < std::min(count_, depth_); ++d)
+    gram_[slot * depth_ + d] = gram_[d * depth_ + slot] = as_vector(df_[slot]).dot(as_vector(df_[d]));
 }
 
 } // namespace brinell::elastoplastic

@@ -13,15 +13,22 @@ namespace brinell::elastoplastic
 CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
-                               const Settings& settings)
+                               const Settings& settings, bool mirrored)
     : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic)), contact_(compliance_),
-      lower_(lower, lower_material), upper_(upper, upper_material), scales_(scales), settings_(settings),
-      pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0), total_gap_(contact.size()), gathered_(contact.size()),
+      lower_(std::make_shared<halfspace::HalfSpace>(lower, lower_material.elastic), lower_material),
+      upper_(lower == upper && lower_material.elastic == upper_material.elastic
+                 ? lower_.shared_half_space()
+                 : std::make_shared<halfspace::HalfSpace>(upper, upper_material.elastic),
+             upper_material),
+      scales_(scales), settings_(settings), mirrored_(mirrored), pressure_(contact.size(), 0.0),
+      gap_(contact.size(), 0.0), total_gap_(contact.size()), gathered_(contact.size()),
       lower_pressure_(lower.surface.size()), upper_pressure_(upper.surface.size())
 {
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
     if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy)
       throw InternalError("CoupledContact: the three grids must have the same cells and rows");
+  if (mirrored && !(lower == upper && lower_material == upper_material))
+    throw InternalError("CoupledContact: bodies that are not alike cannot be mirror images");
 }
 
 void CoupledContact::gather(const Body& body, int offset, std::span<const double> field, std::span<double> out) const
@@ -163,7 +170,9 @@ double CoupledContact::energy() const
   double work = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     work += pressure_[i] * total_gap_[i];
-  return lower_.energy(lower_pressure_) + upper_.energy(upper_pressure_) - elastic_energy() - work * grid().cell_area();
+  const double lower = lower_.energy(lower_pressure_);
+  const double upper = mirrored_ ? lower : upper_.energy(upper_pressure_);
+  return lower + upper - elastic_energy() - work * grid().cell_area();
 }
 
 IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const Placement& placement,
@@ -171,7 +180,10 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
 {
   IncrementReport report;
   lower_.begin(placement.lower - placement_.lower, strategy.stiffness_share);
-  upper_.begin(placement.upper - placement_.upper, strategy.stiffness_share);
+  if (mirrored_)
+    upper_.follow(lower_);
+  else
+    upper_.begin(placement.upper - placement_.upper, strategy.stiffness_share);
   Anderson anderson(strategy.anderson_depth);
   Unknowns unknowns;
   Progress progress;
@@ -184,10 +196,13 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
     last_lower.assign(lower_.residual_displacement().begin(), lower_.residual_displacement().end());
     last_upper.assign(upper_.residual_displacement().begin(), upper_.residual_displacement().end());
     lower_.integrate(strategy.integration);
-    upper_.integrate(strategy.integration);
+    if (mirrored_)
+      upper_.follow(lower_);
+    else
+      upper_.integrate(strategy.integration);
     load(rigid_gap, placement, report);
     const bool lower_grew = lower_.update(lower_pressure_);
-    const bool upper_grew = upper_.update(upper_pressure_);
+    const bool upper_grew = !mirrored_ && upper_.update(upper_pressure_);
     const bool grew = lower_grew || upper_grew;
     report.yield_error = std::max(lower_.yield_error(), upper_.yield_error());
     report.displacement_error = std::max(largest_change(lower_.residual_displacement(), last_lower),
@@ -224,7 +239,10 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
   }
   report.energy = energy();
   lower_.commit(lower_pressure_);
-  upper_.commit(upper_pressure_);
+  if (mirrored_)
+    upper_.adopt(lower_);
+  else
+    upper_.commit(upper_pressure_);
   placement_ = placement;
   return report;
 }

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <fftw3.h>
 
 namespace brinell
@@ -11,6 +12,8 @@ namespace brinell
 
 namespace
 {
+
+constexpr std::size_t lane_bytes = lane_count * sizeof(Complex);
 
 fftw_complex* as_fftw(Complex* c)
 {
@@ -34,7 +37,7 @@ struct BlockedFft::Plans
   {
     // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
     const unsigned flags = FFTW_ESTIMATE;
-    const int width = f.blocks() * lane_count;
+    const int width = f.width();
     const int pitch = f.planes_ * lane_count;
     auto* half = as_fftw(scratch.half.data());
     double* real = scratch.real.data();
@@ -94,7 +97,7 @@ BlockedFft::Scratch BlockedFft::make_scratch() const
 {
   Scratch scratch;
   scratch.real.resize(product(grid_.ny, px_, 1));
-  scratch.half.resize(product(grid_.ny, blocks(), lane_count));
+  scratch.half.resize(product(grid_.ny, width(), 1));
   scratch.padded.resize(product(py_, lane_count, 1));
   scratch.column.resize(product(py_, lane_count, 1));
   return scratch;
@@ -112,8 +115,9 @@ void BlockedFft::rows_forward(const double* field, int plane, Complex* rows, Scr
   for (int block = 0; block < blocks(); ++block)
   {
     Complex* to = rows + rows_at(block, plane);
-    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
-      to = std::copy_n(scratch.half.data() + (j * blocks() + block) * lane_count, lane_count, to);
+    const Complex* from = scratch.half.data() + block * lane_count;
+    for (int j = 0; j < grid_.ny; ++j, to += lane_count, from += width())
+      std::memcpy(to, from, lane_bytes);
   }
 }
 
@@ -135,8 +139,9 @@ const double* BlockedFft::rows_inverse(const Complex* rows, int plane, Scratch& 
   for (int block = 0; block < blocks(); ++block)
   {
     const Complex* from = rows + rows_at(block, plane);
-    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j, from += lane_count)
-      std::copy_n(from, lane_count, scratch.half.data() + (j * blocks() + block) * lane_count);
+    Complex* to = scratch.half.data() + block * lane_count;
+    for (int j = 0; j < grid_.ny; ++j, from += lane_count, to += width())
+      std::memcpy(to, from, lane_bytes);
   }
   fftw_execute_dft_c2r(plans_->rows_inverse, as_fftw(scratch.half.data()), scratch.real.data());
   return scratch.real.data();

@@ -258,18 +258,30 @@ void ImageCorrection::respond(std::span<const double> strain, int layers, Respon
     {
       const double* field = strain.data() + static_cast<std::size_t>(e * grid_.nz + layer) * cells;
       double* moment = of_layer(e, layer);
-      std::fill_n(moment, powers, 0.0);
-      for (int j = 0; j < s.ny; ++j)
+      std::array<Lanes, powers> sum{};
+      for (int first = 0; first < s.nx; first += lane_count)
+      {
+        const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
+        std::array<Lanes, degree + 1> of_columns{};
+        for (int j = 0; j < s.ny; ++j)
+        {
+          const Lanes value = load_lanes(field + s.nx * j + first, used);
+          for (std::size_t b = 0; b <= degree; ++b)
+            of_columns[b] += y_[b * static_cast<std::size_t>(s.ny) + static_cast<std::size_t>(j)] * value;
+        }
         for (int a = 0; a <= degree; ++a)
         {
-          double sum = 0.0;
-          const double* x = x_.data() + a * s.nx;
-#pragma omp simd reduction(+ : sum)
-          for (int i = 0; i < s.nx; ++i)
-            sum += x[i] * field[i + s.nx * j];
+          const Lanes x = load_lanes(x_.data() + a * s.nx + first, used);
           for (int b = 0; a + b <= degree; ++b)
-            moment[monomial(a, b)] += sum * y_[static_cast<std::size_t>(b * s.ny + j)];
+            sum[static_cast<std::size_t>(monomial(a, b))] += x * of_columns[static_cast<std::size_t>(b)];
         }
+      }
+      for (std::size_t p = 0; p < powers; ++p)
+      {
+        moment[p] = 0.0;
+        for (std::size_t lane = 0; lane < lane_count; ++lane)
+          moment[p] += sum[p][lane];
+      }
     }
 
   std::fill(response.moments.begin(), response.moments.end(), 0.0);

@@ -42,7 +42,8 @@ elastoplastic::Settings solver(const CaseValues& values)
           .anderson_depth = static_cast<int>(values.get<std::int64_t>("solver.anderson_depth")),
           .integration = values.get<std::string>("solver.integration") == "path"
                              ? elastoplastic::Integration::path
-                             : elastoplastic::Integration::backward_euler};
+                             : elastoplastic::Integration::backward_euler,
+          .mirror = values.get<bool>("solver.mirror")};
 }
 
 /// Everything but the interference, which may need the critical values.

@@ -197,6 +197,11 @@ std::vector<Entry> solver_entries()
        .fallback = defaults.integration == elastoplastic::Integration::path ? "path" : "backward_euler",
        .text = "Plastic strain of one step. path: along the path of the trial stress, second order in the step; "
                "backward_euler: one radial return at its end, first order, as in the paper."},
+      {.key = "solver.mirror",
+       .type = Type::boolean,
+       .fallback = defaults.mirror,
+       .text = "Two asperities that are alike stay mirror images of each other: solve one and mirror it. false: solve "
+               "both (a check; the results agree to the tolerances)."},
   };
 }
 

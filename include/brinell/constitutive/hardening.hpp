@@ -4,7 +4,7 @@
 #include <variant>
 
 /// Hardening laws: the yield stress as a function of the accumulated equivalent plastic strain e >= 0.
-/// A law is a struct with three members,
+/// A law is a struct that can be compared, with three members,
 ///   yield_stress_at(e)  sigma_y(e) [Pa], > 0, non-decreasing;
 ///   modulus_at(e)       d sigma_y / d e [Pa], >= 0;
 ///   work(e)             integral of sigma_y from 0 to e [J/m^3]: the potential of the increment's convex problem,
@@ -20,6 +20,7 @@ struct PerfectPlasticity
   [[nodiscard]] double yield_stress_at(double /*e*/) const { return yield_stress; }
   [[nodiscard]] double modulus_at(double /*e*/) const { return 0.0; }
   [[nodiscard]] double work(double e) const { return yield_stress * e; }
+  bool operator==(const PerfectPlasticity&) const = default;
 };
 
 /// sigma_y(e) = yield_stress + modulus * e.
@@ -31,6 +32,7 @@ struct LinearHardening
   [[nodiscard]] double yield_stress_at(double e) const { return yield_stress + modulus * e; }
   [[nodiscard]] double modulus_at(double /*e*/) const { return modulus; }
   [[nodiscard]] double work(double e) const { return (yield_stress + 0.5 * modulus * e) * e; }
+  bool operator==(const LinearHardening&) const = default;
 };
 
 using HardeningLaw = std::variant<PerfectPlasticity, LinearHardening>;

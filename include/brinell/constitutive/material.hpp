@@ -16,6 +16,7 @@ struct Material
   std::optional<HardeningLaw> hardening; ///< empty: the body stays elastic
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
+  bool operator==(const Material&) const = default;
 };
 
 } // namespace brinell::constitutive

@@ -24,21 +24,21 @@ namespace detail
 {
 
 /// Root of overstress(x) - sigma_y(e + x) = 0, x >= 0, for an overstress that is convex and falls at `slope` or less.
-/// Newton from the left: the function is convex and decreasing, so the steps never pass the root.
+/// Newton: the function is convex and decreasing, so the steps never pass the root from the left.
+/// @param x  start; the root itself for perfect plasticity, where that is known.
 template <typename Law, typename Overstress>
-double consistent_multiplier(const Law& law, double e, const Overstress& overstress)
+double consistent_multiplier(const Law& law, double e, const Overstress& overstress, double x)
 {
-  double x = 0.0;
   for (int iteration = 0; iteration < 50; ++iteration)
   {
     const auto [value, slope] = overstress(x);
     const double f = value - law.yield_stress_at(e + x);
     const double step = -f / (slope - law.modulus_at(e + x));
-    x += step;
+    x = std::max(x + step, 0.0);
     if (std::abs(f) <= 1e-13 * law.yield_stress_at(e + x))
       break;
   }
-  return std::max(x, 0.0);
+  return x;
 }
 
 } // namespace detail
@@ -51,12 +51,15 @@ template <typename Law>
 [[nodiscard]] PlasticIncrement radial_return(const Deviator& q, double e, double mu, const Law& law)
 {
   const double trial = von_mises(q);
-  if (trial <= law.yield_stress_at(e))
+  const double yield = law.yield_stress_at(e);
+  if (trial <= yield)
     return {};
-  const double de = detail::consistent_multiplier(law, e,
-                                                  [&](double x) {
-                                                    return std::pair{trial - 3.0 * mu * x, -3.0 * mu};
-                                                  });
+  const double de = detail::consistent_multiplier(
+      law, e,
+      [&](double x) {
+        return std::pair{trial - 3.0 * mu * x, -3.0 * mu};
+      },
+      (trial - yield) / (3.0 * mu));
   return {(1.5 * de / trial) * q, de, law.work(e + de) - law.work(e)};
 }
 
@@ -78,14 +81,18 @@ template <typename Law>
   const double b = dd > 0.0 ? std::clamp((-sd + std::sqrt(std::max(sd * sd - dd * ss, 0.0))) / dd, 0.0, 1.0) : 0.0;
   const Deviator entry = s0 + b * d;
   const Deviator n0 = (1.5 / von_mises(entry)) * entry;
-  const double x = detail::consistent_multiplier(law, e,
-                                                 [&](double multiplier)
-                                                 {
-                                                   const Deviator r = q - (mu * multiplier) * n0;
-                                                   const double size = von_mises(r);
-                                                   const double slope = -1.5 * mu * contract(r, n0) / size;
-                                                   return std::pair{size - 1.5 * mu * multiplier, slope - 1.5 * mu};
-                                                 });
+  // |q - mu x n0| = yield + 3/2 mu x is linear in x once squared, as |n0| = 3/2.
+  const double start = (trial * trial - yield * yield) / (3.0 * mu * (contract(q, n0) + yield));
+  const double x = detail::consistent_multiplier(
+      law, e,
+      [&](double multiplier)
+      {
+        const Deviator r = q - (mu * multiplier) * n0;
+        const double size = von_mises(r);
+        const double slope = -1.5 * mu * contract(r, n0) / size;
+        return std::pair{size - 1.5 * mu * multiplier, slope - 1.5 * mu};
+      },
+      start);
   const Deviator r = q - (mu * x) * n0;
   const Deviator s1 = (law.yield_stress_at(e + x) / von_mises(r)) * r;
   const Deviator strain = (0.5 / mu) * (q - s1);

@@ -23,10 +23,13 @@ public:
   void reset() { count_ = 0; }
 
 private:
+  void remember(std::span<const double> x, std::span<const double> g);
+
   std::size_t depth_;
-  std::size_t count_ = 0; ///< evaluations seen since the last reset
-  std::vector<double> previous_x_, previous_f_;
-  std::vector<std::vector<double>> dx_, df_; ///< ring buffers of differences
+  std::size_t count_ = 0;                       ///< evaluations seen since the last reset
+  std::vector<double> previous_g_, previous_f_; ///< f = g - x, the residual
+  std::vector<std::vector<double>> dg_, df_;    ///< ring buffers of differences
+  std::vector<double> gram_;                    ///< their products df . df
 };
 
 } // namespace brinell::elastoplastic

@@ -5,6 +5,7 @@
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,11 +30,13 @@ struct BodyState
 class Body
 {
 public:
-  Body(const VolumeGrid& grid, const constitutive::Material& material);
+  /// @param half_space  operators of the body's grid and elastic constants; bodies that are alike share them.
+  Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constitutive::Material& material);
 
-  [[nodiscard]] const VolumeGrid& grid() const { return half_space_.grid(); }
+  [[nodiscard]] const VolumeGrid& grid() const { return half_space_->grid(); }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
-  [[nodiscard]] const halfspace::HalfSpace& half_space() const { return half_space_; }
+  [[nodiscard]] const halfspace::HalfSpace& half_space() const { return *half_space_; }
+  [[nodiscard]] const std::shared_ptr<const halfspace::HalfSpace>& shared_half_space() const { return half_space_; }
   [[nodiscard]] const BodyState& state() const { return state_; }
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
 
@@ -48,6 +51,11 @@ public:
   bool update(std::span<const double> pressure);
   /// Makes the present trial the new state.
   void commit(std::span<const double> pressure);
+
+  /// Instead of an increment of its own: this body is the mirror image in x of `other`, which has the same grid. Takes
+  /// over the residual displacement of its trial (`follow`) or its state (`adopt`).
+  void follow(const Body& other);
+  void adopt(const Body& other);
 
   /// Equivalent plastic strain in the outermost columns and rows and in the last layer, over the largest one of all.
   [[nodiscard]] double edge_strain_share() const;
@@ -67,7 +75,7 @@ private:
   [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
 
   constitutive::Material material_;
-  halfspace::HalfSpace half_space_;
+  std::shared_ptr<const halfspace::HalfSpace> half_space_;
   halfspace::HalfSpace::Work work_;
   BodyState state_;
   double stiffness_ = 0.0;          ///< c [Pa]

@@ -57,9 +57,11 @@ struct Strategy
 class CoupledContact
 {
 public:
+  /// @param mirrored  the upper body is and stays the mirror image in x of the lower one (same grid, material, shape and
+  ///                  history): only the lower one is solved.
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
-                 const Scales& scales, const Settings& settings);
+                 const Scales& scales, const Settings& settings, bool mirrored = false);
 
   [[nodiscard]] const Body& lower() const { return lower_; }
   [[nodiscard]] const Body& upper() const { return upper_; }
@@ -87,6 +89,7 @@ private:
   Body lower_, upper_;
   Scales scales_;
   Settings settings_;
+  bool mirrored_;
   Placement placement_;
   std::vector<double> pressure_, gap_, total_gap_, gathered_;
   std::vector<double> lower_pressure_, upper_pressure_; ///< the pressure on the material grids

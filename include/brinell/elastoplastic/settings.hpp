@@ -20,6 +20,7 @@ struct Settings
   int max_iterations = 60;              ///< evaluations per increment before it is split
   int anderson_depth = 6;               ///< 0: plain fixed point
   Integration integration = Integration::path;
+  bool mirror = true; ///< of two bodies that are mirror images of each other, solve one
 };
 
 } // namespace brinell::elastoplastic

@@ -61,6 +61,7 @@ public:
 
 private:
   struct Plans;
+  [[nodiscard]] int width() const { return blocks() * lane_count; } ///< wavenumbers along x with the unused lanes
   [[nodiscard]] std::size_t rows_at(int block, int plane) const;
 
   SurfaceGrid grid_;

@@ -46,6 +46,16 @@ inline Lanes load_lanes(const double* from)
   std::memcpy(&value, from, sizeof value);
   return value;
 }
+/// The first `count` values, zero in the other lanes.
+inline Lanes load_lanes(const double* from, std::size_t count)
+{
+  if (count == lane_count)
+    return load_lanes(from);
+  Lanes value{};
+  for (std::size_t lane = 0; lane < count; ++lane)
+    value[lane] = from[lane];
+  return value;
+}
 inline ComplexLanes load_lanes(const Complex* from)
 {
   const Lanes low = load_lanes(reinterpret_cast<const double*>(from));

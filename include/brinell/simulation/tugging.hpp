@@ -21,6 +21,7 @@ struct Asperity
 {
   double radius = 0.0; ///< [m], > 0
   constitutive::Material material;
+  bool operator==(const Asperity&) const = default;
 };
 
 /// Everything that defines a tugging run. SI units.
