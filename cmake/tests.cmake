@@ -33,6 +33,7 @@ function(brinell_add_tests label timeout)
   gtest_discover_tests(brinell_${label}_tests
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 60
+    NO_PRETTY_VALUES
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
     TEST_PREFIX ${label}.
     PROPERTIES LABELS ${label} TIMEOUT ${timeout} ENVIRONMENT OMP_NUM_THREADS=1)

@@ -69,7 +69,7 @@ void mirror_deviator(const std::vector<double>& from, int nx, std::vector<double
 } // namespace
 
 Body::Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constitutive::Material& material)
-    : material_(material), half_space_(std::move(half_space)), work_(half_space_->make_work()), layers_(grid().nz),
+    : material_(material), half_space_(std::move(half_space)), layers_(grid().nz),
       displacement_(grid().surface.size(), 0.0)
 {
   const std::size_t n = grid().size();
@@ -139,6 +139,8 @@ void Body::integrate(Integration integration)
 {
   if (!is_plastic())
     return;
+  if (work_.empty())
+    work_ = half_space_->make_work();
   const std::size_t n = grid().size();
   const double mu = 0.5 * stiffness_;
   std::visit(

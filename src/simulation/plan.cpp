@@ -69,14 +69,27 @@ VolumeGrid material_grid(const TuggingCase& tugging, const SurfaceGrid& contact,
   return grid;
 }
 
-/// Bytes of one body: spectra of strain and stress, kernels, state and trial fields, accelerator.
-double body_bytes(const VolumeGrid& grid, int anderson_depth)
+/// Whether the bodies are alike and pass each other so that a cell of one always has its mirror image in the other.
+bool is_mirrored(const TuggingCase& tugging, const Position& p, double dx)
+{
+  constexpr double rounding = 1e-9;
+  const double columns = (p.arc_lower - p.arc_upper) / dx;
+  return tugging.solver.mirror && tugging.lower == tugging.upper && tugging.lower.material.is_plastic() &&
+         std::abs(columns - std::round(columns)) < rounding && std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
+}
+
+/// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
+double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
 {
   const double padded = static_cast<double>(fast_length(2 * grid.surface.nx - 1)) *
                         fast_length(2 * grid.surface.ny - 1) * grid.nz * sizeof(double);
   const double cells = static_cast<double>(grid.size()) * sizeof(double);
   const double active_share = 0.25;
-  return padded * (2 * 5 + 6.0 / 4.0) + cells * (6 * 5 + 4 + active_share * 5 * (2 * anderson_depth + 4));
+  const double kernels = 6.0 / 4.0;     // six, real, a quarter of the plane each
+  const double spectra = 5.0 + 5.0 / 2; // of the stress, and rows without their padding in y
+  const double fields = cells * (6 * 5 + 4);
+  return solved ? padded * (kernels + spectra) + fields + cells * active_share * 5 * (2 * anderson_depth + 4)
+                : padded * kernels + fields;
 }
 
 } // namespace
@@ -129,10 +142,12 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.lower = material_grid(tugging, plan.contact, tugging.lower.radius, passing.angle_at_touch(), dz, scaled);
   plan.upper = material_grid(tugging, plan.contact, tugging.upper.radius, passing.angle_at_touch(), dz, scaled);
   plan.steps_per_pass = passing.step_count();
+  plan.mirrored = is_mirrored(tugging, passing.start(0), dx);
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = passing.start_distance();
-  plan.memory_bytes =
-      body_bytes(plan.lower, tugging.solver.anderson_depth) + body_bytes(plan.upper, tugging.solver.anderson_depth);
+  const int depth = tugging.solver.anderson_depth;
+  plan.memory_bytes = body_bytes(plan.lower, depth, tugging.lower.material.is_plastic()) +
+                      body_bytes(plan.upper, depth, tugging.upper.material.is_plastic() && !plan.mirrored);
   return plan;
 }
 

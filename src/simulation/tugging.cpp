@@ -32,7 +32,7 @@ public:
         passing_(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells_, plan_.contact.dx,
                  tugging.kinematics),
         pair_(plan_.contact, plan_.lower, plan_.upper, tugging.lower.material, tugging.upper.material,
-              {yield_interference(tugging), tugging.interference}, tugging.solver, is_mirrored()),
+              {yield_interference(tugging), tugging.interference}, tugging.solver, plan_.mirrored),
         rigid_gap_(plan_.contact.size()), lower_residual_(plan_.contact.size()), upper_residual_(plan_.contact.size())
   {
   }
@@ -48,15 +48,6 @@ public:
   }
 
 private:
-  /// Whether the upper body is the mirror image of the lower one, cell by cell.
-  [[nodiscard]] bool is_mirrored() const
-  {
-    const Frame f = frame(passing_.start(0));
-    constexpr double rounding = 1e-9;
-    return case_.solver.mirror && case_.lower == case_.upper && case_.lower.material.is_plastic() &&
-           plan_.lower == plan_.upper && std::abs(f.upper_origin - f.lower_origin) < rounding * plan_.contact.dx;
-  }
-
   /// Contact grid relative to the bodies at one position.
   Frame frame(const Position& p) const
   {

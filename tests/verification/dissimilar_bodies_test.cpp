@@ -48,6 +48,7 @@ double difference(const TuggingRun& a, double StepRecord::*of_a, const TuggingRu
 struct Pair
 {
   const char* name;
+  const char* label; ///< the same as an identifier
   simulation::Asperity lower, upper;
 };
 
@@ -90,10 +91,10 @@ const constitutive::Material ceramic{{310e9, 0.24}, {}};
 
 INSTANTIATE_TEST_SUITE_P(
     Pairs, DissimilarBodies,
-    testing::Values(Pair{"radii 0.8 m and 1.5 m", {0.8, perfect_material()}, {1.5, perfect_material()}},
-                    Pair{"all different", {0.7, soft}, {1.3, hard}},
-                    Pair{"one elastic", {1.0, ceramic}, {1.0, perfect_material()}}),
-    [](const auto& parameter) { return "Pair" + std::to_string(parameter.index); });
+    testing::Values(Pair{"radii 0.8 m and 1.5 m", "UnequalRadii", {0.8, perfect_material()}, {1.5, perfect_material()}},
+                    Pair{"all different", "AllDifferent", {0.7, soft}, {1.3, hard}},
+                    Pair{"one elastic", "OneElastic", {1.0, ceramic}, {1.0, perfect_material()}}),
+    [](const auto& parameter) { return std::string(parameter.param.label); });
 
 TEST(OneElasticBody, TakesNothingAndTheOtherTakesAll)
 {

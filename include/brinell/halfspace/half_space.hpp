@@ -57,6 +57,10 @@ private:
 
 class HalfSpace::Work
 {
+public:
+  [[nodiscard]] bool empty() const { return threads_.empty(); }
+
+private:
   friend class HalfSpace;
   struct Scratch
   {

@@ -45,6 +45,7 @@ struct TuggingPlan
   SurfaceGrid contact;     ///< grid of the contact, carried along with it
   VolumeGrid lower, upper; ///< material grids, wide enough for the whole track
   int steps_per_pass = 0;
+  bool mirrored = false; ///< the upper body is the mirror image in x of the lower one, cell by cell: one is solved
   double memory_bytes = 0.0;
   double elastic_contact_radius = 0.0; ///< at alignment [m]
   double shift = 0.0;                  ///< mean arc per step [m]

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/blocked_fft.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/foundation/fft.hpp"
+#include "random_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace brinell
+{
+namespace
+{
+
+constexpr int planes = 3;
+constexpr double rounding = 1e-14;
+
+class BlockedFftTest : public testing::TestWithParam<SurfaceGrid>
+{
+protected:
+  SurfaceGrid grid = GetParam();
+  PaddedFft plain{grid};
+  BlockedFft blocked{grid, plain.px(), plain.py(), planes};
+  BlockedFft::Scratch scratch = blocked.make_scratch();
+  AlignedVector<Complex> rows = AlignedVector<Complex>(blocked.rows_size());
+  std::vector<std::vector<double>> fields;
+
+  void SetUp() override
+  {
+    for (int plane = 0; plane < planes; ++plane)
+    {
+      fields.push_back(test::random_field(grid.size(), static_cast<unsigned>(plane + 1)));
+      blocked.rows_forward(fields.back().data(), plane, rows.data(), scratch);
+    }
+  }
+};
+
+// One lane, a full block, one more than a block, several blocks.
+INSTANTIATE_TEST_SUITE_P(Grids, BlockedFftTest,
+                         testing::Values(SurfaceGrid{1, 1, 1.0, 1.0}, SurfaceGrid{7, 5, 1.0, 1.0},
+                                         SurfaceGrid{8, 3, 1.0, 2.0}, SurfaceGrid{23, 14, 0.1, 0.3}),
+                         [](const auto& p) { return std::to_string(p.param.nx) + "x" + std::to_string(p.param.ny); });
+
+TEST_P(BlockedFftTest, SpectrumIsThatOfEveryPlaneByItself)
+{
+  AlignedVector<Complex> expected(plain.plane());
+  AlignedVector<double> real(plain.scratch_size());
+  for (int plane = 0; plane < planes; ++plane)
+  {
+    plain.forward(fields[static_cast<std::size_t>(plane)].data(), expected.data(), real);
+    for (int block = 0; block < blocked.blocks(); ++block)
+    {
+      AlignedVector<Complex> spectrum(blocked.block_size());
+      blocked.columns_forward(rows.data(), block, plane, spectrum.data(), scratch);
+      for (int row = 0; row < blocked.py(); ++row)
+        for (int lane = 0; lane < lane_count; ++lane)
+        {
+          const int i = block * lane_count + lane;
+          const Complex value = spectrum[static_cast<std::size_t>((row * planes + plane) * lane_count + lane)];
+          const Complex exact = i < plain.kx() ? expected[static_cast<std::size_t>(row * plain.kx() + i)] : 0.0;
+          EXPECT_NEAR(std::abs(value - exact), 0.0, rounding * static_cast<double>(grid.size()));
+        }
+    }
+  }
+}
+
+TEST_P(BlockedFftTest, ThereAndBackIsTheField)
+{
+  for (int block = 0; block < blocked.blocks(); ++block)
+  {
+    AlignedVector<Complex> spectrum(blocked.block_size());
+    for (int plane = 0; plane < planes; ++plane)
+      blocked.columns_forward(rows.data(), block, plane, spectrum.data(), scratch);
+    for (int plane = 0; plane < planes; ++plane)
+      blocked.columns_inverse(spectrum.data(), block, plane, rows.data(), scratch);
+  }
+  for (int plane = 0; plane < planes; ++plane)
+  {
+    const double* real = blocked.rows_inverse(rows.data(), plane, scratch);
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        EXPECT_NEAR(blocked.scale() * real[j * blocked.px() + i],
+                    fields[static_cast<std::size_t>(plane)][static_cast<std::size_t>(i + grid.nx * j)], rounding);
+  }
+}
+
+TEST(BlockedFftDoorTest, RefusesLengthsThatDoNotFit)
+{
+  const SurfaceGrid grid{4, 4, 1.0, 1.0};
+  EXPECT_THROW(BlockedFft(grid, 7, 8, 1), InternalError);
+  EXPECT_THROW(BlockedFft(grid, 8, 2, 1), InternalError);
+  EXPECT_THROW(BlockedFft(grid, 8, 8, 0), InternalError);
+}
+
+} // namespace
+} // namespace brinell
