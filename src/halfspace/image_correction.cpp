@@ -88,155 +88,206 @@ ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic,
   fit(elastic, fft.px() * s.dx, fft.py() * s.dy);
 }
 
-void ImageCorrection::fit(const Elastic& elastic, double period_x, double period_y)
+namespace
 {
-  const SurfaceGrid& s = grid_.surface;
-  const double half_x = std::max(1, s.nx - 1) * s.dx;
-  const double half_y = std::max(1, s.ny - 1) * s.dy;
-  const double thickness = grid_.nz * grid_.dz;
-  const auto offsets = fit_offsets();
-  std::array<double, depths> node{};
-  for (int i = 0; i < depths; ++i)
-    node[static_cast<std::size_t>(i)] = 0.5 * thickness * (1.0 - std::cos((2 * i + 1) * pi / (2.0 * depths)));
 
-  // Lattice sums at (offset, z, z'): the small lattice minus the large one, times the extrapolation to an infinite one.
-  constexpr int pairs = stresses * strains;
-  constexpr int places = offset_nodes * offset_nodes;
+/// Depths, and distances in x and y over the largest ones, at which the stress of the images is sampled.
+struct Nodes
+{
+  std::array<double, offset_nodes> offset = fit_offsets();
+  std::vector<double> depth;         ///< zeros of a Chebyshev polynomial over the thickness [m]
+  double half_x = 0.0, half_y = 0.0; ///< largest distances within the grid [m]
+
+  Nodes(const VolumeGrid& grid, int depths)
+      : half_x(std::max(1, grid.surface.nx - 1) * grid.surface.dx),
+        half_y(std::max(1, grid.surface.ny - 1) * grid.surface.dy)
+  {
+    for (int i = 0; i < depths; ++i)
+      depth.push_back(0.5 * grid.nz * grid.dz * (1.0 - std::cos((2 * i + 1) * pi / (2.0 * depths))));
+  }
+};
+
+constexpr int strain_count = Deviator::size;
+constexpr int stress_count = Deviator::size + 1;
+constexpr int pairs = stress_count * strain_count;
+constexpr int places = offset_nodes * offset_nodes;
+
+/// Whether the stress c of a strain e is odd in a direction, given the parities of the components in it.
+bool is_odd(const std::array<int, stress_count>& parity, int c, int e)
+{
+  return (parity[static_cast<std::size_t>(c)] + parity[static_cast<std::size_t>(e)]) % 2 != 0;
+}
+
+/// One wavevector and its mirror images in x and y, at all offsets.
+struct Wavevector
+{
+  double m, n, weight;
+  std::array<double, offset_nodes> cos_x{}, sin_x{}, cos_y{}, sin_y{};
+
+  Wavevector(double m_, double n_, double weight_, const Nodes& nodes) : m(m_), n(n_), weight(weight_)
+  {
+    for (std::size_t o = 0; o < offset_nodes; ++o)
+    {
+      cos_x[o] = std::cos(m * nodes.half_x * nodes.offset[o]);
+      sin_x[o] = std::sin(m * nodes.half_x * nodes.offset[o]);
+      cos_y[o] = std::cos(n * nodes.half_y * nodes.offset[o]);
+      sin_y[o] = std::sin(n * nodes.half_y * nodes.offset[o]);
+    }
+  }
+};
+
+/// Adds the stress at depth z of sheets at depth z_source, [stress][strain][place].
+void add_wave(const Wavevector& k, double z, double z_source, const Elastic& elastic, double* sum)
+{
+  for (int e = 0; e < strain_count; ++e)
+  {
+    Deviator unit;
+    unit[e] = 1.0;
+    const auto stress = green::eigenstrain_sheet_stress(k.m, k.n, z, z_source, unit, elastic);
+    for (int c = 0; c < stress_count; ++c)
+    {
+      const Complex value = c < strain_count ? stress.deviator[static_cast<std::size_t>(c)] : stress.trace;
+      const bool odd_x = is_odd(odd_in_x, c, e);
+      const bool odd_y = is_odd(odd_in_y, c, e);
+      // Sum of K e^{ik.r} over the signs of m and n, K being real if odd in both or none, else imaginary.
+      const double amplitude = k.weight * (odd_x == odd_y ? (odd_x ? -value.real() : value.real()) : -value.imag());
+      const auto& in_x = odd_x ? k.sin_x : k.cos_x;
+      const auto& in_y = odd_y ? k.sin_y : k.cos_y;
+      double* to = sum + static_cast<std::ptrdiff_t>((c * strain_count + e) * places);
+      for (std::size_t oy = 0; oy < offset_nodes; ++oy)
+        for (std::size_t ox = 0; ox < offset_nodes; ++ox)
+          to[ox + offset_nodes * oy] += amplitude * in_x[ox] * in_y[oy];
+    }
+  }
+}
+
+/// Stress of the images: the lattice with the padded lengths minus the large one, times the extrapolation from there to an
+/// infinite one. @returns [depth of stress][depth of strain][stress][strain][place].
+std::vector<double> sample_images(const Elastic& elastic, double period_x, double period_y, const Nodes& nodes)
+{
+  const auto depths = static_cast<int>(nodes.depth.size());
   std::vector<double> value(static_cast<std::size_t>(depths * depths * pairs * places), 0.0);
   const double width = std::min(period_x, period_y) / 10.0;
   const double k_max = 6.5 / width;
   const double e3 = enlargement * enlargement * enlargement;
   const int nodes_x = static_cast<int>(k_max * enlargement * period_x / (2.0 * pi));
   const int nodes_y = static_cast<int>(k_max * enlargement * period_y / (2.0 * pi));
+  std::vector<Wavevector> waves;
+  for (int j = 0; j <= nodes_y; ++j)
+    for (int i = 0; i <= nodes_x; ++i)
+    {
+      const double m = 2.0 * pi * i / (enlargement * period_x);
+      const double n = 2.0 * pi * j / (enlargement * period_y);
+      const double k2 = m * m + n * n;
+      if (k2 == 0.0 || k2 > k_max * k_max)
+        continue;
+      const bool on_small = i % enlargement == 0 && j % enlargement == 0;
+      const double copies = (i == 0 ? 1.0 : 2.0) * (j == 0 ? 1.0 : 2.0);
+      const double blur = (1.0 + 0.5 * k2 * width * width) * std::exp(-0.5 * k2 * width * width);
+      waves.emplace_back(m, n,
+                         copies * blur * ((on_small ? 1.0 : 0.0) - 1.0 / (enlargement * enlargement)) /
+                             (period_x * period_y) * e3 / (e3 - 1.0),
+                         nodes);
+    }
 #pragma omp parallel for schedule(dynamic) collapse(2)
   for (int zi = 0; zi < depths; ++zi)
     for (int zj = 0; zj < depths; ++zj)
-    {
-      double* out = value.data() + static_cast<std::ptrdiff_t>((zi * depths + zj) * pairs * places);
-      for (int j = 0; j <= nodes_y; ++j)
-        for (int i = 0; i <= nodes_x; ++i)
-        {
-          const double m = 2.0 * pi * i / (enlargement * period_x);
-          const double n = 2.0 * pi * j / (enlargement * period_y);
-          const double k2 = m * m + n * n;
-          if (k2 == 0.0 || k2 > k_max * k_max)
-            continue;
-          const bool on_small = i % enlargement == 0 && j % enlargement == 0;
-          const double copies = (i == 0 ? 1.0 : 2.0) * (j == 0 ? 1.0 : 2.0);
-          const double blur = (1.0 + 0.5 * k2 * width * width) * std::exp(-0.5 * k2 * width * width);
-          const double weight = copies * blur * ((on_small ? 1.0 : 0.0) - 1.0 / (enlargement * enlargement)) /
-                                (period_x * period_y) * e3 / (e3 - 1.0);
-          std::array<double, offset_nodes> cos_x{};
-          std::array<double, offset_nodes> sin_x{};
-          std::array<double, offset_nodes> cos_y{};
-          std::array<double, offset_nodes> sin_y{};
-          for (std::size_t o = 0; o < offset_nodes; ++o)
-          {
-            cos_x[o] = std::cos(m * half_x * offsets[o]);
-            sin_x[o] = std::sin(m * half_x * offsets[o]);
-            cos_y[o] = std::cos(n * half_y * offsets[o]);
-            sin_y[o] = std::sin(n * half_y * offsets[o]);
-          }
-          for (int e = 0; e < strains; ++e)
-          {
-            Deviator unit;
-            unit[e] = 1.0;
-            const auto stress = green::eigenstrain_sheet_stress(m, n, node[static_cast<std::size_t>(zi)],
-                                                                node[static_cast<std::size_t>(zj)], unit, elastic);
-            for (int c = 0; c < stresses; ++c)
-            {
-              const auto ce = static_cast<std::size_t>(c);
-              const Complex value_here = c < strains ? stress.deviator[ce] : stress.trace;
-              const bool odd_x = (odd_in_x[ce] + odd_in_x[static_cast<std::size_t>(e)]) % 2 != 0;
-              const bool odd_y = (odd_in_y[ce] + odd_in_y[static_cast<std::size_t>(e)]) % 2 != 0;
-              // Sum of K e^{ik.r} over the signs of m and n, K being real if odd in both or none, else imaginary.
-              const double amplitude =
-                  weight * (odd_x == odd_y ? (odd_x ? -value_here.real() : value_here.real()) : -value_here.imag());
-              const auto& in_x = odd_x ? sin_x : cos_x;
-              const auto& in_y = odd_y ? sin_y : cos_y;
-              double* to = out + static_cast<std::ptrdiff_t>((c * strains + e) * places);
-              for (std::size_t oy = 0; oy < offset_nodes; ++oy)
-                for (std::size_t ox = 0; ox < offset_nodes; ++ox)
-                  to[ox + offset_nodes * oy] += amplitude * in_x[ox] * in_y[oy];
-            }
-          }
-        }
-    }
+      for (const Wavevector& k : waves)
+        add_wave(k, nodes.depth[static_cast<std::size_t>(zi)], nodes.depth[static_cast<std::size_t>(zj)], elastic,
+                 value.data() + static_cast<std::ptrdiff_t>((zi * depths + zj) * pairs * places));
+  return value;
+}
+
+/// Least-squares coefficients of the monomials `powers_here` in the offsets, for one pair of components: [term][zi, zj].
+Eigen::MatrixXd fit_offset_polynomial(const std::vector<double>& samples, int pair,
+                                      const std::vector<std::array<int, 2>>& powers_here, const Nodes& nodes)
+{
+  const auto terms = static_cast<Eigen::Index>(powers_here.size());
+  const auto depth_pairs = static_cast<Eigen::Index>(nodes.depth.size() * nodes.depth.size());
+  Eigen::MatrixXd basis(places, terms);
+  for (std::size_t oy = 0; oy < offset_nodes; ++oy)
+    for (std::size_t ox = 0; ox < offset_nodes; ++ox)
+      for (Eigen::Index t = 0; t < terms; ++t)
+        basis(static_cast<Eigen::Index>(ox + offset_nodes * oy), t) =
+            std::pow(nodes.offset[ox], powers_here[static_cast<std::size_t>(t)][0]) *
+            std::pow(nodes.offset[oy], powers_here[static_cast<std::size_t>(t)][1]);
+  Eigen::MatrixXd right(places, depth_pairs);
+  for (Eigen::Index z = 0; z < depth_pairs; ++z)
+    for (Eigen::Index o = 0; o < places; ++o)
+      right(o, z) = samples[static_cast<std::size_t>((z * pairs + pair) * places + o)];
+  return basis.colPivHouseholderQr().solve(right);
+}
+
+} // namespace
+
+void ImageCorrection::fit(const Elastic& elastic, double period_x, double period_y)
+{
+  const Nodes nodes(grid_, depths);
+  const std::vector<double> samples = sample_images(elastic, period_x, period_y, nodes);
 
   // Node values in depth -> Chebyshev coefficients (discrete orthogonality).
   Eigen::MatrixXd to_chebyshev(depths, depths);
+  const double thickness = grid_.nz * grid_.dz;
   for (int q = 0; q < depths; ++q)
     for (int i = 0; i < depths; ++i)
-      to_chebyshev(q, i) =
-          (q == 0 ? 1.0 : 2.0) / depths * chebyshev(q, 2.0 * node[static_cast<std::size_t>(i)] / thickness - 1.0);
+      to_chebyshev(q, i) = (q == 0 ? 1.0 : 2.0) / depths *
+                           chebyshev(q, 2.0 * nodes.depth[static_cast<std::size_t>(i)] / thickness - 1.0);
 
-  std::vector<int> class_of(stress_moments);
-  std::vector<std::size_t> place(stress_moments);
+  sort_moments();
+  for (int c = 0; c < stresses; ++c)
+    for (int e = 0; e < strains; ++e)
+    {
+      const auto powers_here = powers_of_parity(degree, is_odd(odd_in_x, c, e), is_odd(odd_in_y, c, e));
+      const Eigen::MatrixXd fitted = fit_offset_polynomial(samples, c * strains + e, powers_here, nodes);
+      for (std::size_t t = 0; t < powers_here.size(); ++t)
+      {
+        Eigen::Matrix<double, depths, depths> at_nodes;
+        for (int zi = 0; zi < depths; ++zi)
+          for (int zj = 0; zj < depths; ++zj)
+            at_nodes(zi, zj) = fitted(static_cast<Eigen::Index>(t), zi * depths + zj);
+        // The sum over cells stands for an integral.
+        const Eigen::MatrixXd coefficient = grid_.cell_volume() * (to_chebyshev * at_nodes * to_chebyshev.transpose());
+        for (int qi = 0; qi < depths; ++qi)
+          for (int qj = 0; qj < depths; ++qj)
+            couple(c * depths + qi, e * depths + qj, powers_here[t], coefficient(qi, qj));
+      }
+    }
+}
+
+/// Sorts the moments into classes of like parity.
+void ImageCorrection::sort_moments()
+{
   for (int c = 0; c < stresses; ++c)
     for (int q = 0; q < depths; ++q)
       for (int a = 0; a <= degree; ++a)
         for (int b = 0; a + b <= degree; ++b)
         {
-          const int moment = (c * depths + q) * powers + monomial(a, b);
           const auto component = static_cast<std::size_t>(c);
           const int parity = (a + odd_in_x[component]) % 2 + 2 * ((b + odd_in_y[component]) % 2);
           ParityClass& members = classes_[static_cast<std::size_t>(parity)];
-          class_of[static_cast<std::size_t>(moment)] = parity;
-          place[static_cast<std::size_t>(moment)] = members.members.size();
-          members.members.push_back(moment);
+          const auto moment = static_cast<std::size_t>((c * depths + q) * powers + monomial(a, b));
+          place_[moment] = {parity, members.members.size()};
+          members.members.push_back(static_cast<int>(moment));
           members.strains += c < strains ? 1 : 0;
         }
   for (ParityClass& c : classes_)
     c.coupling.assign(c.members.size() * c.strains, 0.0);
+}
 
-  for (int c = 0; c < stresses; ++c)
-    for (int e = 0; e < strains; ++e)
+/// Adds one term of the kernel, value (x - x')^a (y - y')^b, as products of monomials of the point and of the source.
+/// @param stress, strain  component and depth polynomial of either, component * depths + polynomial.
+void ImageCorrection::couple(int stress, int strain, const std::array<int, 2>& power, double value)
+{
+  const auto [a, b] = power;
+  for (int pa = 0; pa <= a; ++pa)
+    for (int pb = 0; pb <= b; ++pb)
     {
-      const auto ce = static_cast<std::size_t>(c);
-      const auto ee = static_cast<std::size_t>(e);
-      const auto powers_here =
-          powers_of_parity(degree, (odd_in_x[ce] + odd_in_x[ee]) % 2, (odd_in_y[ce] + odd_in_y[ee]) % 2);
-      const auto terms = static_cast<Eigen::Index>(powers_here.size());
-      Eigen::MatrixXd basis(places, terms);
-      for (std::size_t oy = 0; oy < offset_nodes; ++oy)
-        for (std::size_t ox = 0; ox < offset_nodes; ++ox)
-          for (Eigen::Index t = 0; t < terms; ++t)
-            basis(static_cast<Eigen::Index>(ox + offset_nodes * oy), t) =
-                std::pow(offsets[ox], powers_here[static_cast<std::size_t>(t)][0]) *
-                std::pow(offsets[oy], powers_here[static_cast<std::size_t>(t)][1]);
-      Eigen::MatrixXd samples(places, depths * depths);
-      for (int z = 0; z < depths * depths; ++z)
-        for (int o = 0; o < places; ++o)
-          samples(o, z) = value[static_cast<std::size_t>((z * pairs + c * strains + e) * places + o)];
-      const Eigen::MatrixXd fitted = basis.colPivHouseholderQr().solve(samples);
-      for (Eigen::Index t = 0; t < terms; ++t)
-      {
-        Eigen::MatrixXd at_nodes(depths, depths);
-        for (int zi = 0; zi < depths; ++zi)
-          for (int zj = 0; zj < depths; ++zj)
-            at_nodes(zi, zj) = fitted(t, zi * depths + zj);
-        const Eigen::MatrixXd coefficient = to_chebyshev * at_nodes * to_chebyshev.transpose();
-        // (x - x')^a (y - y')^b -> monomials of the point times monomials of the source.
-        const auto [a, b] = powers_here[static_cast<std::size_t>(t)];
-        for (int pa = 0; pa <= a; ++pa)
-          for (int pb = 0; pb <= b; ++pb)
-          {
-            const double split = binomial(a, pa) * binomial(b, pb) * ((a - pa + b - pb) % 2 == 0 ? 1.0 : -1.0);
-            for (int qi = 0; qi < depths; ++qi)
-              for (int qj = 0; qj < depths; ++qj)
-              {
-                const auto row = static_cast<std::size_t>((c * depths + qi) * powers + monomial(pa, pb));
-                const auto column = static_cast<std::size_t>((e * depths + qj) * powers + monomial(a - pa, b - pb));
-                ParityClass& parity = classes_[static_cast<std::size_t>(class_of[row])];
-                parity.coupling[place[row] * parity.strains + place[column]] += split * coefficient(qi, qj);
-              }
-          }
-      }
+      const double split = binomial(a, pa) * binomial(b, pb) * ((a - pa + b - pb) % 2 == 0 ? 1.0 : -1.0);
+      const Place& row = place_[static_cast<std::size_t>(stress * powers + monomial(pa, pb))];
+      const Place& column = place_[static_cast<std::size_t>(strain * powers + monomial(a - pa, b - pb))];
+      ParityClass& parity = classes_[static_cast<std::size_t>(row.parity)];
+      parity.coupling[row.index * parity.strains + column.index] += split * value;
     }
-  // The sum over cells stands for an integral.
-  for (ParityClass& c : classes_)
-    for (double& v : c.coupling)
-      v *= grid_.cell_volume();
 }
 
 ImageCorrection::Response ImageCorrection::make_response() const

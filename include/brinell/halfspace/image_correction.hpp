@@ -49,6 +49,8 @@ private:
   static constexpr int stress_moments = stresses * depths * powers;
 
   void fit(const Elastic& elastic, double period_x, double period_y);
+  void sort_moments();
+  void couple(int stress, int strain, const std::array<int, 2>& power, double value);
 
   VolumeGrid grid_;
   std::vector<double> x_, y_;     ///< powers of the cells' coordinates, scaled by the half-lengths: [power][cell]
@@ -61,6 +63,12 @@ private:
     std::vector<double> coupling; ///< [moment of stress][moment of strain]
   };
   std::array<ParityClass, 4> classes_;
+  struct Place
+  {
+    int parity = 0; ///< class
+    std::size_t index = 0;
+  };
+  std::array<Place, stress_moments> place_; ///< of every moment
 };
 
 } // namespace brinell::halfspace
