@@ -3,16 +3,18 @@
 """Convergence of a tugging case with mesh and step: runs it refined and prints the tables of docs/verification.md.
 
     tools/convergence.py [--program build/release/bin/brinell] [--case cases/tugging-paper/case.toml]
-                         [--refine 1 2 3 4] [--steps 1 0.5] [--threads 1]
+                         [--refine 1 2 4] [--steps 1] [--threads 1]
 
-`refine` divides dx, dy and dz of the case; `steps` are shifts per step in cells of the refined mesh. The last column is
-extrapolated from the two finest meshes at the first step, with the error falling as the square of the cell.
+`refine` divides dx, dy and dz of the case, and should double from mesh to mesh; `steps` are shifts per step in cells of the
+refined mesh. Order and limit follow from the last three meshes (Aitken); where these do not show an order above 1/2 yet,
+the limit takes the first order. Percentages are the distance from the limit.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import subprocess
 import sys
@@ -28,7 +30,6 @@ QUANTITIES = {
     "net energy / U_c": "net_energy",
     "largest residual displacement / alpha_c": "max_residual_lower",
 }
-ORDER = 2
 
 
 def run(options: argparse.Namespace, refine: float, step: float) -> dict:
@@ -37,7 +38,10 @@ def run(options: argparse.Namespace, refine: float, step: float) -> dict:
         resolved = subprocess.run(
             [options.program, "check", options.case], capture_output=True, text=True, check=True
         ).stdout
-        spacing = [length / refine for length in tomllib.loads(resolved)["grid"]["spacing"]]
+        grid = tomllib.loads(resolved)["grid"]
+        if "spacing" not in grid:
+            sys.exit(f"{options.case} has no grid.spacing to refine")
+        spacing = [length / refine for length in grid["spacing"]]
         command = [options.program, "run", options.case, "-o", folder, "--quiet", "--threads", str(options.threads)]
         command += ["--set", f"grid.spacing={spacing}", "--set", f"tugging.shift={spacing[0] * step}"]
         command += ["--set", "output.snapshots=none"]
@@ -50,29 +54,37 @@ def run(options: argparse.Namespace, refine: float, step: float) -> dict:
         return summary
 
 
+def extrapolated(values: list[float]) -> tuple[str, float]:
+    """@returns observed order in the cell, as text, and limit, for cells that halve from value to value."""
+    ratio = 0.0
+    if len(values) >= 3 and values[-1] != values[-2]:
+        ratio = (values[-2] - values[-3]) / (values[-1] - values[-2])
+    order = f"{math.log2(ratio):.1f}" if ratio > 1.0 else "-"
+    if ratio < math.sqrt(2.0):
+        ratio = 2.0
+    return order, values[-1] + ((values[-1] - values[-2]) / (ratio - 1.0) if len(values) > 1 else 0.0)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default="build/release/bin/brinell")
     parser.add_argument("--case", default="cases/tugging-paper/case.toml")
-    parser.add_argument("--refine", type=float, nargs="+", default=[1, 2, 3, 4])
-    parser.add_argument("--steps", type=float, nargs="+", default=[1, 0.5])
+    parser.add_argument("--refine", type=float, nargs="+", default=[1, 2, 4])
+    parser.add_argument("--steps", type=float, nargs="+", default=[1])
     parser.add_argument("--threads", type=int, default=1)
     options = parser.parse_args()
 
     for step in options.steps:
         runs = [run(options, refine, step) for refine in options.refine]
         header = [f"dx/{refine:g}" for refine in options.refine]
-        finest, before = options.refine[-1] ** -ORDER, options.refine[-2] ** -ORDER if len(runs) > 1 else 0.0
         print(f"\nShift {step:g} cells per step:\n")
-        print("| " + " | ".join(["quantity", *header, "extrapolated"]) + " |")
-        print("| --- " * (len(header) + 2) + "|")
+        print("| " + " | ".join(["quantity", *header, "order", "limit"]) + " |")
+        print("| --- " * (len(header) + 3) + "|")
         for name, key in QUANTITIES.items():
             values = [summary["normalised"][key] for summary in runs]
-            limit = values[-1]
-            if len(values) > 1:
-                limit += (values[-1] - values[-2]) * finest / (before - finest)
-            cells = [f"{v:.4f} ({100 * (v / limit - 1):+.1f} %)" for v in values]
-            print("| " + " | ".join([name, *cells, f"{limit:.4f}"]) + " |")
+            order, limit = extrapolated(values)
+            cells = [f"{v:.5g} ({100 * (v / limit - 1):+.1f} %)" for v in values]
+            print("| " + " | ".join([name, *cells, order, f"{limit:.5g}"]) + " |")
         rows = {
             "energy balance": [f"{100 * s['energy']['balance_error']:+.2f} %" for s in runs],
             "evaluations per step": [f"{s['run']['iterations'] / s['run']['steps']:.1f}" for s in runs],
@@ -80,7 +92,7 @@ def main() -> None:
             "memory": [f"{s['memory']:.0f} MB" for s in runs],
         }
         for name, cells in rows.items():
-            print("| " + " | ".join([name, *cells, ""]) + " |")
+            print("| " + " | ".join([name, *cells, "", ""]) + " |")
 
 
 if __name__ == "__main__":

@@ -123,6 +123,11 @@ int run_command(const RunOptions& options)
     stop(results, folder);
     throw;
   }
+  catch (const InputError&) // the grid turned out too small
+  {
+    stop(results, folder);
+    throw;
+  }
   return exit_ok;
 }
 

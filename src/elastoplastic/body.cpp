@@ -47,7 +47,7 @@ constexpr int spare_layers = 3;
 } // namespace
 
 Body::Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constitutive::Material& material)
-    : material_(material), half_space_(std::move(half_space)), layers_(grid().nz),
+    : material_(material), half_space_(std::move(half_space)), layers_(grid().nz), known_layers_(grid().nz),
       displacement_(grid().surface.size(), 0.0)
 {
   const std::size_t n = grid().size();
@@ -120,6 +120,7 @@ void Body::integrate(Integration integration)
   if (work_.empty())
     work_ = half_space_->make_work();
   const std::size_t n = grid().size();
+  const std::size_t known = static_cast<std::size_t>(known_layers_) * grid().surface.size();
   const double mu = 0.5 * stiffness_;
   std::visit(
       [&](const auto& law)
@@ -131,8 +132,9 @@ void Body::integrate(Integration integration)
           const double e = state_.equivalent[cell];
           const Deviator q = load_packed(q_, a);
           const constitutive::PlasticIncrement increment =
-              integration == Integration::path ? constitutive::path_return(load(state_.stress, n, cell), q, e, mu, law)
-                                               : constitutive::radial_return(q, e, mu, law);
+              integration == Integration::path && cell < known
+                  ? constitutive::path_return(load(state_.stress, n, cell), q, e, mu, law)
+                  : constitutive::radial_return(q, e, mu, law);
           store(load(state_.plastic_strain, n, cell) + increment.strain, strain_, n, cell);
           equivalent_[a] = increment.equivalent;
           dissipation_[a] = increment.dissipation;
@@ -271,6 +273,7 @@ void Body::commit(std::span<const double> pressure)
   state_.residual_displacement = displacement_;
   state_.locked_in_energy = locked_in_energy(pressure);
   q_field_ = stress_;
+  known_layers_ = layers_;
   layers_ = std::min(grid().nz, needed_layers() + spare_layers);
   for (std::size_t a = 0; a < active_.size(); ++a)
     store(load_packed(g_, a), q_field_, n, active_[a]);

@@ -12,11 +12,13 @@ namespace brinell::halfspace
 /// What one block of wavenumbers needs. All couplings are zero for k = 0 and in lanes without a wavenumber.
 struct EigenstrainStress::Factors
 {
-  Lanes lx{}, ly{}, lx2{}, ly2{}, lxly{}; ///< direction of the wavevector; products odd in a Nyquist index are zero
-  Lanes q{};                              ///< e^{-x}, x = k dz: decay over a layer
-  Lanes e0{}, e1{}, e2{}, e3{};           ///< stress that waves give in the next layer
-  Lanes m0{}, m1{}, m2{};                 ///< stress of a layer in itself
-  Lanes x{}, rise{}, lag{};               ///< change of a wave at the surface into that of the image
+  /// Direction of the wavevector. At a Nyquist index its sign is not known, so lx or ly is zero there; that also drops the
+  /// couplings of even order through the shears yz and xz, which are nothing to a strain that the cells resolve.
+  Lanes lx{}, ly{}, lx2{}, ly2{}, lxly{};
+  Lanes q{};                    ///< e^{-x}, x = k dz: decay over a layer
+  Lanes e0{}, e1{}, e2{}, e3{}; ///< stress that waves give in the next layer
+  Lanes m0{}, m1{}, m2{};       ///< stress of a layer in itself
+  Lanes x{}, rise{}, lag{};     ///< change of a wave at the surface into that of the image
 
   void set(std::size_t lane, double m, double n, bool nyquist_x, bool nyquist_y, double dz, double nu, double mu);
 };

@@ -39,6 +39,7 @@ int padded(int cells)
 HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
     : grid_(grid), elastic_(elastic), surface_fft_(grid.surface, padded(grid.surface.nx), padded(grid.surface.ny), 1),
       volume_fft_(grid.surface, surface_fft_.px(), surface_fft_.py(), Deviator::size * grid.nz),
+      trace_fft_(grid.surface, surface_fft_.px(), surface_fft_.py(), grid.nz),
       pressure_stress_(grid, elastic.poisson_ratio, surface_fft_), eigenstrain_stress_(grid, elastic, surface_fft_),
       image_correction_(grid, elastic, surface_fft_)
 {
@@ -90,7 +91,6 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
   while (strained > 0 && !has_strain(strained - 1))
     --strained;
   work.layers_ = layers;
-  work.strained_ = strained;
   image_correction_.respond(plastic_strain, strained, work.images_);
   const int planes = Deviator::size * strained;
 
@@ -179,7 +179,7 @@ void HalfSpace::finish(int component, int layer, std::span<const double> plastic
 void HalfSpace::full_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
                             std::span<double> deviator, std::span<double> trace) const
 {
-  const BlockedFft fft(grid_.surface, surface_fft_.px(), surface_fft_.py(), grid_.nz);
+  const BlockedFft& fft = trace_fft_;
   AlignedVector<Complex> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
   AlignedVector<Complex> rows(fft.rows_size());
   std::vector<double> displacement(grid_.surface.size());

@@ -76,7 +76,7 @@ ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic,
   };
   tabulate(s.nx, x_);
   tabulate(s.ny, y_);
-  // Mean of T_q over a layer by three Gauss points: exact up to the fifth power, which depths = 6 needs.
+  // Mean of T_q over a layer by three Gauss points: exact up to the fifth power, more than depths = 5 needs.
   chebyshev_.resize(static_cast<std::size_t>(depths * grid.nz));
   for (int q = 0; q < depths; ++q)
     for (int layer = 0; layer < grid.nz; ++layer)

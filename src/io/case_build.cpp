@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/case_file.hpp"
 
+#include "case_material.hpp"
 #include "case_values.hpp"
 #include "value_text.hpp"
 
@@ -16,21 +17,9 @@ namespace brinell::io
 namespace
 {
 
-constitutive::Material material(const CaseValues& values, const std::string& body)
+simulation::Asperity asperity(const CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
 {
-  const auto number = [&](const char* key) { return values.get<double>(body + ".material." + key); };
-  const auto& law = values.get<std::string>(body + ".material.hardening.law");
-  constitutive::Material result{{number("young_modulus"), number("poisson_ratio")}, {}};
-  if (law == "perfect")
-    result.hardening = constitutive::PerfectPlasticity{number("hardening.yield_stress")};
-  else if (law == "linear")
-    result.hardening = constitutive::LinearHardening{number("hardening.yield_stress"), number("hardening.modulus")};
-  return result;
-}
-
-simulation::Asperity asperity(const CaseValues& values, const std::string& body)
-{
-  return {values.get<double>(body + ".shape.radius"), material(values, body)};
+  return {values.get<double>(body + ".shape.radius"), material(values, raw, body, problems)};
 }
 
 elastoplastic::Settings solver(const CaseValues& values)
@@ -47,11 +36,11 @@ elastoplastic::Settings solver(const CaseValues& values)
 }
 
 /// Everything but the interference, which may need the critical values.
-simulation::TuggingCase tugging_case(const CaseValues& values)
+simulation::TuggingCase tugging_case(const CaseValues& values, const RawCase& raw, Problems& problems)
 {
   simulation::TuggingCase tugging;
-  tugging.lower = asperity(values, "lower");
-  tugging.upper = asperity(values, "upper");
+  tugging.lower = asperity(values, raw, "lower", problems);
+  tugging.upper = asperity(values, raw, "upper", problems);
   if (values.find("tugging.shift"))
     tugging.shift = values.get<double>("tugging.shift");
   tugging.kinematics = values.get<std::string>("tugging.kinematics") == "paper" ? simulation::Kinematics::paper
@@ -181,6 +170,11 @@ const Value* CaseValues::find(std::string_view key) const
   return found == m_values.end() ? nullptr : &found->second;
 }
 
+void CaseValues::erase(std::string_view key)
+{
+  std::erase_if(m_values, [&](const auto& item) { return item.first == key; });
+}
+
 template <class T>
 const T& CaseValues::get(std::string_view key) const
 {
@@ -194,6 +188,7 @@ template const bool& CaseValues::get(std::string_view) const;
 template const std::int64_t& CaseValues::get(std::string_view) const;
 template const double& CaseValues::get(std::string_view) const;
 template const std::string& CaseValues::get(std::string_view) const;
+template const std::vector<double>& CaseValues::get(std::string_view) const;
 template const Vector3& CaseValues::get(std::string_view) const;
 template const SnapshotRule& CaseValues::get(std::string_view) const;
 
@@ -221,7 +216,11 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   if (result.values.find("output.directory"))
     result.directory = result.values.get<std::string>("output.directory");
   result.snapshots = result.values.get<SnapshotRule>("output.snapshots");
-  result.tugging = tugging_case(result.values);
+  for (const char* body : {"lower", "upper"})
+    load_hardening_file(result.values, raw, body, problems);
+  problems.throw_if_any();
+  result.tugging = tugging_case(result.values, raw, problems);
+  problems.throw_if_any();
   result.first_yield = first_yield(result.tugging);
   const std::string grid_key = result.tugging.spacing ? "grid.spacing" : "grid.resolution";
   const Given* grid = raw.find(grid_key);

@@ -95,6 +95,8 @@ std::string plan_report(const Case& c, const simulation::TuggingPlan& plan)
                                  c.tugging.passes == 1 ? "" : "es");
   text += fmt::format("# Cells: dx = {:.4e} m, dy = {:.4e} m, dz = {:.4e} m; elastic contact radius {:.4e} m\n",
                       plan.contact.dx, plan.contact.dy, plan.lower.dz, plan.elastic_contact_radius);
+  if (plan.mirrored)
+    text += "# Symmetry: the bodies are mirror images of each other; one of them is solved\n";
   text += fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx, plan.contact.ny,
                       volume_text(plan.lower), volume_text(plan.upper));
   return text + fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(plan.memory_bytes),

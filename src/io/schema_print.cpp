@@ -130,6 +130,9 @@ std::string allowed_values(const Entry& entry)
   case Type::vector3:
     return with_range(fmt::format("three {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range) +
            unit_note(entry.dimension);
+  case Type::numbers:
+    return with_range(fmt::format("list of {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range) +
+           unit_note(entry.dimension);
   case Type::snapshots:
     return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";
   }

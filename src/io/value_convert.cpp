@@ -69,24 +69,30 @@ std::int64_t integer(const Raw& raw, const Entry& entry)
   return *i;
 }
 
-Vector3 vector3(const Raw& raw, const Entry& entry)
+std::vector<double> numbers(const Raw& raw, const Entry& entry)
 {
   const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
   if (!items)
     throw wrong_type(raw, entry, false);
-  if (items->size() != 3)
-    throw InputError(fmt::format("has {} elements; {}", items->size(), allowed(entry, false)));
-  Vector3 result{};
-  for (std::size_t i = 0; i < 3; ++i)
+  std::vector<double> result;
+  for (const Raw& item : *items)
     try
     {
-      result[i] = number((*items)[i], entry, false);
+      result.push_back(number(item, entry, false));
     }
     catch (const InputError& error)
     {
-      throw InputError(fmt::format("has the element {}, which {}", shown((*items)[i]), error.what()));
+      throw InputError(fmt::format("has the element {}, which {}", shown(item), error.what()));
     }
+  if (result.empty() || (entry.type == Type::vector3 && result.size() != 3))
+    throw InputError(fmt::format("has {} elements; {}", result.size(), allowed(entry, false)));
   return result;
+}
+
+Vector3 vector3(const Raw& raw, const Entry& entry)
+{
+  const std::vector<double> items = numbers(raw, entry);
+  return {items[0], items[1], items[2]};
 }
 
 std::string choice(const Raw& raw, const Entry& entry)
@@ -162,6 +168,8 @@ Value converted(const Raw& raw, const Entry& entry, bool pure)
     return number(raw, entry, pure);
   case Type::vector3:
     return vector3(raw, entry);
+  case Type::numbers:
+    return numbers(raw, entry);
   case Type::snapshots:
     return snapshot_rule(raw, entry);
   }

@@ -66,6 +66,13 @@ std::string toml_text(const Value& value)
                [](const std::string& s) { return toml_string(s); },
                [](const Vector3& v)
                { return fmt::format("[{}, {}, {}]", number_text(v[0]), number_text(v[1]), number_text(v[2])); },
+               [](const std::vector<double>& v)
+               {
+                 std::string text;
+                 for (const double x : v)
+                   text += (text.empty() ? "" : ", ") + number_text(x);
+                 return "[" + text + "]";
+               },
                [](const SnapshotRule& rule)
                {
                  return rule.kind == SnapshotRule::Kind::listed ? fmt::format("[{}]", fmt::join(rule.steps, ", "))

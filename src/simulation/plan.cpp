@@ -78,18 +78,36 @@ bool is_mirrored(const TuggingCase& tugging, const Position& p, double dx)
          std::abs(columns - std::round(columns)) < rounding && std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
 }
 
+/// Real padded planes of all layers [bytes].
+double padded_bytes(const VolumeGrid& grid)
+{
+  return static_cast<double>(fast_length(2 * grid.surface.nx - 1)) * fast_length(2 * grid.surface.ny - 1) * grid.nz *
+         sizeof(double);
+}
+
+/// Spectra of the stress, and rows without their padding in y.
+double spectra_bytes(const VolumeGrid& grid, int components)
+{
+  return 1.5 * components * padded_bytes(grid);
+}
+
 /// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
 double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
 {
-  const double padded = static_cast<double>(fast_length(2 * grid.surface.nx - 1)) *
-                        fast_length(2 * grid.surface.ny - 1) * grid.nz * sizeof(double);
+  const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
   const double cells = static_cast<double>(grid.size()) * sizeof(double);
-  const double active_share = 0.25;
-  const double kernels = 6.0 / 4.0;     // six, real, a quarter of the plane each
-  const double spectra = 5.0 + 5.0 / 2; // of the stress, and rows without their padding in y
   const double fields = cells * (6 * 5 + 4);
-  return solved ? padded * (kernels + spectra) + fields + cells * active_share * 5 * (2 * anderson_depth + 4)
-                : padded * kernels + fields;
+  const double active_share = 0.25;
+  const double accelerator = cells * active_share * 5 * (2 * anderson_depth + 4);
+  return kernels + fields + (solved ? spectra_bytes(grid, 5) + accelerator : 0.0);
+}
+
+/// The final state always is a snapshot: tensors of both bodies, and the operators' spectra for one of them at a time.
+double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
+{
+  const auto cells = static_cast<double>(lower.size() + upper.size());
+  const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
+  return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
 }
 
 } // namespace
@@ -147,7 +165,8 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.start_distance = passing.start_distance();
   const int depth = tugging.solver.anderson_depth;
   plan.memory_bytes = body_bytes(plan.lower, depth, tugging.lower.material.is_plastic()) +
-                      body_bytes(plan.upper, depth, tugging.upper.material.is_plastic() && !plan.mirrored);
+                      body_bytes(plan.upper, depth, tugging.upper.material.is_plastic() && !plan.mirrored) +
+                      snapshot_bytes(plan.lower, plan.upper);
   return plan;
 }
 

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <variant>
+#include <vector>
 
 /// Hardening laws: the yield stress as a function of the accumulated equivalent plastic strain e >= 0.
 /// A law is a struct that can be compared, with three members,
 ///   yield_stress_at(e)  sigma_y(e) [Pa], > 0, non-decreasing;
-///   modulus_at(e)       d sigma_y / d e [Pa], >= 0;
+///   modulus_at(e)       d sigma_y / d e [Pa], >= 0; may be infinite at e = 0;
 ///   work(e)             integral of sigma_y from 0 to e [J/m^3]: the potential of the increment's convex problem,
-/// and one line in the variant below. The return mapping is the same for all.
+/// and one line in the variant below. The return mapping is the same for all. How a law gets into the case file:
+/// docs/developer/hardening-laws.md.
 namespace brinell::constitutive
 {
 
@@ -35,7 +40,108 @@ struct LinearHardening
   bool operator==(const LinearHardening&) const = default;
 };
 
-using HardeningLaw = std::variant<PerfectPlasticity, LinearHardening>;
+/// sigma_y(e) = coefficient (offset + e)^exponent (Swift 1952).
+struct SwiftHardening
+{
+  double coefficient = 0.0; ///< K [Pa], > 0
+  double offset = 0.0;      ///< e_0 [-], > 0
+  double exponent = 0.0;    ///< n, in [0, 1]
+
+  [[nodiscard]] double yield_stress_at(double e) const { return coefficient * std::pow(offset + e, exponent); }
+  [[nodiscard]] double modulus_at(double e) const
+  {
+    return coefficient * exponent * std::pow(offset + e, exponent - 1.0);
+  }
+  [[nodiscard]] double work(double e) const
+  {
+    return coefficient / (exponent + 1.0) * (std::pow(offset + e, exponent + 1.0) - std::pow(offset, exponent + 1.0));
+  }
+  bool operator==(const SwiftHardening&) const = default;
+};
+
+/// The same as B (C + 1e6 e)^n, with the plastic strain in millionths (Jacq, Nelias, Lormand, Girodin 2002).
+[[nodiscard]] inline SwiftHardening swift_of_microstrain(double B, double C, double n)
+{
+  return {B * std::pow(1e6, n), 1e-6 * C, n};
+}
+
+/// A power law K (e_0 + e)^n that begins at a given yield stress, e_0 = (S_y / K)^(1/n): Hollomon's (1945) K e^n, with the
+/// strain counted from where the elastic line meets it.
+[[nodiscard]] inline SwiftHardening hollomon(double yield_stress, double coefficient, double exponent)
+{
+  return {coefficient, std::pow(yield_stress / coefficient, 1.0 / exponent), exponent};
+}
+
+/// sigma_y(e) = yield_stress + coefficient * e^exponent (Ludwik 1909).
+struct LudwikHardening
+{
+  double yield_stress = 0.0; ///< [Pa], > 0
+  double coefficient = 0.0;  ///< [Pa], >= 0
+  double exponent = 1.0;     ///< in (0, 1]
+
+  [[nodiscard]] double yield_stress_at(double e) const { return yield_stress + coefficient * std::pow(e, exponent); }
+  [[nodiscard]] double modulus_at(double e) const { return coefficient * exponent * std::pow(e, exponent - 1.0); }
+  [[nodiscard]] double work(double e) const
+  {
+    return yield_stress * e + coefficient / (exponent + 1.0) * std::pow(e, exponent + 1.0);
+  }
+  bool operator==(const LudwikHardening&) const = default;
+};
+
+/// sigma_y(e) = yield_stress + saturation (1 - exp(-rate * e)) (Voce 1948).
+struct VoceHardening
+{
+  double yield_stress = 0.0; ///< [Pa], > 0
+  double saturation = 0.0;   ///< largest rise of the yield stress [Pa], >= 0
+  double rate = 0.0;         ///< [-], > 0
+
+  [[nodiscard]] double yield_stress_at(double e) const { return yield_stress - saturation * std::expm1(-rate * e); }
+  [[nodiscard]] double modulus_at(double e) const { return saturation * rate * std::exp(-rate * e); }
+  [[nodiscard]] double work(double e) const
+  {
+    return (yield_stress + saturation) * e + saturation / rate * std::expm1(-rate * e);
+  }
+  bool operator==(const VoceHardening&) const = default;
+};
+
+/// Piecewise linear between measured points; constant beyond the last one.
+class TabulatedHardening
+{
+public:
+  /// @param plastic_strain  ascending from 0.
+  /// @param stress          [Pa], > 0, non-decreasing, as many.
+  /// @throws InputError
+  TabulatedHardening(std::vector<double> plastic_strain, std::vector<double> stress);
+
+  [[nodiscard]] double yield_stress_at(double e) const
+  {
+    const std::size_t i = interval(e);
+    return stress_[i] + modulus_[i] * (e - strain_[i]);
+  }
+  [[nodiscard]] double modulus_at(double e) const { return modulus_[interval(e)]; }
+  [[nodiscard]] double work(double e) const
+  {
+    const std::size_t i = interval(e);
+    const double beyond = e - strain_[i];
+    return work_[i] + (stress_[i] + 0.5 * modulus_[i] * beyond) * beyond;
+  }
+  bool operator==(const TabulatedHardening&) const = default;
+
+private:
+  /// The point at or before e.
+  [[nodiscard]] std::size_t interval(double e) const
+  {
+    const auto after = std::upper_bound(strain_.begin() + 1, strain_.end(), e);
+    return static_cast<std::size_t>(after - strain_.begin()) - 1;
+  }
+
+  std::vector<double> strain_, stress_;
+  std::vector<double> modulus_; ///< from this point to the next; 0 at the last
+  std::vector<double> work_;    ///< up to this point
+};
+
+using HardeningLaw = std::variant<PerfectPlasticity, LinearHardening, SwiftHardening, LudwikHardening, VoceHardening,
+                                  TabulatedHardening>;
 
 /// Yield stress of the virgin material [Pa].
 [[nodiscard]] inline double initial_yield_stress(const HardeningLaw& law)

@@ -23,20 +23,24 @@ struct PlasticIncrement
 namespace detail
 {
 
-/// Root of overstress(x) - sigma_y(e + x) = 0, x >= 0, for an overstress that is convex and falls at `slope` or less.
-/// Newton: the function is convex and decreasing, so the steps never pass the root from the left.
-/// @param x  start; the root itself for perfect plasticity, where that is known.
+/// Root of f(x) = overstress(x) - sigma_y(e + x), x >= 0, where f falls: Newton's method, kept between the bounds found so
+/// far. The slope of sigma_y may be infinite at the start of a law.
+/// @param x  f(x) <= 0, up to rounding: the root for perfect plasticity, as hardening only shortens the flow.
 template <typename Law, typename Overstress>
 double consistent_multiplier(const Law& law, double e, const Overstress& overstress, double x)
 {
-  for (int iteration = 0; iteration < 50; ++iteration)
+  double low = 0.0;
+  double high = x;
+  for (int iteration = 0; iteration < 100; ++iteration)
   {
     const auto [value, slope] = overstress(x);
-    const double f = value - law.yield_stress_at(e + x);
-    const double step = -f / (slope - law.modulus_at(e + x));
-    x = std::max(x + step, 0.0);
-    if (std::abs(f) <= 1e-13 * law.yield_stress_at(e + x))
-      break;
+    const double yield = law.yield_stress_at(e + x);
+    const double f = value - yield;
+    (f > 0.0 ? low : high) = x;
+    const double newton = x - f / (slope - law.modulus_at(e + x));
+    if (std::abs(f) <= 1e-13 * yield)
+      return std::max(newton, 0.0);
+    x = newton > low && newton < high ? newton : 0.5 * (low + high);
   }
   return x;
 }

@@ -41,8 +41,7 @@ public:
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
 
   /// Starts an increment: the guess of q is the last one, carried along by `shift` cells in x with the contact.
-  /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 bounds the stiffness of any plastic strain, which makes the
-  ///                         plain fixed point descend always; a cell's own stiffness, near 0.6, converges faster.
+  /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 is enough to make the plain fixed point descend always (docs/theory.md); a cell's own stiffness, near 0.6, converges faster.
   void begin(int shift, double stiffness_share);
   /// Integrates the plastic strain for the present q and computes the residual displacement it gives.
   void integrate(Integration integration);
@@ -80,6 +79,7 @@ private:
   BodyState state_;
   double stiffness_ = 0.0;          ///< c [Pa]
   int layers_;                      ///< layers computed: beneath them the stress is far from yield
+  int known_layers_;                ///< layers whose stress at the end of the last increment is known
   std::vector<std::size_t> active_; ///< cells that may yield
   std::vector<char> is_active_;
   std::vector<double> q_, g_;                    ///< trial deviator and its image, [active][component]

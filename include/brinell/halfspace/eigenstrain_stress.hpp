@@ -23,7 +23,7 @@ namespace brinell::halfspace
 /// plus, inside the layer, the stress of a uniform layer held in its plane. Mirror image and Boussinesq's pressure, which
 /// free the surface, together travel downwards like one more wave that starts there, with the amplitudes
 ///   a = -F,  c = C + 2 F,  w = W,   F = int (a - k z' c_-) e^-kz' dz',  C = int c_- e^-kz' dz',  W = int w_- e^-kz' dz'
-/// of what arrives from below. (Mura 1987, Eq. 11.30 for the potentials; derivation in docs/theory.md.) The stress of a
+/// of what arrives from below. (Derivation in docs/theory.md, section 4.) The stress of a
 /// layer is its mean over the thickness, as the strain is constant in it: the operator is symmetric, and its energy exact
 /// for such a strain.
 ///
@@ -32,7 +32,7 @@ namespace brinell::halfspace
 class EigenstrainStress
 {
 public:
-  /// @param fft  transform of 5 * nz planes, those of one layer together (order of Deviator); must outlive this object.
+  /// @param fft  any transform of the surface of `grid`, for its lengths; must outlive this object.
   EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft);
   ~EigenstrainStress();
   EigenstrainStress(const EigenstrainStress&) = delete;

@@ -50,6 +50,7 @@ private:
   Elastic elastic_;
   BlockedFft surface_fft_; ///< of one plane
   BlockedFft volume_fft_;  ///< of a deviator field
+  BlockedFft trace_fft_;   ///< of a scalar field
   PressureStress pressure_stress_;
   EigenstrainStress eigenstrain_stress_;
   ImageCorrection image_correction_;
@@ -74,8 +75,7 @@ private:
   AlignedVector<Complex> surface_rows_; ///< of a displacement or pressure
   AlignedVector<Complex> surface_;      ///< spectrum of the same
   ImageCorrection::Response images_;
-  int layers_ = 0;   ///< layers with stress
-  int strained_ = 0; ///< layers with strain
+  int layers_ = 0; ///< layers loaded
 };
 
 } // namespace brinell::halfspace

@@ -19,6 +19,7 @@ class CaseValues
 {
 public:
   void set(std::string_view key, Value value) { m_values.emplace_back(key, std::move(value)); }
+  void erase(std::string_view key);
 
   /// nullptr if unset.
   [[nodiscard]] const Value* find(std::string_view key) const;

@@ -38,7 +38,7 @@ struct SnapshotRule
 using Vector3 = std::array<double, 3>;
 
 /// A value of the case in SI.
-using Value = std::variant<bool, std::int64_t, double, std::string, Vector3, SnapshotRule>;
+using Value = std::variant<bool, std::int64_t, double, std::string, Vector3, std::vector<double>, SnapshotRule>;
 
 enum class Type
 {
@@ -48,10 +48,11 @@ enum class Type
   integer,
   number,
   vector3,  ///< three numbers, x y z
+  numbers,  ///< a list of any length but zero
   snapshots ///< SnapshotRule
 };
 
-/// Allowed interval of a number (of each component of a vector).
+/// Allowed interval of a number (of each component of a vector or list).
 struct Range
 {
   double min = -std::numeric_limits<double>::infinity();

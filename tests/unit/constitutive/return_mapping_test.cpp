@@ -87,6 +87,61 @@ TEST(ReturnMappingTest, StressAfterFlowLiesOnTheYieldSurface)
   };
   check(perfect);
   check(hardening);
+  check(SwiftHardening{2.0, 0.01, 0.15});
+  check(hollomon(1.0, 2.0, 0.2));
+  check(LudwikHardening{1.0, 1.1, 0.3}); // infinitely steep at the start
+  check(LudwikHardening{1.0, 5.0, 0.2});
+  check(VoceHardening{1.0, 0.5, 300.0});
+  check(TabulatedHardening({0.0, 0.001, 0.002, 0.1}, {1.0, 1.01, 1.3, 1.4})); // steeper in the middle: not concave
+}
+
+/// A law of a user: the yield stress rises with the square root of a quadratic. Three members are all it takes.
+struct UserLaw
+{
+  [[nodiscard]] double yield_stress_at(double e) const { return std::sqrt(1.0 + 40.0 * e); }
+  [[nodiscard]] double modulus_at(double e) const { return 20.0 / yield_stress_at(e); }
+  [[nodiscard]] double work(double e) const { return (std::pow(yield_stress_at(e), 3) - 1.0) / 60.0; }
+};
+
+TEST(ReturnMappingTest, TakesALawOfAUser)
+{
+  // Proportional loading: |q| - 3 mu de = sqrt(1 + 40 (e + de)), a quadratic equation in de.
+  const double e = 0.003, size = 2.5, a = 9.0 * mu * mu, b = -(6.0 * mu * size + 40.0),
+               c = size * size - 1.0 - 40.0 * e;
+  const double de = (-b - std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+  const Deviator q = unit_random(8, size);
+  EXPECT_NEAR(radial_return(q, e, mu, UserLaw{}).equivalent, de, tolerance / mu);
+  EXPECT_NEAR(path_return((0.5 / size) * q, q, e, mu, UserLaw{}).equivalent, de, tolerance / mu);
+}
+
+TEST(ReturnMappingTest, UniaxialCurveOfEveryLawIsFollowed)
+{
+  // Loading in many steps along one direction follows the law itself: stress = sigma_y(e), work = its integral.
+  const auto check = [](const auto& law)
+  {
+    const Deviator direction = unit_random(12, 1.0);
+    double e = 0.0, work = 0.0, stress = law.yield_stress_at(0.0);
+    const int steps = 400;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double trial = stress + 3.0 * mu * 0.1 / steps;
+      const PlasticIncrement p = path_return(stress * direction, trial * direction, e, mu, law);
+      e += p.equivalent;
+      work += p.dissipation;
+      stress = von_mises(stress_after(trial * direction, p));
+      ASSERT_NEAR(stress, law.yield_stress_at(e), 1e-11 * stress);
+    }
+    EXPECT_GT(e, 0.05);
+    // The step's work is that of the mean stress: second order, less where the law is infinitely steep at its start.
+    EXPECT_NEAR(work, law.work(e), 2e-4 * law.work(e));
+  };
+  check(perfect);
+  check(hardening);
+  check(SwiftHardening{2.0, 0.01, 0.15});
+  check(hollomon(1.0, 2.0, 0.2));
+  check(LudwikHardening{1.0, 1.1, 0.3});
+  check(VoceHardening{1.0, 0.5, 30.0});
+  check(TabulatedHardening({0.0, 0.001, 0.002, 0.1}, {1.0, 1.01, 1.3, 1.4}));
 }
 
 TEST(ReturnMappingTest, UniaxialHardeningIsExact)

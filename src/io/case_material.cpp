@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "case_material.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "value_text.hpp"
+
+#include <charconv>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+/// Place of a key for messages: its own, or that of the table in which it is missing.
+std::string place_of(const RawCase& raw, const std::string& key)
+{
+  const Given* given = raw.find(key);
+  return given ? given->place : raw.place_for(key);
+}
+
+/// The numbers of a line "0.001, 930e6"; empty if they are not numbers.
+std::optional<std::array<double, 2>> numbers_of(std::string line)
+{
+  for (char& c : line)
+    if (c == ',' || c == ';' || c == '\t')
+      c = ' ';
+  std::istringstream stream(line);
+  std::array<double, 2> x{};
+  std::string rest;
+  if (stream >> x[0] >> x[1] && !(stream >> rest))
+    return x;
+  return std::nullopt;
+}
+
+/// Columns plastic strain [-] and stress [Pa]; empty lines, lines that begin with #, and one line of titles are skipped.
+void read_points(const std::filesystem::path& file, std::vector<double>& strain, std::vector<double>& stress)
+{
+  std::ifstream stream(file);
+  if (!stream)
+    throw InputError(fmt::format("cannot be opened: no file {}, or not readable", file.string()));
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number)
+  {
+    const auto first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#')
+      continue;
+    if (const auto point = numbers_of(line))
+    {
+      strain.push_back((*point)[0]);
+      stress.push_back((*point)[1]);
+    }
+    else if (!strain.empty() || number > 1)
+      throw InputError(fmt::format("has in line {} \"{}\"; allowed: plastic strain and stress in Pa, as in "
+                                   "\"0.002, 930e6\"",
+                                   number, line.substr(0, 40)));
+  }
+}
+
+constitutive::HardeningLaw hardening_law(const CaseValues& values, const std::string& table, const std::string& law)
+{
+  const auto number = [&](const char* key) { return values.get<double>(table + key); };
+  if (law == "perfect")
+    return constitutive::PerfectPlasticity{number("yield_stress")};
+  if (law == "linear")
+    return constitutive::LinearHardening{number("yield_stress"), number("modulus")};
+  if (law == "swift")
+    return constitutive::SwiftHardening{number("coefficient"), number("offset"), number("exponent")};
+  if (law == "swift_microstrain")
+    return constitutive::swift_of_microstrain(number("coefficient"), number("offset"), number("exponent"));
+  if (law == "hollomon")
+    return constitutive::hollomon(number("yield_stress"), number("coefficient"), number("exponent"));
+  if (law == "ludwik")
+    return constitutive::LudwikHardening{number("yield_stress"), number("coefficient"), number("exponent")};
+  if (law == "voce")
+    return constitutive::VoceHardening{number("yield_stress"), number("saturation"), number("rate")};
+  if (law != "table")
+    throw InternalError(fmt::format("the hardening law {} is in the schema, but is not built", law));
+  for (const char* key : {"plastic_strain", "stress"})
+    if (!values.find(table + key))
+      throw InputError(fmt::format("needs {0}plastic_strain and {0}stress, or {0}file", table));
+  return constitutive::TabulatedHardening(values.get<std::vector<double>>(table + "plastic_strain"),
+                                          values.get<std::vector<double>>(table + "stress"));
+}
+
+} // namespace
+
+void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
+{
+  const std::string table = body + ".material.hardening.";
+  if (!values.find(table + "file"))
+    return;
+  const auto name = values.get<std::string>(table + "file");
+  if (values.find(table + "stress"))
+    problems.add(place_of(raw, table + "stress"),
+                 fmt::format("{0}stress cannot stand together with {0}file; keep one of them", table));
+  std::vector<double> strain;
+  std::vector<double> stress;
+  try
+  {
+    read_points(std::filesystem::path(raw.file).parent_path() / name, strain, stress);
+  }
+  catch (const InputError& error)
+  {
+    problems.add(place_of(raw, table + "file"), fmt::format("{}file = \"{}\" {}", table, name, error.what()));
+  }
+  values.erase(table + "file");
+  values.set(table + "plastic_strain", std::move(strain));
+  values.set(table + "stress", std::move(stress));
+}
+
+constitutive::Material material(const CaseValues& values, const RawCase& raw, const std::string& body,
+                                Problems& problems)
+{
+  const std::string table = body + ".material.";
+  const std::string key = table + "hardening.law";
+  const auto& law = values.get<std::string>(key);
+  constitutive::Material result{
+      {values.get<double>(table + "young_modulus"), values.get<double>(table + "poisson_ratio")}, {}};
+  if (law == "none")
+    return result;
+  try
+  {
+    result.hardening = hardening_law(values, table + "hardening.", law);
+  }
+  catch (const InputError& error)
+  {
+    problems.add(place_of(raw, key), fmt::format("{} = \"{}\": {}", key, law, error.what()));
+  }
+  return result;
+}
+
+} // namespace brinell::io
