@@ -170,9 +170,11 @@ const Value* CaseValues::find(std::string_view key) const
   return found == m_values.end() ? nullptr : &found->second;
 }
 
-void CaseValues::erase(std::string_view key)
+void CaseValues::replace(std::string_view key, std::vector<std::pair<std::string, Value>> by)
 {
-  std::erase_if(m_values, [&](const auto& item) { return item.first == key; });
+  const auto found =
+      std::find_if(m_values.begin(), m_values.end(), [&](const auto& item) { return item.first == key; });
+  m_values.insert(m_values.erase(found), std::make_move_iterator(by.begin()), std::make_move_iterator(by.end()));
 }
 
 template <class T>

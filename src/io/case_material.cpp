@@ -109,9 +109,8 @@ void load_hardening_file(CaseValues& values, const RawCase& raw, const std::stri
   {
     problems.add(place_of(raw, table + "file"), fmt::format("{}file = \"{}\" {}", table, name, error.what()));
   }
-  values.erase(table + "file");
-  values.set(table + "plastic_strain", std::move(strain));
-  values.set(table + "stress", std::move(stress));
+  values.replace(table + "file",
+                 {{table + "plastic_strain", std::move(strain)}, {table + "stress", std::move(stress)}});
 }
 
 constitutive::Material material(const CaseValues& values, const RawCase& raw, const std::string& body,

@@ -19,7 +19,8 @@ class CaseValues
 {
 public:
   void set(std::string_view key, Value value) { m_values.emplace_back(key, std::move(value)); }
-  void erase(std::string_view key);
+  /// Puts other keys of the same table where `key` stands: the resolved case needs those of a table together.
+  void replace(std::string_view key, std::vector<std::pair<std::string, Value>> by);
 
   /// nullptr if unset.
   [[nodiscard]] const Value* find(std::string_view key) const;

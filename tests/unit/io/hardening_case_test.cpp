@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/case_file.hpp"
+#include "sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+/// Hardening laws as they stand in a case file.
+namespace brinell::io
+{
+namespace
+{
+
+using constitutive::HardeningLaw;
+
+std::string law(const std::string& keys)
+{
+  return "lower.material.hardening={law=" + keys + "}";
+}
+
+HardeningLaw read(const std::string& keys)
+{
+  return sample::parsed({law(keys)}).tugging.lower.material.hardening.value();
+}
+
+std::string message(const std::string& keys)
+{
+  try
+  {
+    (void)sample::parsed({law(keys)});
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "no error";
+}
+
+void expect_message(const std::string& keys, const std::vector<std::string>& parts)
+{
+  const std::string text = message(keys);
+  for (const std::string& part : parts)
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in: " << text;
+}
+
+TEST(HardeningCase, EveryLawIsBuilt)
+{
+  using namespace constitutive;
+  EXPECT_EQ(read(R"("perfect", yield_stress="900 MPa")"), HardeningLaw(PerfectPlasticity{900e6}));
+  EXPECT_EQ(read(R"("linear", yield_stress="900 MPa", modulus="2 GPa")"), HardeningLaw(LinearHardening{900e6, 2e9}));
+  EXPECT_EQ(read(R"("swift", coefficient="1.5 GPa", offset=0.002, exponent=0.1)"),
+            HardeningLaw(SwiftHardening{1.5e9, 0.002, 0.1}));
+  EXPECT_EQ(read(R"("swift_microstrain", coefficient="900 MPa", offset=20, exponent=0.08)"),
+            HardeningLaw(swift_of_microstrain(900e6, 20.0, 0.08)));
+  EXPECT_EQ(read(R"("hollomon", yield_stress="900 MPa", coefficient="1.5 GPa", exponent=0.1)"),
+            HardeningLaw(hollomon(900e6, 1.5e9, 0.1)));
+  EXPECT_EQ(read(R"("ludwik", yield_stress="900 MPa", coefficient="1.5 GPa", exponent=0.5)"),
+            HardeningLaw(LudwikHardening{900e6, 1.5e9, 0.5}));
+  EXPECT_EQ(read(R"("voce", yield_stress="900 MPa", saturation="300 MPa", rate=25)"),
+            HardeningLaw(VoceHardening{900e6, 300e6, 25.0}));
+  EXPECT_EQ(read(R"("table", plastic_strain=[0, 0.01, 0.1], stress=["900 MPa", "1.1 GPa", 1.2e9])"),
+            HardeningLaw(TabulatedHardening({0.0, 0.01, 0.1}, {900e6, 1.1e9, 1.2e9})));
+}
+
+TEST(HardeningCase, CriticalValuesAreThoseOfTheVirginYieldStress)
+{
+  const auto critical = [](const std::string& keys) { return sample::parsed({law(keys)}).first_yield->critical; };
+  EXPECT_EQ(critical(R"("voce", yield_stress="900 MPa", saturation="300 MPa", rate=25)").interference,
+            critical(R"("perfect", yield_stress="900 MPa")").interference);
+}
+
+TEST(HardeningCase, BadLawsNameTheKeyAndWhatIsAllowed)
+{
+  expect_message(R"("swfit", coefficient=1)", {"\"swfit\" is not known", "\"swift\"", "\"table\""});
+  expect_message(R"("swift", coefficient="1 GPa", offset=0, exponent=0.1)", {"hardening.offset = 0", "> 0"});
+  expect_message(R"("swift", coefficient="1 GPa", offset=0.01)", {"hardening.exponent is missing"});
+  expect_message(R"("ludwik", yield_stress="1 GPa", coefficient="1 GPa", exponent=1.5)", {"exponent = 1.5", "(0, 1]"});
+  expect_message(R"("voce", yield_stress="1 GPa", saturation="1 GPa", rate=3, modulus="1 GPa")",
+                 {"hardening.modulus", "applies only with", "\"linear\""});
+  expect_message(R"("table")", {"needs lower.material.hardening.plastic_strain", "file"});
+  expect_message(R"("table", plastic_strain=[0, 0.1], stress=["1 GPa"])", {"2 strains and 1 stresses"});
+  expect_message(R"("table", plastic_strain=[0, 0.1], stress=["1 GPa", "0.9 GPa"])", {"must not fall", "softening"});
+  expect_message(R"("table", plastic_strain=[0, 0.1], stress=["1 GPa", "2 mm"])", {"element \"2 mm\"", "length"});
+  expect_message(R"("table", plastic_strain=[], stress=[])", {"has 0 elements"});
+}
+
+class HardeningFile : public testing::Test
+{
+protected:
+  sample::TemporaryFolder folder;
+
+  void write(const std::string& text) const { std::ofstream(folder.path() / "curve.csv") << text; }
+  [[nodiscard]] Case parsed(const std::string& keys = R"("table", file="curve.csv")") const
+  {
+    return parse_case(sample::case_text, folder.path() / "case.toml", {law(keys)});
+  }
+  [[nodiscard]] std::string message() const
+  {
+    try
+    {
+      (void)parsed();
+    }
+    catch (const InputError& error)
+    {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(HardeningFile, IsReadFromTheFolderOfTheCaseAndResolvedIntoIt)
+{
+  write("plastic strain, stress in Pa\n# measured\n0, 900e6\n0.01; 1.1e9\n\n0.1\t1200000000\n");
+  const Case c = parsed();
+  const HardeningLaw expected = constitutive::TabulatedHardening({0.0, 0.01, 0.1}, {900e6, 1.1e9, 1.2e9});
+  EXPECT_EQ(c.tugging.lower.material.hardening.value(), expected);
+  const Case again = parse_case(resolved_text(c.values), "/elsewhere/resolved.toml");
+  EXPECT_EQ(again.tugging.lower.material.hardening.value(), expected);
+}
+
+TEST_F(HardeningFile, ErrorsNameFileLineAndContent)
+{
+  EXPECT_NE(message().find("cannot be opened"), std::string::npos) << message();
+  write("0, 900e6\n0.01, many\n");
+  EXPECT_NE(message().find("line 2 \"0.01, many\""), std::string::npos) << message();
+  write("0.1, 900e6\n");
+  EXPECT_NE(message().find("must begin at plastic strain 0"), std::string::npos) << message();
+  write("");
+  EXPECT_NE(message().find("0 strains and 0 stresses"), std::string::npos) << message();
+  write("0, 900e6\n");
+  EXPECT_THROW((void)parsed(R"("table", file="curve.csv", stress=[1e9])"), InputError);
+}
+
+} // namespace
+} // namespace brinell::io
