@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
 
-#include "brinell/constitutive/return_mapping.hpp"
+#include "brinell/constitutive/kinematic_return.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +53,7 @@ Body::Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constit
   const std::size_t n = grid().size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
   state_.equivalent.assign(n, 0.0);
+  state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
   state_.stress.assign(Deviator::size * n, 0.0);
   state_.residual_displacement = displacement_;
   is_active_.assign(n, 0);
@@ -99,8 +100,9 @@ void Body::collect_active(const std::vector<double>& q_field, double fraction)
           if (is_active_[cell] != 0)
             continue;
           const Deviator q = load(q_field, n, cell);
+          const Deviator from_centre = q - centre(cell);
           const double yield = fraction * law.yield_stress_at(state_.equivalent[cell]);
-          if (1.5 * contract(q, q) <= yield * yield)
+          if (1.5 * contract(from_centre, from_centre) <= yield * yield)
             continue;
           is_active_[cell] = 1;
           active_.push_back(cell);
@@ -111,6 +113,45 @@ void Body::collect_active(const std::vector<double>& q_field, double fraction)
       *material_.hardening);
   equivalent_.resize(active_.size());
   dissipation_.resize(active_.size());
+  backstress_.resize(active_.size() * material_.kinematic.size());
+}
+
+Deviator Body::backstress(std::size_t cell, std::size_t term) const
+{
+  const std::size_t n = grid().size();
+  Deviator b;
+  for (int c = 0; c < Deviator::size; ++c)
+    b[c] = state_.backstress[(term * Deviator::size + static_cast<std::size_t>(c)) * n + cell];
+  return b;
+}
+
+/// Centre of the yield surface before the increment.
+Deviator Body::centre(std::size_t cell) const
+{
+  Deviator sum;
+  for (std::size_t term = 0; term < material_.kinematic.size(); ++term)
+    sum = sum + backstress(cell, term);
+  return sum;
+}
+
+/// Plastic strain of one active cell; its new back stresses go to `backstress_`.
+template <typename Law>
+constitutive::PlasticIncrement Body::increment(const Law& law, std::size_t a, Integration integration)
+{
+  const std::size_t cell = active_[a];
+  const std::size_t known = static_cast<std::size_t>(known_layers_) * grid().surface.size();
+  const bool along_path = integration == Integration::path && cell < known;
+  const double e = state_.equivalent[cell];
+  const double mu = 0.5 * stiffness_;
+  const Deviator q = load_packed(q_, a);
+  const Deviator s0 = load(state_.stress, grid().size(), cell);
+  if (material_.kinematic.empty())
+    return along_path ? constitutive::path_return(s0, q, e, mu, law) : constitutive::radial_return(q, e, mu, law);
+  const std::size_t terms = material_.kinematic.size();
+  const std::span<Deviator> back(backstress_.data() + a * terms, terms);
+  for (std::size_t term = 0; term < terms; ++term)
+    back[term] = backstress(cell, term);
+  return constitutive::kinematic_return(s0, q, e, mu, law, along_path ? 0.5 : 1.0, material_.kinematic, back);
 }
 
 void Body::integrate(Integration integration)
@@ -120,8 +161,6 @@ void Body::integrate(Integration integration)
   if (work_.empty())
     work_ = half_space_->make_work();
   const std::size_t n = grid().size();
-  const std::size_t known = static_cast<std::size_t>(known_layers_) * grid().surface.size();
-  const double mu = 0.5 * stiffness_;
   std::visit(
       [&](const auto& law)
       {
@@ -129,15 +168,10 @@ void Body::integrate(Integration integration)
         for (std::size_t a = 0; a < active_.size(); ++a)
         {
           const std::size_t cell = active_[a];
-          const double e = state_.equivalent[cell];
-          const Deviator q = load_packed(q_, a);
-          const constitutive::PlasticIncrement increment =
-              integration == Integration::path && cell < known
-                  ? constitutive::path_return(load(state_.stress, n, cell), q, e, mu, law)
-                  : constitutive::radial_return(q, e, mu, law);
-          store(load(state_.plastic_strain, n, cell) + increment.strain, strain_, n, cell);
-          equivalent_[a] = increment.equivalent;
-          dissipation_[a] = increment.dissipation;
+          const constitutive::PlasticIncrement result = increment(law, a, integration);
+          store(load(state_.plastic_strain, n, cell) + result.strain, strain_, n, cell);
+          equivalent_[a] = result.equivalent;
+          dissipation_[a] = result.dissipation;
         }
       },
       *material_.hardening);
@@ -161,7 +195,7 @@ bool Body::update(std::span<const double> pressure)
           const Deviator g = load(stress_, n, cell) + stiffness_ * increment;
           store_packed(g, g_, a);
           // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
-          if (equivalent_[a] == 0.0 && von_mises(g) <= law.yield_stress_at(state_.equivalent[cell]))
+          if (equivalent_[a] == 0.0 && von_mises(g - centre(cell)) <= law.yield_stress_at(state_.equivalent[cell]))
             store_packed(g, q_, a);
         }
       },
@@ -185,7 +219,7 @@ int Body::needed_layers() const
           for (std::size_t cell = static_cast<std::size_t>(layer) * per_layer;
                cell < static_cast<std::size_t>(layer + 1) * per_layer; ++cell)
           {
-            const Deviator s = load(stress_, n, cell);
+            const Deviator s = load(stress_, n, cell) - centre(cell);
             const double limit = layer_share * law.yield_stress_at(state_.equivalent[cell]);
             if (is_active_[cell] != 0 || state_.equivalent[cell] > 0.0 || 1.5 * contract(s, s) > limit * limit)
               return layer + 1;
@@ -224,7 +258,7 @@ double Body::yield_error() const
         {
           const double yield = law.yield_stress_at(state_.equivalent[active_[a]] + equivalent_[a]);
           const Deviator g = load_packed(g_, a);
-          const double size = von_mises(g);
+          const double size = von_mises(g - centre(active_[a]));
           if (!std::isfinite(size))
             error = size;
           else if (equivalent_[a] > 0.0 || size > yield)
@@ -267,6 +301,11 @@ void Body::commit(std::span<const double> pressure)
   {
     state_.equivalent[active_[a]] += equivalent_[a];
     state_.dissipation += dissipation_[a] * grid().cell_volume();
+    if (equivalent_[a] > 0.0)
+      for (std::size_t term = 0; term < material_.kinematic.size(); ++term)
+        for (int c = 0; c < Deviator::size; ++c)
+          state_.backstress[(term * Deviator::size + static_cast<std::size_t>(c)) * n + active_[a]] =
+              backstress_[a * material_.kinematic.size() + term][c];
   }
   state_.plastic_strain = strain_;
   state_.stress = stress_;

@@ -22,11 +22,14 @@ void mirror(const std::vector<double>& from, int nx, std::vector<double>& to)
   mirror(from, nx, 0, from.size(), 1.0, to);
 }
 
-void mirror_deviator(const std::vector<double>& from, int nx, std::vector<double>& to)
+/// One or several deviator fields of `n` cells.
+void mirror_deviator(const std::vector<double>& from, int nx, std::size_t n, std::vector<double>& to)
 {
-  const std::size_t n = from.size() / Deviator::size;
-  for (std::size_t c = 0; c < Deviator::size; ++c)
-    mirror(from, nx, c * n, (c + 1) * n, c == Deviator::xz || c == Deviator::xy ? -1.0 : 1.0, to);
+  for (std::size_t begin = 0; begin < from.size(); begin += n)
+  {
+    const auto component = static_cast<int>(begin / n % Deviator::size);
+    mirror(from, nx, begin, begin + n, component == Deviator::xz || component == Deviator::xy ? -1.0 : 1.0, to);
+  }
 }
 
 } // namespace
@@ -39,8 +42,10 @@ void Body::follow(const Body& other)
 void Body::adopt(const Body& other)
 {
   const int nx = grid().surface.nx;
-  mirror_deviator(other.state_.plastic_strain, nx, state_.plastic_strain);
-  mirror_deviator(other.state_.stress, nx, state_.stress);
+  const std::size_t n = grid().size();
+  mirror_deviator(other.state_.plastic_strain, nx, n, state_.plastic_strain);
+  mirror_deviator(other.state_.stress, nx, n, state_.stress);
+  mirror_deviator(other.state_.backstress, nx, n, state_.backstress);
   mirror(other.state_.equivalent, nx, state_.equivalent);
   mirror(other.state_.residual_displacement, nx, state_.residual_displacement);
   state_.dissipation = other.state_.dissipation;

@@ -88,6 +88,24 @@ constitutive::HardeningLaw hardening_law(const CaseValues& values, const std::st
                                           values.get<std::vector<double>>(table + "stress"));
 }
 
+std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseValues& values, const std::string& table)
+{
+  const auto numbers = [&](const std::string& key)
+  { return values.find(table + key) ? values.get<std::vector<double>>(table + key) : std::vector<double>{}; };
+  const std::vector<double> moduli = numbers("kinematic_moduli");
+  std::vector<double> recall = numbers("kinematic_recall");
+  if (recall.empty())
+    recall.assign(moduli.size(), 0.0);
+  if (recall.size() != moduli.size())
+    throw InputError(fmt::format("needs one number in {0}kinematic_recall for each of {0}kinematic_moduli; there are "
+                                 "{1} and {2}",
+                                 table, recall.size(), moduli.size()));
+  std::vector<constitutive::KinematicTerm> terms;
+  for (std::size_t i = 0; i < moduli.size(); ++i)
+    terms.push_back({moduli[i], recall[i]});
+  return terms;
+}
+
 } // namespace
 
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
@@ -126,6 +144,7 @@ constitutive::Material material(const CaseValues& values, const RawCase& raw, co
   try
   {
     result.hardening = hardening_law(values, table + "hardening.", law);
+    result.kinematic = kinematic_terms(values, table + "hardening.");
   }
   catch (const InputError& error)
   {

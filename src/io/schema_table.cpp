@@ -40,10 +40,18 @@ std::vector<Entry> root_entries()
   };
 }
 
+/// Names of the hardening laws; the first one is none.
+std::vector<std::string> law_names()
+{
+  return {"none", "perfect", "linear", "swift", "swift_microstrain", "hollomon", "ludwik", "voce", "table"};
+}
+
 /// Keys of one body.
 std::vector<Entry> body_entries(const std::string& body)
 {
   const std::string law = body + ".material.hardening.law";
+  const std::vector<std::string> any = law_names();
+  const Condition yields{law, {any.begin() + 1, any.end()}};
   return {
       {.key = body + ".shape.type",
        .type = Type::choice,
@@ -72,7 +80,7 @@ std::vector<Entry> body_entries(const std::string& body)
        .hint = "a steel has about 0.3"},
       {.key = law,
        .type = Type::choice,
-       .choices = {"none", "perfect", "linear", "swift", "swift_microstrain", "hollomon", "ludwik", "voce", "table"},
+       .choices = any,
        .fallback = "none",
        .text = "Yield stress sigma_y as a function of the equivalent plastic strain e. none: the body stays elastic; "
                "perfect: S_y; linear: S_y + modulus e; swift: coefficient (offset + e)^exponent; swift_microstrain: "
@@ -146,6 +154,21 @@ std::vector<Entry> body_entries(const std::string& body)
        .unset = "from file",
        .text = "Yield stresses of the points, as many; they must not fall.",
        .when = {law, {"table"}}},
+      {.key = body + ".material.hardening.kinematic_moduli",
+       .type = Type::numbers,
+       .dimension = dimension::pressure,
+       .range = at_least(0.0),
+       .unset = "no back stress",
+       .text =
+           "Kinematic hardening beside any law: moduli C of the back stresses, d alpha = 2/3 C d eps - recall alpha "
+           "d e (Armstrong and Frederick; several: Chaboche).",
+       .when = yields},
+      {.key = body + ".material.hardening.kinematic_recall",
+       .type = Type::numbers,
+       .range = at_least(0.0),
+       .unset = "zeros: linear (Prager)",
+       .text = "Recall of each back stress; it saturates at C / recall in uniaxial tension.",
+       .when = yields},
   };
 }
 

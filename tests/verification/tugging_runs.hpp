@@ -4,6 +4,7 @@
 #include "brinell/reference/critical.hpp"
 #include "brinell/simulation/tugging.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -59,6 +60,16 @@ inline simulation::TuggingCase paper_case(double interference_ratio, double coar
   return t;
 }
 
+/// A case that runs in about a second: about four cells per contact radius along x.
+inline simulation::TuggingCase small_case(double interference_ratio)
+{
+  simulation::TuggingCase t = equal_spheres(interference_ratio, perfect_material());
+  const double a = simulation::plan(t).elastic_contact_radius;
+  const double cells = slow_build ? 3.0 : 5.0;
+  t.spacing = {{a / cells, 1.5 * a / cells, a / cells}};
+  return t;
+}
+
 /// A run with its whole history.
 struct TuggingRun
 {
@@ -95,6 +106,19 @@ inline const TuggingRun& paper_run(double interference_ratio)
   if (found != runs.end())
     return found->second;
   return runs.emplace(interference_ratio, computed(paper_case(interference_ratio))).first->second;
+}
+
+/// Largest difference of a quantity between two histories, over the largest value.
+inline double difference(const TuggingRun& a, double simulation::StepRecord::*of_a, const TuggingRun& b,
+                         double simulation::StepRecord::*of_b)
+{
+  double change = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < std::min(a.history.size(), b.history.size()); ++i)
+  {
+    change = std::max(change, std::abs(a.history[i].*of_a - b.history[i].*of_b));
+    largest = std::max(largest, std::abs(a.history[i].*of_a));
+  }
+  return largest > 0.0 ? change / largest : change;
 }
 
 /// "alpha* = 9: what"

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "brinell/constitutive/hardening.hpp"
+#include "brinell/constitutive/kinematic.hpp"
 #include "brinell/green/elastic.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace brinell::constitutive
 {
@@ -13,7 +15,8 @@ namespace brinell::constitutive
 struct Material
 {
   Elastic elastic;
-  std::optional<HardeningLaw> hardening; ///< empty: the body stays elastic
+  std::optional<HardeningLaw> hardening;  ///< size of the yield surface; empty: the body stays elastic
+  std::vector<KinematicTerm> kinematic{}; ///< back stresses, which move it
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
   bool operator==(const Material&) const = default;

@@ -67,6 +67,17 @@ template <typename Law>
   return {(1.5 * de / trial) * q, de, law.work(e + de) - law.work(e)};
 }
 
+/// Where the straight line from `from` to `to` leaves the yield surface: |from + b (to - from)| = yield. @returns b in
+/// [0, 1]; 0 if the line starts outside.
+[[nodiscard]] inline double yield_crossing(const Deviator& from, const Deviator& to, double yield)
+{
+  const Deviator d = to - from;
+  const double dd = 1.5 * contract(d, d);
+  const double sd = 1.5 * contract(from, d);
+  const double ss = 1.5 * contract(from, from) - yield * yield;
+  return dd > 0.0 ? std::clamp((-sd + std::sqrt(std::max(sd * sd - dd * ss, 0.0))) / dd, 0.0, 1.0) : 0.0;
+}
+
 /// Second order: the trial deviator moves on a straight line from the stress `s0` before the increment to `q`; from the
 /// point where it meets the yield surface on, flow is along the mean of the normals at both ends (generalised trapezoidal
 /// rule, Ortiz, Popov 1985), with the yield condition met at the end.
@@ -77,13 +88,7 @@ template <typename Law>
   const double trial = von_mises(q);
   if (trial <= yield)
     return {};
-  // Where the line leaves the elastic domain: |s0 + b (q - s0)| = yield.
-  const Deviator d = q - s0;
-  const double dd = 1.5 * contract(d, d);
-  const double sd = 1.5 * contract(s0, d);
-  const double ss = 1.5 * contract(s0, s0) - yield * yield;
-  const double b = dd > 0.0 ? std::clamp((-sd + std::sqrt(std::max(sd * sd - dd * ss, 0.0))) / dd, 0.0, 1.0) : 0.0;
-  const Deviator entry = s0 + b * d;
+  const Deviator entry = s0 + yield_crossing(s0, q, yield) * (q - s0);
   const Deviator n0 = (1.5 / von_mises(entry)) * entry;
   // |q - mu x n0| = yield + 3/2 mu x is linear in x once squared, as |n0| = 3/2.
   const double start = (trial * trial - yield * yield) / (3.0 * mu * (contract(q, n0) + yield));

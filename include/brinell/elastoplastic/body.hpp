@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/constitutive/material.hpp"
+#include "brinell/constitutive/return_mapping.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
@@ -17,10 +18,12 @@ struct BodyState
 {
   std::vector<double> plastic_strain;        ///< deviator field, 5 values per cell
   std::vector<double> equivalent;            ///< accumulated equivalent plastic strain
+  std::vector<double> backstress;            ///< deviator field per kinematic term, one after the other [Pa]
   std::vector<double> stress;                ///< deviatoric stress at the end of the last increment [Pa]
   std::vector<double> residual_displacement; ///< of the surface, into the body positive [m]
-  double dissipation = 0.0;                  ///< plastic work since the start [J]
-  double locked_in_energy = 0.0;             ///< elastic energy of the residual stress [J]
+  double dissipation =
+      0.0; ///< plastic work since the start [J]; with back stresses, a part of it stays in the material
+  double locked_in_energy = 0.0; ///< elastic energy of the residual stress [J]
 };
 
 /// One body of a contact: material, operators, history, and the trial of the increment at hand.
@@ -70,6 +73,10 @@ public:
 
 private:
   [[nodiscard]] int needed_layers() const;
+  [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
+  [[nodiscard]] Deviator centre(std::size_t cell) const;
+  template <typename Law>
+  [[nodiscard]] constitutive::PlasticIncrement increment(const Law& law, std::size_t a, Integration integration);
   void collect_active(const std::vector<double>& q_field, double fraction);
   [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
 
@@ -85,6 +92,7 @@ private:
   std::vector<double> q_, g_;                    ///< trial deviator and its image, [active][component]
   std::vector<double> q_field_;                  ///< q of the last increment on the whole grid (elsewhere the stress)
   std::vector<double> equivalent_, dissipation_; ///< increments in the active cells
+  std::vector<Deviator> backstress_;             ///< trial back stresses, [active][term]
   std::vector<double> strain_, stress_;          ///< trial fields
   std::vector<double> displacement_;
 };
