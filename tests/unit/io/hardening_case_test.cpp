@@ -64,6 +64,21 @@ TEST(HardeningCase, EveryLawIsBuilt)
             HardeningLaw(TabulatedHardening({0.0, 0.01, 0.1}, {900e6, 1.1e9, 1.2e9})));
 }
 
+TEST(HardeningCase, BackStressesStandBesideAnyLaw)
+{
+  const auto terms = [](const std::string& keys)
+  { return sample::parsed({law(keys)}).tugging.lower.material.kinematic; };
+  EXPECT_TRUE(terms(R"("perfect", yield_stress="900 MPa")").empty());
+  EXPECT_EQ(terms(R"("perfect", yield_stress="900 MPa", kinematic_moduli=["90 GPa", 1e9], kinematic_recall=[600, 0])"),
+            (std::vector<constitutive::KinematicTerm>{{90e9, 600.0}, {1e9, 0.0}}));
+  EXPECT_EQ(terms(R"("voce", yield_stress="900 MPa", saturation=1e8, rate=3, kinematic_moduli=["20 GPa"])"),
+            (std::vector<constitutive::KinematicTerm>{{20e9, 0.0}}));
+  expect_message(R"("perfect", yield_stress="900 MPa", kinematic_moduli=["90 GPa"], kinematic_recall=[600, 0])",
+                 {"kinematic_recall", "2 and 1"});
+  expect_message(R"("perfect", yield_stress="900 MPa", kinematic_recall=[600])", {"kinematic_moduli", "1 and 0"});
+  expect_message(R"("none", kinematic_moduli=[1e9])", {"kinematic_moduli", "applies only with"});
+}
+
 TEST(HardeningCase, CriticalValuesAreThoseOfTheVirginYieldStress)
 {
   const auto critical = [](const std::string& keys) { return sample::parsed({law(keys)}).first_yield->critical; };
