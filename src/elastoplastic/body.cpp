@@ -59,7 +59,15 @@ Body::Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constit
   is_active_.assign(n, 0);
   q_field_.assign(Deviator::size * n, 0.0);
   strain_ = state_.plastic_strain;
+  for (int layer = 0; layer < grid().nz; ++layer)
+  {
+    const double depth = (layer + 0.5) * grid().dz;
+    yield_factor_.push_back(material.yield_factor.at(depth, 1.0));
+    initial_stress_.push_back(material.initial_stress.at(depth, 0.0));
+  }
+  add_initial_stress(grid().nz, state_.stress);
   stress_ = state_.stress;
+  q_field_ = state_.stress;
 }
 
 void Body::begin(int shift, double stiffness_share)
@@ -91,29 +99,49 @@ void Body::begin(int shift, double stiffness_share)
 void Body::collect_active(const std::vector<double>& q_field, double fraction)
 {
   const std::size_t n = grid().size();
-  const std::size_t used = static_cast<std::size_t>(layers_) * grid().surface.size();
+  const std::size_t per_layer = grid().surface.size();
+  const auto add_if_near_yield = [&](const auto& law, std::size_t cell)
+  {
+    const Deviator q = load(q_field, n, cell);
+    const Deviator from_centre = q - centre(cell);
+    const double yield = fraction * law.yield_stress_at(state_.equivalent[cell]);
+    if (1.5 * contract(from_centre, from_centre) <= yield * yield)
+      return;
+    is_active_[cell] = 1;
+    active_.push_back(cell);
+    q_.insert(q_.end(), q.v.begin(), q.v.end());
+    g_.insert(g_.end(), q.v.begin(), q.v.end());
+  };
   std::visit(
       [&](const auto& law)
       {
-        for (std::size_t cell = 0; cell < used; ++cell)
-        {
-          if (is_active_[cell] != 0)
-            continue;
-          const Deviator q = load(q_field, n, cell);
-          const Deviator from_centre = q - centre(cell);
-          const double yield = fraction * law.yield_stress_at(state_.equivalent[cell]);
-          if (1.5 * contract(from_centre, from_centre) <= yield * yield)
-            continue;
-          is_active_[cell] = 1;
-          active_.push_back(cell);
-          q_.insert(q_.end(), q.v.begin(), q.v.end());
-          g_.insert(g_.end(), q.v.begin(), q.v.end());
-        }
+        for (std::size_t layer = 0; layer < static_cast<std::size_t>(layers_); ++layer)
+          for (std::size_t cell = layer * per_layer; cell < (layer + 1) * per_layer; ++cell)
+            if (is_active_[cell] == 0)
+              add_if_near_yield(law_of(law, layer), cell);
       },
       *material_.hardening);
   equivalent_.resize(active_.size());
   dissipation_.resize(active_.size());
   backstress_.resize(active_.size() * material_.kinematic.size());
+}
+
+template <typename Law>
+constitutive::ScaledLaw<Law> Body::law_of(const Law& law, std::size_t layer) const
+{
+  return {law, yield_factor_[layer]};
+}
+
+/// The deviator of xx = yy = sigma, zz = 0, in the layers [0, layers).
+void Body::add_initial_stress(int layers, std::vector<double>& stress) const
+{
+  if (material_.initial_stress.empty())
+    return;
+  const std::size_t n = grid().size();
+  const std::size_t per_layer = grid().surface.size();
+  for (std::size_t cell = 0; cell < static_cast<std::size_t>(layers) * per_layer; ++cell)
+    for (const std::size_t component : {Deviator::xx, Deviator::yy})
+      stress[component * n + cell] += initial_stress_[cell / per_layer] / 3.0;
 }
 
 Deviator Body::backstress(std::size_t cell, std::size_t term) const
@@ -168,7 +196,7 @@ void Body::integrate(Integration integration)
         for (std::size_t a = 0; a < active_.size(); ++a)
         {
           const std::size_t cell = active_[a];
-          const constitutive::PlasticIncrement result = increment(law, a, integration);
+          const constitutive::PlasticIncrement result = increment(law_of(law, layer_of(cell)), a, integration);
           store(load(state_.plastic_strain, n, cell) + result.strain, strain_, n, cell);
           equivalent_[a] = result.equivalent;
           dissipation_[a] = result.dissipation;
@@ -184,6 +212,7 @@ bool Body::update(std::span<const double> pressure)
     return false;
   const std::size_t n = grid().size();
   half_space_->deviatoric_stress(pressure, strain_, work_, stress_);
+  add_initial_stress(layers_, stress_);
   std::visit(
       [&](const auto& law)
       {
@@ -195,7 +224,8 @@ bool Body::update(std::span<const double> pressure)
           const Deviator g = load(stress_, n, cell) + stiffness_ * increment;
           store_packed(g, g_, a);
           // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
-          if (equivalent_[a] == 0.0 && von_mises(g - centre(cell)) <= law.yield_stress_at(state_.equivalent[cell]))
+          if (equivalent_[a] == 0.0 &&
+              von_mises(g - centre(cell)) <= law_of(law, layer_of(cell)).yield_stress_at(state_.equivalent[cell]))
             store_packed(g, q_, a);
         }
       },
@@ -220,7 +250,8 @@ int Body::needed_layers() const
                cell < static_cast<std::size_t>(layer + 1) * per_layer; ++cell)
           {
             const Deviator s = load(stress_, n, cell) - centre(cell);
-            const double limit = layer_share * law.yield_stress_at(state_.equivalent[cell]);
+            const double limit =
+                layer_share * law_of(law, static_cast<std::size_t>(layer)).yield_stress_at(state_.equivalent[cell]);
             if (is_active_[cell] != 0 || state_.equivalent[cell] > 0.0 || 1.5 * contract(s, s) > limit * limit)
               return layer + 1;
           }
@@ -256,7 +287,8 @@ double Body::yield_error() const
       {
         for (std::size_t a = 0; a < active_.size(); ++a)
         {
-          const double yield = law.yield_stress_at(state_.equivalent[active_[a]] + equivalent_[a]);
+          const double yield =
+              law_of(law, layer_of(active_[a])).yield_stress_at(state_.equivalent[active_[a]] + equivalent_[a]);
           const Deviator g = load_packed(g_, a);
           const double size = von_mises(g - centre(active_[a]));
           if (!std::isfinite(size))
@@ -271,11 +303,17 @@ double Body::yield_error() const
 
 double Body::locked_in_energy(std::span<const double> pressure) const
 {
-  // 1/2 eps H eps, with H eps = (stress of the pressure - stress); the first part by Betti on the surface.
+  // 1/2 eps H eps - s0 eps, with H eps = (stress of the pressure + initial stress s0 - stress); the first part by Betti
+  // on the surface. The energy of s0 itself is left out: it is there from the start.
   const std::size_t n = grid().size();
   double volume_work = 0.0;
   for (std::size_t cell = 0; cell < n; ++cell)
-    volume_work += contract(load(stress_, n, cell), load(strain_, n, cell));
+  {
+    const Deviator strain = load(strain_, n, cell);
+    const double relieved =
+        initial_stress_[cell / grid().surface.size()] * (strain[Deviator::xx] + strain[Deviator::yy]);
+    volume_work += contract(load(stress_, n, cell), strain) + relieved;
+  }
   double surface_work = 0.0;
   for (std::size_t i = 0; i < pressure.size(); ++i)
     surface_work += pressure[i] * displacement_[i];

@@ -4,7 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "value_text.hpp"
 
-#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -106,6 +106,40 @@ std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseValues& value
   return terms;
 }
 
+constitutive::DepthProfile profile(const CaseValues& values, const std::string& table, const char* value)
+{
+  const auto numbers = [&](const std::string& key)
+  { return values.find(table + key) ? values.get<std::vector<double>>(table + key) : std::vector<double>{}; };
+  std::vector<double> depth = numbers("depth");
+  std::vector<double> at_depth = numbers(value);
+  if (depth.empty() && at_depth.empty())
+    return {};
+  try
+  {
+    return {std::move(depth), std::move(at_depth)};
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(fmt::format("{}depth and {}{}: {}", table, table, value, error.what()));
+  }
+}
+
+/// A material that yields before it is loaded is none. Both profiles are linear between their points: look at these.
+void require_elastic_at_start(const constitutive::Material& material, const std::string& table)
+{
+  std::vector<double> depths = material.initial_stress.depth();
+  depths.insert(depths.end(), material.yield_factor.depth().begin(), material.yield_factor.depth().end());
+  for (const double z : depths)
+  {
+    const double stress = material.initial_stress.at(z, 0.0);
+    const double yield = constitutive::initial_yield_stress(*material.hardening) * material.yield_factor.at(z, 1.0);
+    if (!(std::abs(stress) < yield))
+      throw InputError(fmt::format("{}initial_stress is {:.4g} Pa at a depth of {:.4g} m, where the material yields at "
+                                   "{:.4g} Pa; allowed: less than that",
+                                   table, stress, z, yield));
+  }
+}
+
 } // namespace
 
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
@@ -145,6 +179,9 @@ constitutive::Material material(const CaseValues& values, const RawCase& raw, co
   {
     result.hardening = hardening_law(values, table + "hardening.", law);
     result.kinematic = kinematic_terms(values, table + "hardening.");
+    result.yield_factor = profile(values, table + "yield_profile.", "factor");
+    result.initial_stress = profile(values, table + "initial_stress.", "value");
+    require_elastic_at_start(result, table);
   }
   catch (const InputError& error)
   {

@@ -118,6 +118,43 @@ TEST(Hardening, EveryLawKeepsTheEnergyAndStiffensThePerfectOne)
   }
 }
 
+TEST(DepthProfiles, OneFactorIsAnotherYieldStress)
+{
+  Material harder = perfect_material(), profiled = perfect_material();
+  harder.hardening = constitutive::PerfectPlasticity{1.25 * yield_stress};
+  profiled.yield_factor = constitutive::DepthProfile({0.0}, {1.25});
+  TuggingCase t = small_case(6.0); // the interference in units of the same S_y
+  t.lower.material = t.upper.material = harder;
+  const TuggingRun a = computed(t);
+  t.lower.material = t.upper.material = profiled;
+  const TuggingRun b = computed(t);
+  test::expect_close("F_X", difference(a, &StepRecord::F_X, b, &StepRecord::F_X), 0.0, 2e-4, "exact: the same law");
+  test::expect_close("work", difference(a, &StepRecord::work, b, &StepRecord::work), 0.0, 2e-4, "exact: the same law");
+}
+
+TEST(DepthProfiles, HardCaseAndInitialStressKeepTheEnergy)
+{
+  TuggingCase t = small_case(slow_build ? 2.0 : 6.0);
+  const double a = simulation::plan(t).elastic_contact_radius;
+  const double soft = computed(t).summary.work;
+  Material& m = t.lower.material;
+  m.yield_factor = constitutive::DepthProfile({0.0, 0.5 * a, a}, {1.4, 1.2, 1.0}); // nitrided
+  m.initial_stress =
+      constitutive::DepthProfile({0.0, 0.6 * a, 1.2 * a}, {-0.5 * yield_stress, 0.0, 0.1 * yield_stress});
+  t.upper.material = m;
+  const TuggingRun run = computed(t);
+  test::expect_close("energy balance over the largest work", run.summary.energy_balance_error, 0.0, 0.05,
+                     "exact: conservation of energy");
+  test::expect_within("net work / that of the core material", run.summary.work / soft, 0.1, 1.0,
+                      "bound: less than the softer one");
+  // Far from the contact the stress is the initial one, layer by layer.
+  const simulation::BodySnapshot& body = run.summary.final_state.lower;
+  test::expect_close("sigma_xx in the corner of the first layer / initial",
+                     body.stress[0][0] / m.initial_stress.at(0.5 * body.grid.dz, 0.0), 1.0, 0.05,
+                     "limit: far from the track");
+  EXPECT_NEAR(body.stress[2][0], 0.0, 0.01 * yield_stress);
+}
+
 TEST(KinematicHardening, WithoutModulusIsPerfectPlasticity)
 {
   const TuggingRun perfect = computed(small_case(4.0));

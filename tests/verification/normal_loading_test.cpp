@@ -45,9 +45,10 @@ struct Extent
 class Indentation
 {
 public:
-  Indentation(double largest_ratio, double cells, const Extent& extent = {})
+  Indentation(double largest_ratio, double cells, const Extent& extent = {},
+              const constitutive::Material& material = perfect_material())
       : Indentation(std::sqrt(0.5 * largest_ratio * exact_critical().interference) / cells, cells, largest_ratio,
-                    extent)
+                    extent, material)
   {
   }
 
@@ -82,9 +83,10 @@ public:
   [[nodiscard]] const CoupledContact& pair() const { return pair_; }
 
 private:
-  Indentation(double dx, double cells, double largest_ratio, const Extent& extent)
-      : pair_(surface(dx, cells, extent), volume(dx, cells, extent), volume(dx, cells, extent), perfect_material(),
-              perfect_material(), {exact_critical().interference, largest_ratio * exact_critical().interference}, {}),
+  Indentation(double dx, double cells, double largest_ratio, const Extent& extent,
+              const constitutive::Material& material)
+      : pair_(surface(dx, cells, extent), volume(dx, cells, extent), volume(dx, cells, extent), material, material,
+              {exact_critical().interference, largest_ratio * exact_critical().interference}, {}),
         gap_(pair_.grid().size())
   {
   }
@@ -182,6 +184,32 @@ TEST(NormalLoading, FirstYieldIsWhereHuberHasIt)
                            " cells per radius",
                        ratio, 1.0, sampling + 0.25 * std::pow(cells, -1.5) + step, "exact: Huber (1904), von Mises");
   }
+}
+
+TEST(NormalLoading, BiaxialCompressionDelaysFirstYield)
+{
+  // On the axis sigma_rr - sigma_zz > 0; a biaxial stress adds to it. So with -0.3 S_y the contact yields there when its
+  // own stress reaches 1.3 S_y: at 1.69 times the interference. With tension, at 0.49 times.
+  constexpr double step = 1e-3, cells = 8.0;
+  const auto first_yield = [&](double share, double start)
+  {
+    constitutive::Material material = perfect_material();
+    material.initial_stress = constitutive::DepthProfile({0.0}, {share * yield_stress});
+    Indentation spheres(1.7, cells, {1.2, 0.8}, material);
+    double ratio = start;
+    for (; ratio < 1.1 * start; ratio += step)
+    {
+      spheres.press(ratio);
+      if (spheres.largest_plastic_strain() > 0.0)
+        break;
+    }
+    return ratio;
+  };
+  const double none = first_yield(0.0, 0.98); // with the errors of the grid, nearly the same for all three
+  test::expect_close("biaxial compression of 0.3 S_y: first yield / without", first_yield(-0.3, 1.65) / none, 1.69,
+                     0.02, "exact: on the axis, von Mises");
+  test::expect_close("biaxial tension of 0.3 S_y: first yield / without", first_yield(0.3, 0.47) / none, 0.49, 0.02,
+                     "exact: on the axis, von Mises");
 }
 
 TEST(NormalLoading, WorkOfACycleIsDissipationPlusLockedInEnergy)

@@ -143,6 +143,18 @@ private:
 using HardeningLaw = std::variant<PerfectPlasticity, LinearHardening, SwiftHardening, LudwikHardening, VoceHardening,
                                   TabulatedHardening>;
 
+/// A law times a factor: the same material, harder or softer.
+template <typename Law>
+struct ScaledLaw
+{
+  const Law& law;
+  double factor = 1.0; ///< > 0
+
+  [[nodiscard]] double yield_stress_at(double e) const { return factor * law.yield_stress_at(e); }
+  [[nodiscard]] double modulus_at(double e) const { return factor * law.modulus_at(e); }
+  [[nodiscard]] double work(double e) const { return factor * law.work(e); }
+};
+
 /// Yield stress of the virgin material [Pa].
 [[nodiscard]] inline double initial_yield_stress(const HardeningLaw& law)
 {

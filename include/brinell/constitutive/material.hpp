@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/constitutive/depth_profile.hpp"
 #include "brinell/constitutive/hardening.hpp"
 #include "brinell/constitutive/kinematic.hpp"
 #include "brinell/green/elastic.hpp"
@@ -17,6 +18,8 @@ struct Material
   Elastic elastic;
   std::optional<HardeningLaw> hardening;  ///< size of the yield surface; empty: the body stays elastic
   std::vector<KinematicTerm> kinematic{}; ///< back stresses, which move it
+  DepthProfile yield_factor{};            ///< of the yield stress, as of a hardened case; 1 without points
+  DepthProfile initial_stress{};          ///< biaxial stress xx = yy before the first load [Pa], tension positive
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
   bool operator==(const Material&) const = default;

@@ -59,6 +59,9 @@ public:
   void follow(const Body& other);
   void adopt(const Body& other);
 
+  /// Biaxial stress xx = yy of each layer before the first load [Pa].
+  [[nodiscard]] const std::vector<double>& initial_stress() const { return initial_stress_; }
+
   /// Equivalent plastic strain in the outermost columns and rows and in the last layer, over the largest one of all.
   [[nodiscard]] double edge_strain_share() const;
 
@@ -73,6 +76,10 @@ public:
 
 private:
   [[nodiscard]] int needed_layers() const;
+  template <typename Law>
+  [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const;
+  [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / grid().surface.size(); }
+  void add_initial_stress(int layers, std::vector<double>& stress) const;
   [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   template <typename Law>
@@ -84,10 +91,11 @@ private:
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
   halfspace::HalfSpace::Work work_;
   BodyState state_;
-  double stiffness_ = 0.0;          ///< c [Pa]
-  int layers_;                      ///< layers computed: beneath them the stress is far from yield
-  int known_layers_;                ///< layers whose stress at the end of the last increment is known
-  std::vector<std::size_t> active_; ///< cells that may yield
+  std::vector<double> yield_factor_, initial_stress_; ///< of the layers
+  double stiffness_ = 0.0;                            ///< c [Pa]
+  int layers_;                                        ///< layers computed: beneath them the stress is far from yield
+  int known_layers_;                                  ///< layers whose stress at the end of the last increment is known
+  std::vector<std::size_t> active_;                   ///< cells that may yield
   std::vector<char> is_active_;
   std::vector<double> q_, g_;                    ///< trial deviator and its image, [active][component]
   std::vector<double> q_field_;                  ///< q of the last increment on the whole grid (elsewhere the stress)

@@ -79,6 +79,27 @@ TEST(HardeningCase, BackStressesStandBesideAnyLaw)
   expect_message(R"("none", kinematic_moduli=[1e9])", {"kinematic_moduli", "applies only with"});
 }
 
+TEST(HardeningCase, ProfilesOverDepthAreReadAndChecked)
+{
+  const auto material = [](const std::vector<std::string>& keys)
+  {
+    std::vector<std::string> all;
+    for (const std::string& key : keys)
+      all.push_back("lower.material." + key);
+    return sample::parsed(all).tugging.lower.material;
+  };
+  const auto m = material({"yield_profile={depth=[0, \"2 mm\", 0.01], factor=[1.5, 1.2, 1]}",
+                           "initial_stress={depth=[0, \"4 mm\"], value=[\"-600 MPa\", 0]}"});
+  EXPECT_DOUBLE_EQ(m.yield_factor.at(0.001, 1.0), 1.35);
+  EXPECT_DOUBLE_EQ(m.yield_factor.at(1.0, 1.0), 1.0);
+  EXPECT_DOUBLE_EQ(m.initial_stress.at(0.002, 0.0), -300e6);
+  EXPECT_TRUE(material({}).yield_factor.empty());
+  for (const char* bad : {"yield_profile={depth=[0, 1], factor=[1]}", "yield_profile={depth=[1, 0], factor=[1, 1]}",
+                          "yield_profile={factor=[2]}", "yield_profile={depth=[0], factor=[0]}",
+                          "initial_stress={depth=[0], value=[\"-1 GPa\"]}"}) // beyond the yield stress
+    EXPECT_THROW((void)material({bad}), InputError) << bad;
+}
+
 TEST(HardeningCase, CriticalValuesAreThoseOfTheVirginYieldStress)
 {
   const auto critical = [](const std::string& keys) { return sample::parsed({law(keys)}).first_yield->critical; };
