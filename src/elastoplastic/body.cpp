@@ -260,10 +260,10 @@ int Body::needed_layers() const
       *material_.hardening);
 }
 
-double Body::edge_strain_share() const
+Body::EdgeStrain Body::edge_strain() const
 {
   const SurfaceGrid& s = grid().surface;
-  double edge = 0.0;
+  EdgeStrain edge;
   double largest = 0.0;
   for (int k = 0; k < grid().nz; ++k)
     for (int j = 0; j < s.ny; ++j)
@@ -271,10 +271,17 @@ double Body::edge_strain_share() const
       {
         const double e = state_.equivalent[static_cast<std::size_t>(i + s.nx * (j + s.ny * k))];
         largest = std::max(largest, e);
-        if (i == 0 || i == s.nx - 1 || j == 0 || j == s.ny - 1 || k == grid().nz - 1)
-          edge = std::max(edge, e);
+        if (i == 0 || i == s.nx - 1)
+          edge.ends = std::max(edge.ends, e);
+        if (j == 0 || j == s.ny - 1)
+          edge.sides = std::max(edge.sides, e);
+        if (k == grid().nz - 1)
+          edge.bottom = std::max(edge.bottom, e);
       }
-  return largest > 0.0 ? edge / largest : 0.0;
+  if (largest > 0.0)
+    for (double* share : {&edge.ends, &edge.sides, &edge.bottom})
+      *share /= largest;
+  return edge;
 }
 
 double Body::yield_error() const

@@ -26,7 +26,10 @@ constexpr int track_margin = 4; ///< cells: material pushed ahead
 double plastic_growth(const TuggingCase& tugging)
 {
   constexpr double covered = 9.0;
-  return std::pow(std::max(1.0, tugging.interference / yield_interference(tugging) / covered), 0.3);
+  // Of two bodies that are not alike, the weaker one takes most of the plastic strain: as if pressed twice as far.
+  const double ratio =
+      tugging.interference / yield_interference(tugging) * (tugging.lower == tugging.upper ? 1.0 : 2.0);
+  return std::pow(std::max(1.0, ratio / covered), 0.4);
 }
 
 /// Half-width in whole cells around a central one that covers `length`.

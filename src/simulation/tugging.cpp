@@ -109,11 +109,14 @@ private:
   static void check_extent(const char* name, const Body& body)
   {
     constexpr double tolerated = 0.02;
-    if (const double share = body.edge_strain_share(); share > tolerated)
-      throw InputError(
-          fmt::format("the plastic zone of the {} body has reached the edge of its grid ({:.0f} % of the "
-                      "largest plastic strain there): enlarge it by grid.extent. All steps so far are kept",
-                      name, 100.0 * share));
+    const Body::EdgeStrain edge = body.edge_strain();
+    for (const auto& [share, where] :
+         {std::pair{edge.ends, "end, along x,"}, {edge.sides, "side, along y,"}, {edge.bottom, "bottom"}})
+      if (share > tolerated)
+        throw InputError(fmt::format(
+            "the plastic zone of the {} body has reached the {} of its grid ({:.0f} % of the largest plastic "
+            "strain there): enlarge it by grid.extent. All steps so far are kept",
+            name, where, 100.0 * share));
   }
 
   /// Far enough back that the surfaces, with what earlier passes left on them, do not touch yet.

@@ -62,8 +62,14 @@ public:
   /// Biaxial stress xx = yy of each layer before the first load [Pa].
   [[nodiscard]] const std::vector<double>& initial_stress() const { return initial_stress_; }
 
-  /// Equivalent plastic strain in the outermost columns and rows and in the last layer, over the largest one of all.
-  [[nodiscard]] double edge_strain_share() const;
+  /// Largest equivalent plastic strain at the edges of the grid, over the largest one of all.
+  struct EdgeStrain
+  {
+    double ends = 0.0;   ///< first and last column, along x
+    double sides = 0.0;  ///< first and last row, along y
+    double bottom = 0.0; ///< last layer
+  };
+  [[nodiscard]] EdgeStrain edge_strain() const;
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
   [[nodiscard]] std::vector<double>& trial() { return q_; }             ///< q, unknowns() values
