@@ -37,20 +37,21 @@ const PressureStress::Kernels* PressureStress::kernels(int block, int row) const
   return kernels_.data() + static_cast<std::size_t>(block * rows_ + folded) * static_cast<std::size_t>(grid_.nz);
 }
 
-void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& fft)
+namespace
 {
-  const SurfaceGrid& s = grid_.surface;
-  const int px = fft.px();
-  const int py = fft.py();
 
-  // Values at the cells of the first quadrant, from one lattice of corners per depth.
+/// Mean over a layer of the stress of a unit pressure on one cell, at the cells of the first quadrant; from one lattice of
+/// corners per depth.
+std::vector<SymTensor> quadrant_stress(const VolumeGrid& grid, int layer, double poisson_ratio)
+{
+  const SurfaceGrid& s = grid.surface;
   std::vector<SymTensor> quadrant(s.size(), SymTensor{});
   std::vector<SymTensor> corner(static_cast<std::size_t>((s.nx + 1) * (s.ny + 1)));
   const auto corner_at = [&](int i, int j) -> SymTensor&
   { return corner[static_cast<std::size_t>(i + (s.nx + 1) * j)]; };
   for (std::size_t g = 0; g < gauss_point.size(); ++g)
   {
-    const double z = (layer + 0.5 + gauss_point[g]) * grid_.dz;
+    const double z = (layer + 0.5 + gauss_point[g]) * grid.dz;
     for (int j = 0; j <= s.ny; ++j)
       for (int i = 0; i <= s.nx; ++i)
         corner_at(i, j) = green::rectangle_stress_corner((i - 0.5) * s.dx, (j - 0.5) * s.dy, z, poisson_ratio);
@@ -61,7 +62,17 @@ void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& 
               gauss_weight[g] *
               (corner_at(i + 1, j + 1)[c] + corner_at(i, j)[c] - corner_at(i + 1, j)[c] - corner_at(i, j + 1)[c]);
   }
+  return quadrant;
+}
 
+} // namespace
+
+void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& fft)
+{
+  const SurfaceGrid& s = grid_.surface;
+  const int px = fft.px();
+  const int py = fft.py();
+  const std::vector<SymTensor> quadrant = quadrant_stress(grid_, layer, poisson_ratio);
   AlignedVector<double> plane(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
   AlignedVector<Complex> transformed(fft.plane());
   enum : int

@@ -46,47 +46,19 @@ std::vector<std::string> law_names()
   return {"none", "perfect", "linear", "swift", "swift_microstrain", "hollomon", "ludwik", "voce", "table"};
 }
 
-/// Keys of one body.
-std::vector<Entry> body_entries(const std::string& body)
+/// The entry applies to a body that can yield.
+Condition any_law(const std::string& key)
+{
+  const std::vector<std::string> names = law_names();
+  return {key, {names.begin() + 1, names.end()}};
+}
+
+/// Parameters of the hardening laws of one body.
+std::vector<Entry> hardening_entries(const std::string& body)
 {
   const std::string law = body + ".material.hardening.law";
-  const std::vector<std::string> any = law_names();
-  const Condition yields{law, {any.begin() + 1, any.end()}};
+  const Condition yields = any_law(law);
   return {
-      {.key = body + ".shape.type",
-       .type = Type::choice,
-       .choices = {"sphere"},
-       .required = true,
-       .text = "Shape of the surface."},
-      {.key = body + ".shape.radius",
-       .type = Type::number,
-       .dimension = dimension::length,
-       .range = above(0.0),
-       .required = true,
-       .text = "Radius of the sphere.",
-       .when = {body + ".shape.type", {"sphere"}}},
-      {.key = body + ".material.young_modulus",
-       .type = Type::number,
-       .dimension = dimension::pressure,
-       .range = above(0.0),
-       .required = true,
-       .text = "Young's modulus E.",
-       .hint = "a steel has about 200 GPa"},
-      {.key = body + ".material.poisson_ratio",
-       .type = Type::number,
-       .range = inside(-1.0, 0.5),
-       .required = true,
-       .text = "Poisson's ratio nu.",
-       .hint = "a steel has about 0.3"},
-      {.key = law,
-       .type = Type::choice,
-       .choices = any,
-       .fallback = "none",
-       .text = "Yield stress sigma_y as a function of the equivalent plastic strain e. none: the body stays elastic; "
-               "perfect: S_y; linear: S_y + modulus e; swift: coefficient (offset + e)^exponent; swift_microstrain: "
-               "coefficient (offset + 1e6 e)^exponent; hollomon: coefficient (e_0 + e)^exponent with e_0 such that it "
-               "begins at S_y; ludwik: S_y + coefficient e^exponent; voce: S_y + saturation (1 - exp(-rate e)); table: "
-               "linear between points, constant after the last one."},
       {.key = body + ".material.hardening.yield_stress",
        .type = Type::number,
        .dimension = dimension::pressure,
@@ -169,6 +141,14 @@ std::vector<Entry> body_entries(const std::string& body)
        .unset = "zeros: linear (Prager)",
        .text = "Recall of each back stress; it saturates at C / recall in uniaxial tension.",
        .when = yields},
+  };
+}
+
+/// What changes with depth in one body.
+std::vector<Entry> depth_entries(const std::string& body)
+{
+  const Condition yields = any_law(body + ".material.hardening.law");
+  return {
       {.key = body + ".material.yield_profile.depth",
        .type = Type::numbers,
        .dimension = dimension::length,
@@ -197,6 +177,48 @@ std::vector<Entry> body_entries(const std::string& body)
        .unset = "none",
        .text = "Residual stress xx = yy before the first load, tension positive, below the yield stress.",
        .when = yields},
+  };
+}
+
+/// Keys of one body.
+std::vector<Entry> body_entries(const std::string& body)
+{
+  const std::string law = body + ".material.hardening.law";
+  return {
+      {.key = body + ".shape.type",
+       .type = Type::choice,
+       .choices = {"sphere"},
+       .required = true,
+       .text = "Shape of the surface."},
+      {.key = body + ".shape.radius",
+       .type = Type::number,
+       .dimension = dimension::length,
+       .range = above(0.0),
+       .required = true,
+       .text = "Radius of the sphere.",
+       .when = {body + ".shape.type", {"sphere"}}},
+      {.key = body + ".material.young_modulus",
+       .type = Type::number,
+       .dimension = dimension::pressure,
+       .range = above(0.0),
+       .required = true,
+       .text = "Young's modulus E.",
+       .hint = "a steel has about 200 GPa"},
+      {.key = body + ".material.poisson_ratio",
+       .type = Type::number,
+       .range = inside(-1.0, 0.5),
+       .required = true,
+       .text = "Poisson's ratio nu.",
+       .hint = "a steel has about 0.3"},
+      {.key = law,
+       .type = Type::choice,
+       .choices = law_names(),
+       .fallback = "none",
+       .text = "Yield stress sigma_y as a function of the equivalent plastic strain e. none: the body stays elastic; "
+               "perfect: S_y; linear: S_y + modulus e; swift: coefficient (offset + e)^exponent; swift_microstrain: "
+               "coefficient (offset + 1e6 e)^exponent; hollomon: coefficient (e_0 + e)^exponent with e_0 such that it "
+               "begins at S_y; ludwik: S_y + coefficient e^exponent; voce: S_y + saturation (1 - exp(-rate e)); table: "
+               "linear between points, constant after the last one."},
   };
 }
 
@@ -332,8 +354,9 @@ std::vector<Entry> output_entries()
 std::vector<Entry> build_schema()
 {
   std::vector<Entry> schema;
-  for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), tugging_entries(), grid_entries(),
-                    solver_entries(), output_entries()})
+  for (auto part : {root_entries(), body_entries("lower"), hardening_entries("lower"), depth_entries("lower"),
+                    body_entries("upper"), hardening_entries("upper"), depth_entries("upper"), tugging_entries(),
+                    grid_entries(), solver_entries(), output_entries()})
     schema.insert(schema.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return schema;
 }
