@@ -57,7 +57,6 @@ Body::Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constit
   state_.stress.assign(Deviator::size * n, 0.0);
   state_.residual_displacement = displacement_;
   is_active_.assign(n, 0);
-  q_field_.assign(Deviator::size * n, 0.0);
   strain_ = state_.plastic_strain;
   for (int layer = 0; layer < grid().nz; ++layer)
   {

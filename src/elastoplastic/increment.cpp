@@ -219,7 +219,7 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
     {
       const double now = energy();
       constexpr double rounding = 1e-10;
-      report.energy_rose = report.evaluations > 2 && !grew && now > report.energy * (1.0 + rounding);
+      report.energy_rose = report.evaluations > 2 && !grew && now > report.energy + rounding * std::abs(report.energy);
       report.energy = now;
       if (report.energy_rose)
         break;

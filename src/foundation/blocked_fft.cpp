@@ -74,8 +74,6 @@ BlockedFft::BlockedFft(const SurfaceGrid& grid, int px, int py, int planes)
 }
 
 BlockedFft::~BlockedFft() = default;
-BlockedFft::BlockedFft(BlockedFft&&) noexcept = default;
-BlockedFft& BlockedFft::operator=(BlockedFft&&) noexcept = default;
 
 std::size_t BlockedFft::rows_size() const
 {

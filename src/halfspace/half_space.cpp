@@ -93,8 +93,9 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
   work.layers_ = layers;
   image_correction_.respond(plastic_strain, strained, work.images_);
   const int planes = Deviator::size * strained;
+  const auto threads = static_cast<int>(work.threads_.size());
 
-#pragma omp parallel num_threads(static_cast <int>(work.threads_.size()))
+#pragma omp parallel num_threads(threads)
   {
     Work::Scratch& scratch = work.threads_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
@@ -139,7 +140,8 @@ void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<co
 {
   load_pressure(pressure, work);
   const int planes = Deviator::size * work.layers_;
-#pragma omp parallel num_threads(static_cast <int>(work.threads_.size()))
+  const auto threads = static_cast<int>(work.threads_.size());
+#pragma omp parallel num_threads(threads)
   {
     Work::Scratch& scratch = work.threads_[static_cast<std::size_t>(omp_get_thread_num())];
     for (int block = 0; block < volume_fft_.blocks(); ++block)

@@ -45,6 +45,7 @@ void read_points(const std::filesystem::path& file, std::vector<double>& strain,
   if (!stream)
     throw InputError(fmt::format("cannot be opened: no file {}, or not readable", file.string()));
   std::string line;
+  bool may_be_titles = true;
   for (int number = 1; std::getline(stream, line); ++number)
   {
     const auto first = line.find_first_not_of(" \t\r");
@@ -55,10 +56,11 @@ void read_points(const std::filesystem::path& file, std::vector<double>& strain,
       strain.push_back((*point)[0]);
       stress.push_back((*point)[1]);
     }
-    else if (!strain.empty() || number > 1)
+    else if (!may_be_titles)
       throw InputError(fmt::format("has in line {} \"{}\"; allowed: plastic strain and stress in Pa, as in "
                                    "\"0.002, 930e6\"",
                                    number, line.substr(0, 40)));
+    may_be_titles = false;
   }
 }
 
@@ -88,12 +90,16 @@ constitutive::HardeningLaw hardening_law(const CaseValues& values, const std::st
                                           values.get<std::vector<double>>(table + "stress"));
 }
 
+/// A list, empty if it is not given.
+std::vector<double> numbers(const CaseValues& values, const std::string& key)
+{
+  return values.find(key) ? values.get<std::vector<double>>(key) : std::vector<double>{};
+}
+
 std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseValues& values, const std::string& table)
 {
-  const auto numbers = [&](const std::string& key)
-  { return values.find(table + key) ? values.get<std::vector<double>>(table + key) : std::vector<double>{}; };
-  const std::vector<double> moduli = numbers("kinematic_moduli");
-  std::vector<double> recall = numbers("kinematic_recall");
+  const std::vector<double> moduli = numbers(values, table + "kinematic_moduli");
+  std::vector<double> recall = numbers(values, table + "kinematic_recall");
   if (recall.empty())
     recall.assign(moduli.size(), 0.0);
   if (recall.size() != moduli.size())
@@ -108,24 +114,15 @@ std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseValues& value
 
 constitutive::DepthProfile profile(const CaseValues& values, const std::string& table, const char* value)
 {
-  const auto numbers = [&](const std::string& key)
-  { return values.find(table + key) ? values.get<std::vector<double>>(table + key) : std::vector<double>{}; };
-  std::vector<double> depth = numbers("depth");
-  std::vector<double> at_depth = numbers(value);
+  std::vector<double> depth = numbers(values, table + "depth");
+  std::vector<double> at_depth = numbers(values, table + value);
   if (depth.empty() && at_depth.empty())
     return {};
-  try
-  {
-    return {std::move(depth), std::move(at_depth)};
-  }
-  catch (const InputError& error)
-  {
-    throw InputError(fmt::format("{}depth and {}{}: {}", table, table, value, error.what()));
-  }
+  return {std::move(depth), std::move(at_depth)};
 }
 
 /// A material that yields before it is loaded is none. Both profiles are linear between their points: look at these.
-void require_elastic_at_start(const constitutive::Material& material, const std::string& table)
+void require_elastic_at_start(const constitutive::Material& material)
 {
   std::vector<double> depths = material.initial_stress.depth();
   depths.insert(depths.end(), material.yield_factor.depth().begin(), material.yield_factor.depth().end());
@@ -134,9 +131,9 @@ void require_elastic_at_start(const constitutive::Material& material, const std:
     const double stress = material.initial_stress.at(z, 0.0);
     const double yield = constitutive::initial_yield_stress(*material.hardening) * material.yield_factor.at(z, 1.0);
     if (!(std::abs(stress) < yield))
-      throw InputError(fmt::format("{}initial_stress is {:.4g} Pa at a depth of {:.4g} m, where the material yields at "
-                                   "{:.4g} Pa; allowed: less than that",
-                                   table, stress, z, yield));
+      throw InputError(fmt::format("{:.4g} Pa at a depth of {:.4g} m, where the material yields at {:.4g} Pa; allowed: "
+                                   "less than that",
+                                   stress, z, yield));
   }
 }
 
@@ -175,18 +172,28 @@ constitutive::Material material(const CaseValues& values, const RawCase& raw, co
       {values.get<double>(table + "young_modulus"), values.get<double>(table + "poisson_ratio")}, {}};
   if (law == "none")
     return result;
-  try
+  // What does not fit together is reported at the line of `at`, or at its partner if that is missing.
+  const auto attempt = [&](const std::string& at, const std::string& partner, const auto& make)
   {
-    result.hardening = hardening_law(values, table + "hardening.", law);
-    result.kinematic = kinematic_terms(values, table + "hardening.");
-    result.yield_factor = profile(values, table + "yield_profile.", "factor");
-    result.initial_stress = profile(values, table + "initial_stress.", "value");
-    require_elastic_at_start(result, table);
-  }
-  catch (const InputError& error)
-  {
-    problems.add(place_of(raw, key), fmt::format("{} = \"{}\": {}", key, law, error.what()));
-  }
+    try
+    {
+      make();
+    }
+    catch (const InputError& error)
+    {
+      const std::string& cited = raw.find(at) ? at : partner;
+      problems.add(place_of(raw, cited), fmt::format("{}: {}", cited, error.what()));
+    }
+  };
+  attempt(key, key, [&] { result.hardening = hardening_law(values, table + "hardening.", law); });
+  attempt(table + "hardening.kinematic_recall", table + "hardening.kinematic_moduli",
+          [&] { result.kinematic = kinematic_terms(values, table + "hardening."); });
+  attempt(table + "yield_profile.factor", table + "yield_profile.depth",
+          [&] { result.yield_factor = profile(values, table + "yield_profile.", "factor"); });
+  attempt(table + "initial_stress.value", table + "initial_stress.depth",
+          [&] { result.initial_stress = profile(values, table + "initial_stress.", "value"); });
+  if (problems.empty())
+    attempt(table + "initial_stress.value", table + "yield_profile.factor", [&] { require_elastic_at_start(result); });
   return result;
 }
 

@@ -51,13 +51,9 @@ BodySnapshot body_snapshot(const elastoplastic::Body& body, const SurfaceGrid& c
   s.plastic_strain = expand(body.state().plastic_strain, trace);
   halfspace::HalfSpace::Work work = body.half_space().make_work();
   body.half_space().full_stress(on_body, body.state().plastic_strain, work, deviator, trace);
+  body.add_initial_stress(s.grid.nz, deviator);
   for (std::size_t i = 0; i < trace.size(); ++i)
-  {
-    const double initial = body.initial_stress()[i / s.grid.surface.size()]; // xx = yy, zz = 0
-    deviator[Deviator::xx * trace.size() + i] += initial / 3.0;
-    deviator[Deviator::yy * trace.size() + i] += initial / 3.0;
-    trace[i] += 2.0 * initial;
-  }
+    trace[i] += 2.0 * body.initial_stress()[i / s.grid.surface.size()];
   s.stress = expand(deviator, trace);
   return s;
 }

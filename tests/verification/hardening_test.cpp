@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -107,6 +108,7 @@ TEST(Hardening, EveryLawKeepsTheEnergyAndStiffensThePerfectOne)
   {
     const TuggingRun run = computed(with_material(ratio, law.material));
     const std::string name = std::string(law.name) + ": ";
+    // Coarse cells: the edge's error, first order in the cell at worst.
     test::expect_close(name + "energy balance over the largest work", run.summary.energy_balance_error, 0.0, 0.05,
                        "exact: conservation of energy");
     test::expect_within(name + "peak F_Z / that of perfect plasticity", run.summary.peak_F_Z / perfect.summary.peak_F_Z,
@@ -147,12 +149,33 @@ TEST(DepthProfiles, HardCaseAndInitialStressKeepTheEnergy)
                      "exact: conservation of energy");
   test::expect_within("net work / that of the core material", run.summary.work / soft, 0.1, 1.0,
                       "bound: less than the softer one");
-  // Far from the contact the stress is the initial one, layer by layer.
+  // Far from the contact the stress is nearly the initial one.
   const simulation::BodySnapshot& body = run.summary.final_state.lower;
   test::expect_close("sigma_xx in the corner of the first layer / initial",
                      body.stress[0][0] / m.initial_stress.at(0.5 * body.grid.dz, 0.0), 1.0, 0.05,
                      "limit: far from the track");
   EXPECT_NEAR(body.stress[2][0], 0.0, 0.01 * yield_stress);
+}
+
+TEST(DepthProfiles, WithoutPlasticStrainTheInitialStressIsWhatRemains)
+{
+  TuggingCase t = small_case(0.5); // below first yield
+  const double a = simulation::plan(t).elastic_contact_radius;
+  Material& m = t.lower.material;
+  m.initial_stress = constitutive::DepthProfile({0.3 * a, 1.2 * a}, {-0.3 * yield_stress, 0.1 * yield_stress});
+  t.upper.material = m;
+  const simulation::BodySnapshot body = simulation::run(t).final_state.upper;
+  double error = 0.0;
+  for (std::size_t i = 0; i < body.grid.size(); ++i)
+  {
+    const double depth = (static_cast<double>(i / body.grid.surface.size()) + 0.5) * body.grid.dz;
+    const double initial = m.initial_stress.at(depth, 0.0);
+    ASSERT_EQ(body.equivalent_plastic_strain[i], 0.0);
+    for (std::size_t c = 0; c < 6; ++c)
+      error = std::max(error, std::abs(body.stress[c][i] - (c < 2 ? initial : 0.0)));
+  }
+  test::expect_close("stress after the pass - initial stress / yield stress", error / yield_stress, 0.0, 1e-14,
+                     "exact: xx = yy = the profile, all else zero");
 }
 
 TEST(KinematicHardening, WithoutModulusIsPerfectPlasticity)

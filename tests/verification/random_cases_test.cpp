@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "random_field.hpp"
 #include "record.hpp"
 #include "tugging_runs.hpp"
 
@@ -21,19 +22,18 @@ using namespace constitutive;
 using simulation::Asperity;
 using simulation::TuggingCase;
 
-/// Draws that do not depend on the standard library's distributions: the same cases everywhere.
 class Draw
 {
 public:
   explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double a, double b) { return a + (b - a) * std::generate_canonical<double, 53>(engine_); }
+  double between(double a, double b) { return test::uniform(engine_, a, b); }
   double power_of_ten(double a, double b) { return std::pow(10.0, between(a, b)); }
   bool chance(double p) { return between(0.0, 1.0) < p; }
   /// 0 ... n - 1
   int below(int n) { return std::min(n - 1, static_cast<int>(between(0.0, n))); }
 
 private:
-  std::mt19937 engine_;
+  std::mt19937_64 engine_;
 };
 
 HardeningLaw random_law(Draw& draw, double E, double S)

@@ -61,6 +61,8 @@ public:
 
   /// Biaxial stress xx = yy of each layer before the first load [Pa].
   [[nodiscard]] const std::vector<double>& initial_stress() const { return initial_stress_; }
+  /// Adds its deviator to `stress` (5 values per cell) in the layers [0, layers).
+  void add_initial_stress(int layers, std::vector<double>& stress) const;
 
   /// Largest equivalent plastic strain at the edges of the grid, over the largest one of all.
   struct EdgeStrain
@@ -85,7 +87,6 @@ private:
   template <typename Law>
   [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const;
   [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / grid().surface.size(); }
-  void add_initial_stress(int layers, std::vector<double>& stress) const;
   [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   template <typename Law>

@@ -24,8 +24,6 @@ public:
   /// @param px, py  padded lengths (PaddedFft chooses them).
   BlockedFft(const SurfaceGrid& grid, int px, int py, int planes);
   ~BlockedFft();
-  BlockedFft(BlockedFft&&) noexcept;
-  BlockedFft& operator=(BlockedFft&&) noexcept;
   BlockedFft(const BlockedFft&) = delete;
   BlockedFft& operator=(const BlockedFft&) = delete;
 

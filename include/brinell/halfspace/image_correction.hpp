@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/blocked_fft.hpp"
+#include "brinell/foundation/deviator.hpp"
 #include "brinell/green/elastic.hpp"
 
 #include <array>
@@ -35,12 +36,12 @@ public:
 
   /// Response to `strain` (5 * grid.size() values, component by component, traceless; zero beneath layer `layers`).
   void respond(std::span<const double> strain, int layers, Response& response) const;
-  static constexpr int trace = 5; ///< component index of the trace of the stress, after those of Deviator
+  static constexpr int trace = Deviator::size; ///< component index of the trace of the stress, after those of Deviator
   /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
   void subtract(const Response& response, int component, int layer, double* stress) const;
 
 private:
-  static constexpr int strains = 5;                              ///< components of Deviator
+  static constexpr int strains = Deviator::size;                 ///< components of Deviator
   static constexpr int depths = 5;                               ///< Chebyshev polynomials in z
   static constexpr int degree = 6;                               ///< largest power of x - x' and y - y' together
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b

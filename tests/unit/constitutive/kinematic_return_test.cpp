@@ -19,15 +19,6 @@ namespace
 constexpr double mu = 76.0; // in units of the yield stress, about that of a steel
 constexpr PerfectPlasticity perfect{1.0};
 
-Deviator unit_random(unsigned seed, double size)
-{
-  const std::vector<double> v = test::random_field(Deviator::size, seed);
-  Deviator d;
-  for (int c = 0; c < Deviator::size; ++c)
-    d[c] = v[static_cast<std::size_t>(c)];
-  return (size / von_mises(d)) * d;
-}
-
 Deviator sum(const std::vector<Deviator>& back)
 {
   Deviator total;
@@ -81,7 +72,7 @@ TEST(KinematicReturnTest, WithoutTermsItIsTheIsotropicReturn)
   std::vector<Deviator> none;
   for (unsigned seed = 0; seed < 200; ++seed)
   {
-    const Deviator s0 = unit_random(seed, 0.9), q = unit_random(seed + 500, 0.5 + 0.02 * seed);
+    const Deviator s0 = test::random_deviator(seed, 0.9), q = test::random_deviator(seed + 500, 0.5 + 0.02 * seed);
     const PlasticIncrement path = path_return(s0, q, 0.0, mu, law), radial = radial_return(q, 0.0, mu, law);
     const PlasticIncrement half = kinematic_return(s0, q, 0.0, mu, law, 0.5, {}, none);
     const PlasticIncrement full = kinematic_return(s0, q, 0.0, mu, law, 1.0, {}, none);
@@ -99,7 +90,7 @@ TEST(KinematicReturnTest, StressEndsOnTheMovedYieldSurface)
     {
       Point<LinearHardening> point{{1.0, 5.0}, chaboche, end};
       for (unsigned i = 0; i < 5; ++i)
-        point.strain_by(unit_random(7 * seed + i, std::pow(10.0, -4.0 + 0.01 * seed)));
+        point.strain_by(test::random_deviator(7 * seed + i, std::pow(10.0, -4.0 + 0.01 * seed)));
       const double size = von_mises(point.stress - sum(point.back));
       EXPECT_LE(size, point.law.yield_stress_at(point.e) + 1e-9) << seed;
     }
@@ -108,7 +99,7 @@ TEST(KinematicReturnTest, StressEndsOnTheMovedYieldSurface)
 TEST(KinematicReturnTest, MonotonicCurveIsTheClosedForm)
 {
   // Proportional loading, any size of step: back stress C / gamma (1 - e^{-gamma e}), on top of the yield stress.
-  const Deviator direction = unit_random(3, 1.0);
+  const Deviator direction = test::random_deviator(3, 1.0);
   for (const auto& terms : {prager, armstrong_frederick, chaboche})
     for (const int steps : {1, 7, 100})
     {
@@ -125,7 +116,7 @@ TEST(KinematicReturnTest, MonotonicCurveIsTheClosedForm)
 TEST(KinematicReturnTest, ReversalYieldsAtTwiceTheYieldStress)
 {
   // Bauschinger: with Prager's term the elastic range keeps its size, 2 S_y, wherever it has moved.
-  const Deviator direction = unit_random(4, 1.0);
+  const Deviator direction = test::random_deviator(4, 1.0);
   Point<PerfectPlasticity> point{perfect, prager};
   point.pull(direction, 0.05, 10);
   const double top = Point<PerfectPlasticity>::along(point.stress, direction), e = point.e;
@@ -140,7 +131,7 @@ TEST(KinematicReturnTest, ReversalYieldsAtTwiceTheYieldStress)
 TEST(KinematicReturnTest, SymmetricCyclesReachTheStableLoopOfArmstrongAndFrederick)
 {
   // Strain-controlled cycles of plastic range 2 a: the stable stress amplitude is S_y + C / gamma tanh(gamma a).
-  const Deviator direction = unit_random(5, 1.0);
+  const Deviator direction = test::random_deviator(5, 1.0);
   Point<PerfectPlasticity> point{perfect, armstrong_frederick};
   const auto along = [&](const Deviator& t) { return Point<PerfectPlasticity>::along(t, direction); };
   double stress = 0.0, top = 0.0, bottom = 0.0;
@@ -163,7 +154,7 @@ TEST(KinematicReturnTest, StressCyclesWithAMeanRatchetAsTheClosedFormSays)
   // Armstrong, Frederick under stress cycles between s_max and s_min: the plastic strain per cycle is
   //   1/gamma ln( [ (C/gamma)^2 - (s_min + S_y)^2 ] / [ (C/gamma)^2 - (s_max - S_y)^2 ] )
   // (Lemaitre, Chaboche 1990, section 5.4).
-  const Deviator direction = unit_random(6, 1.0);
+  const Deviator direction = test::random_deviator(6, 1.0);
   const KinematicTerm t{60.0, 40.0}; // saturates at 1.5 S_y
   Point<PerfectPlasticity> point{perfect, {t}};
   const auto along = [&](const Deviator& x) { return Point<PerfectPlasticity>::along(x, direction); };
@@ -203,7 +194,7 @@ TEST(KinematicReturnTest, StressCyclesWithAMeanRatchetAsTheClosedFormSays)
 
 TEST(KinematicReturnTest, TurningPathIsSecondOrderAndBackwardEulerFirst)
 {
-  const Deviator first = unit_random(9, 1.0), second = unit_random(10, 1.0);
+  const Deviator first = test::random_deviator(9, 1.0), second = test::random_deviator(10, 1.0);
   const auto final_stress = [&](double end, int steps)
   {
     Point<LinearHardening> point{{1.0, 2.0}, chaboche, end};

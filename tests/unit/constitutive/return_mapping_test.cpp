@@ -23,15 +23,6 @@ constexpr LinearHardening hardening{1.0, 20.0};
 // A Newton iteration stops at 1e-13 of the yield stress; strains are stresses over 2 mu.
 constexpr double tolerance = 1e-12;
 
-Deviator unit_random(unsigned seed, double size)
-{
-  const std::vector<double> v = test::random_field(Deviator::size, seed);
-  Deviator d;
-  for (int c = 0; c < Deviator::size; ++c)
-    d[c] = v[static_cast<std::size_t>(c)];
-  return (size / von_mises(d)) * d;
-}
-
 bool is_finite(const PlasticIncrement& p)
 {
   bool finite = std::isfinite(p.equivalent) && std::isfinite(p.dissipation);
@@ -54,7 +45,7 @@ TEST(ReturnMappingTest, InsideTheYieldSurfaceNothingFlows)
 {
   for (unsigned seed = 0; seed < 50; ++seed)
   {
-    const Deviator q = unit_random(seed, 0.999), s0 = unit_random(seed + 100, 0.5);
+    const Deviator q = test::random_deviator(seed, 0.999), s0 = test::random_deviator(seed + 100, 0.5);
     for (const PlasticIncrement& p : {radial_return(q, 0.0, mu, perfect), path_return(s0, q, 0.0, mu, hardening)})
     {
       EXPECT_EQ(von_mises(p.strain), 0.0);
@@ -72,8 +63,8 @@ TEST(ReturnMappingTest, StressAfterFlowLiesOnTheYieldSurface)
     {
       const double e = 0.01 * (seed % 7), yield = law.yield_stress_at(e);
       const double far = std::pow(10.0, 0.01 * seed - 1.0); // up to a trial 100 times beyond yield
-      const Deviator s0 = unit_random(seed, yield * (seed % 11) / 10.0);
-      const Deviator q = unit_random(seed + 1000, yield * (1.0 + far));
+      const Deviator s0 = test::random_deviator(seed, yield * (seed % 11) / 10.0);
+      const Deviator q = test::random_deviator(seed + 1000, yield * (1.0 + far));
       for (const PlasticIncrement& p : {radial_return(q, e, mu, law), path_return(s0, q, e, mu, law)})
       {
         ASSERT_TRUE(is_finite(p)) << seed;
@@ -109,7 +100,7 @@ TEST(ReturnMappingTest, TakesALawOfAUser)
   const double e = 0.003, size = 2.5, a = 9.0 * mu * mu, b = -(6.0 * mu * size + 40.0),
                c = size * size - 1.0 - 40.0 * e;
   const double de = (-b - std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
-  const Deviator q = unit_random(8, size);
+  const Deviator q = test::random_deviator(8, size);
   EXPECT_NEAR(radial_return(q, e, mu, UserLaw{}).equivalent, de, tolerance / mu);
   EXPECT_NEAR(path_return((0.5 / size) * q, q, e, mu, UserLaw{}).equivalent, de, tolerance / mu);
 }
@@ -119,7 +110,7 @@ TEST(ReturnMappingTest, UniaxialCurveOfEveryLawIsFollowed)
   // Loading in many steps along one direction follows the law itself: stress = sigma_y(e), work = its integral.
   const auto check = [](const auto& law)
   {
-    const Deviator direction = unit_random(12, 1.0);
+    const Deviator direction = test::random_deviator(12, 1.0);
     double e = 0.0, work = 0.0, stress = law.yield_stress_at(0.0);
     const int steps = 400;
     for (int i = 0; i < steps; ++i)
@@ -150,7 +141,7 @@ TEST(ReturnMappingTest, UniaxialHardeningIsExact)
   const double e = 0.02, yield = hardening.yield_stress_at(e);
   for (const double size : {1.0001 * yield, 1.5 * yield, 10.0 * yield})
   {
-    const Deviator q = unit_random(3, size), s0 = (0.4 * yield / size) * q;
+    const Deviator q = test::random_deviator(3, size), s0 = (0.4 * yield / size) * q;
     const double de = (size - yield) / (3.0 * mu + hardening.modulus);
     const double work = (yield + 0.5 * hardening.modulus * de) * de;
     const PlasticIncrement radial = radial_return(q, e, mu, hardening), path = path_return(s0, q, e, mu, hardening);
@@ -165,7 +156,7 @@ TEST(ReturnMappingTest, UniaxialHardeningIsExact)
 
 TEST(ReturnMappingTest, EquivalentStrainIsThatOfTheRadialStrain)
 {
-  const PlasticIncrement p = radial_return(unit_random(5, 3.0), 0.0, mu, hardening);
+  const PlasticIncrement p = radial_return(test::random_deviator(5, 3.0), 0.0, mu, hardening);
   EXPECT_NEAR(equivalent_of(p.strain), p.equivalent, tolerance / mu);
 }
 
@@ -216,7 +207,7 @@ TEST(ReturnMappingTest, TurningTrialIsSecondOrderByPathAndFirstOrderByRadialRetu
 TEST(ReturnMappingTest, PathReturnsFromOutsideMeetTheLimitOfASmallStep)
 {
   // A step that begins inside and just reaches yield: as many elastic parts as one likes in front change nothing.
-  const Deviator s0 = unit_random(1, 0.2), q = unit_random(2, 1.4);
+  const Deviator s0 = test::random_deviator(1, 0.2), q = test::random_deviator(2, 1.4);
   const PlasticIncrement whole = path_return(s0, q, 0.0, mu, hardening);
   const Deviator later = s0 + 0.3 * (q - s0); // still inside
   ASSERT_LT(von_mises(later), 1.0);
@@ -229,9 +220,9 @@ TEST(ReturnMappingTest, ExtremeTrialsAreFinite)
 {
   const auto check = [](const auto& law)
   {
-    const Deviator s0 = unit_random(7, 1.0);
+    const Deviator s0 = test::random_deviator(7, 1.0);
     const Deviator outside = (1.0 + 1e-4) * s0; // a stress of the last increment, by its tolerance beyond yield
-    const Deviator off = unit_random(8, 1e-9);
+    const Deviator off = test::random_deviator(8, 1e-9);
     const std::array<std::pair<Deviator, Deviator>, 9> cases{{{s0, -3.0 * s0}, // reversal through the elastic domain
                                                               {s0, -1.0000001 * s0},    // ... that hardly yields
                                                               {outside, outside},       // nothing happens, outside
@@ -239,7 +230,7 @@ TEST(ReturnMappingTest, ExtremeTrialsAreFinite)
                                                               {outside, outside + off}, // hardly moves
                                                               {outside, -2.0 * s0},
                                                               {s0, 1e6 * s0},
-                                                              {s0, 1e6 * unit_random(9, 1.0)},
+                                                              {s0, 1e6 * test::random_deviator(9, 1.0)},
                                                               {Deviator{}, 1.0000000001 * s0}}};
     for (std::size_t n = 0; n < cases.size(); ++n)
     {
@@ -259,7 +250,7 @@ TEST(ReturnMappingTest, ExtremeTrialsAreFinite)
 TEST(ReturnMappingTest, ReversalFlowsOnlyOnTheFarSide)
 {
   // From s0 on the surface to -3 s0: elastic until -s0, then proportional.
-  const Deviator s0 = unit_random(7, 1.0);
+  const Deviator s0 = test::random_deviator(7, 1.0);
   const PlasticIncrement p = path_return(s0, -3.0 * s0, 0.0, mu, perfect);
   EXPECT_NEAR(p.equivalent, 2.0 / (3.0 * mu), tolerance / mu);
   EXPECT_NEAR(von_mises(p.strain + (1.0 / mu) * s0), 0.0, tolerance / mu);
@@ -267,7 +258,7 @@ TEST(ReturnMappingTest, ReversalFlowsOnlyOnTheFarSide)
 
 TEST(ReturnMappingTest, UnitOfStressDoesNotMatter)
 {
-  const Deviator s0 = unit_random(11, 0.7), q = unit_random(12, 2.5);
+  const Deviator s0 = test::random_deviator(11, 0.7), q = test::random_deviator(12, 2.5);
   const double unit = 9.115e8; // Pa
   const PlasticIncrement a = path_return(s0, q, 0.01, mu, hardening);
   const PlasticIncrement b =

@@ -76,6 +76,8 @@ TEST(HardeningCase, BackStressesStandBesideAnyLaw)
   expect_message(R"("perfect", yield_stress="900 MPa", kinematic_moduli=["90 GPa"], kinematic_recall=[600, 0])",
                  {"kinematic_recall", "2 and 1"});
   expect_message(R"("perfect", yield_stress="900 MPa", kinematic_recall=[600])", {"kinematic_moduli", "1 and 0"});
+  expect_message(R"("perfect", yield_stress="900 MPa", kinematic_moduli=[1e9], kinematic_recall=[600, 0])",
+                 {"kinematic_recall: needs one number"});
   expect_message(R"("none", kinematic_moduli=[1e9])", {"kinematic_moduli", "applies only with"});
 }
 
@@ -159,6 +161,10 @@ TEST_F(HardeningFile, IsReadFromTheFolderOfTheCaseAndResolvedIntoIt)
 TEST_F(HardeningFile, ErrorsNameFileLineAndContent)
 {
   EXPECT_NE(message().find("cannot be opened"), std::string::npos) << message();
+  write("# measured\nstrain, stress\n0, 900e6\n0.01, 1e9\n"); // titles may follow a comment
+  EXPECT_EQ(message(), "no error");
+  write("strain, stress\n-, Pa\n0, 900e6\n");
+  EXPECT_NE(message().find("line 2 \"-, Pa\""), std::string::npos) << message();
   write("0, 900e6\n0.01, many\n");
   EXPECT_NE(message().find("line 2 \"0.01, many\""), std::string::npos) << message();
   write("0.1, 900e6\n");
