@@ -39,13 +39,13 @@ void contact_solution(benchmark::State& state)
   std::vector<double> gap(grid.size());
   const std::vector<double> rigid = rigid_gap(grid, 1.0);
   const double depth = -rigid[rigid.size() / 2];
-  if (warm && !solver.solve(rigid_gap(grid, 0.95), 1e-7 * depth, 1000, last, gap).converged)
+  if (warm && !solver.solve(rigid_gap(grid, 0.95), {}, 1e-7 * depth, 1000, last, gap).converged)
     state.SkipWithError("the step before has not converged");
   long iterations = 0;
   for (auto _ : state)
   {
     std::vector<double> pressure = last;
-    const contact::Report report = solver.solve(rigid, 1e-7 * depth, 1000, pressure, gap);
+    const contact::Report report = solver.solve(rigid, {}, 1e-7 * depth, 1000, pressure, gap);
     iterations += report.iterations;
     if (!report.converged)
       state.SkipWithError("not converged");

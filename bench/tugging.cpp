@@ -14,7 +14,7 @@ void tugging_paper(benchmark::State& state)
   const brinell::io::Case c = brinell::io::read_case(BRINELL_SOURCE_DIR "/cases/tugging-paper/case.toml");
   brinell::simulation::TuggingSummary summary;
   for (auto _ : state)
-    summary = brinell::simulation::run(c.tugging);
+    summary = brinell::simulation::run(std::get<brinell::simulation::TuggingCase>(c.scenario));
   state.counters["steps"] = summary.steps;
   state.counters["evaluations_per_step"] = static_cast<double>(summary.iterations) / summary.steps;
   state.counters["split_increments"] = summary.split_increments;

@@ -25,6 +25,7 @@ struct RunOptions
   std::string directory; ///< empty: from the case, or results/<name>
   int threads = 0;       ///< 0: as OpenMP decides
   bool quiet = false;
+  bool resume = false; ///< go on from the last checkpoint
 };
 
 /// Each returns the exit code and throws the errors of brinell.

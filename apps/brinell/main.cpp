@@ -24,7 +24,7 @@ std::string version_text()
 
 constexpr const char* footer = R"(
 Exit codes: 0 done; 1 no convergence, or a file could not be written; 2 an error in the command line or the case;
-130 interrupted (finished steps stay readable).
+130 interrupted (finished steps stay readable; --resume goes on).
 
 A first run:
   brinell check cases/tugging-paper/case.toml
@@ -97,6 +97,7 @@ int main_program(int argc, char** argv)
   run->add_option("--threads", run_options.threads, "Number of threads; default: all cores, or OMP_NUM_THREADS")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+  run->add_flag("--resume", run_options.resume, "Go on with a run of this case that was stopped in that folder");
   run->add_flag("-q,--quiet", run_options.quiet, "Print nothing but warnings and errors");
 
   CaseOptions check_options;

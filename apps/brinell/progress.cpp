@@ -27,7 +27,8 @@ std::string duration_text(double seconds)
 
 } // namespace
 
-Progress::Progress(double radius, bool quiet) : m_radius(radius), m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) == 1)
+Progress::Progress(bool quiet, int done_before)
+    : m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) == 1), m_done_before(done_before)
 {
 }
 
@@ -37,16 +38,16 @@ Progress::~Progress()
     fmt::print(stderr, "\n");
 }
 
-void Progress::step(const simulation::StepRecord& record, int step_count)
+void Progress::step(int step, int step_count, const std::string& where, int iterations)
 {
   if (m_quiet)
     return;
-  const int done = record.step + 1;
+  const int done = step + 1;
   const int total = std::max(step_count, done); // the count is an estimate
   const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
-  const std::string text =
-      fmt::format("step {}/{}  X/R {:+.4f}  {} iteration{}  {} left", done, total, record.X / m_radius,
-                  record.iterations, record.iterations == 1 ? "" : "s", duration_text(seconds / done * (total - done)));
+  const double left = seconds / std::max(1, done - m_done_before) * (total - done);
+  const std::string text = fmt::format("step {}/{}  {}  {} iteration{}  {} left", done, total, where, iterations,
+                                       iterations == 1 ? "" : "s", duration_text(left));
   if (m_terminal)
   {
     const auto filled = static_cast<std::size_t>(bar_width * done / total);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/simulation/tugging.hpp"
-
 #include <chrono>
+#include <string>
 
 namespace brinell::app
 {
@@ -12,18 +11,20 @@ namespace brinell::app
 class Progress
 {
 public:
-  Progress(double radius, bool quiet);
+  explicit Progress(bool quiet, int done_before = 0);
   ~Progress(); ///< leaves the terminal on a clean line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void step(const simulation::StepRecord& record, int step_count);
+  /// @param step   counts from 0
+  /// @param where  what the step was about
+  void step(int step, int step_count, const std::string& where, int iterations);
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  double m_radius; ///< of X/R [m]
   bool m_quiet, m_terminal;
+  int m_done_before; ///< steps of an earlier process
   bool m_bar_is_shown = false;
   int m_tenths = 0;
   Clock::time_point m_start = Clock::now();

@@ -3,9 +3,11 @@
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/result_directory.hpp"
 #include "brinell/io/snapshot_choice.hpp"
+#include "brinell/io/summary_json.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "scenario_text.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -33,60 +35,64 @@ void print_warnings(const io::Case& c)
     fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning);
 }
 
-void print_summary(const io::Case& c, const simulation::TuggingSummary& s, double seconds, const fs::path& folder)
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start)
 {
-  fmt::print("{} steps, {} iterations, {:.2f} s\n", s.steps, s.iterations, seconds);
-  if (s.split_increments > 0)
-    fmt::print("{} increments had to be split\n", s.split_increments);
-  const double X = s.X_at_peak_F_X / io::equivalent_radius(c.tugging);
-  if (c.first_yield)
-  {
-    const auto& critical = c.first_yield->critical;
-    fmt::print("peak F_X  {:>11.5f} P_c at X/R = {:+.5f}\nmin F_X   {:>11.5f} P_c\npeak F_Z  {:>11.5f} P_c\nnet work  "
-               "{:>11.5f} U_c\n",
-               s.peak_F_X / critical.load, X, s.min_F_X / critical.load, s.peak_F_Z / critical.load,
-               s.work / critical.energy);
-  }
-  else
-    fmt::print(
-        "peak F_X  {:>13.6e} N at X/R = {:+.5f}\nmin F_X   {:>13.6e} N\npeak F_Z  {:>13.6e} N\nnet work  {:>13.6e} J\n",
-        s.peak_F_X, X, s.min_F_X, s.peak_F_Z, s.work);
-  fmt::print("energy balance error {:.2e}\nresults in {}\n", s.energy_balance_error, folder.string());
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Runs the case and writes its steps; the summary comes back, the folder stays open.
-simulation::TuggingSummary simulate(const io::Case& c, io::ResultDirectory& results, bool quiet)
+/// Runs one scenario and writes its steps; finishes the folder and prints what came out.
+template <typename ScenarioCase>
+void simulate(const ScenarioCase& scenario, const io::Case& c, io::ResultDirectory& results, const fs::path& folder,
+              bool quiet)
 {
-  Progress progress(io::equivalent_radius(c.tugging), quiet);
+  using Record = typename ScenarioCase::Record;
+  const auto start = Clock::now();
+  Progress progress(quiet, results.finished_steps());
   io::SnapshotChoice choice(c.snapshots);
-  simulation::TuggingObserver observer;
-  observer.on_step = [&](const simulation::StepRecord& record, int step_count)
+  if (results.checkpoint())
   {
-    results.add(record);
-    progress.step(record, step_count);
+    Archive archive(*results.checkpoint());
+    archive("snapshot_choice", choice);
+  }
+  Record last; // of a run that goes on after its last step: the columns are in the history
+  auto checkpoint_time = start;
+  simulation::Observer<Record> observer;
+  observer.on_step = [&](const Record& record, int step_count)
+  {
+    results.add(io::columns(record));
+    progress.step(record.step, step_count, step_text(c, record), record.iterations);
+    last = record;
   };
-  observer.wants_snapshot = [&](const simulation::StepRecord& record)
+  observer.wants_snapshot = [&](const Record& record) { return choice(scenario, record); };
+  observer.on_snapshot = [&](const Record& record, const simulation::Snapshot& snapshot)
+  { results.add(record.step, io::columns(record), snapshot); };
+  observer.wants_checkpoint = [&](const Record&)
+  { return InterruptGuard::signal() != 0 || seconds_since(checkpoint_time) >= c.checkpoint_interval; };
+  observer.on_checkpoint = [&](const Record& record, const Archive::Fields& state)
   {
+    Archive archive;
+    archive("snapshot_choice", choice);
+    Archive::Fields fields = state;
+    fields.insert(archive.fields().begin(), archive.fields().end());
+    results.add_checkpoint(record.step, fields);
+    checkpoint_time = Clock::now();
     if (const int signal = InterruptGuard::signal())
       throw Interrupted{signal};
-    return choice(record);
   };
-  observer.on_snapshot = [&](const simulation::Snapshot& snapshot) { results.add(snapshot); };
-  return simulation::run(c.tugging, observer);
-}
-
-/// Closes the results of a run that was left early, whose own reason is already on its way to the user.
-void stop(io::ResultDirectory& results, const fs::path& folder)
-{
-  try
-  {
-    results.stop();
-  }
-  catch (const IoError& error)
-  {
-    fmt::print(stderr, "brinell: {}\n", error.what());
-  }
-  fmt::print(stderr, "brinell: the finished steps are in {}\n", folder.string());
+  const auto summary = simulation::run(scenario, observer, results.checkpoint() ? &*results.checkpoint() : nullptr);
+  const double seconds = seconds_since(start);
+  results.finish(summary.final_state, io::columns(last),
+                 io::summary_text(c, simulation::plan(scenario), summary,
+                                  {.wall_time = seconds, .threads = omp_get_max_threads()}));
+  if (quiet)
+    return;
+  fmt::print("{} steps, {} iterations, {:.2f} s\n", summary.steps, summary.iterations, seconds);
+  if (summary.split_increments > 0)
+    fmt::print("{} increments had to be split\n", summary.split_increments);
+  fmt::print("{}energy balance error {:.2e}\nresults in {}\n", summary_text(c, summary), summary.energy_balance_error,
+             folder.string());
 }
 
 } // namespace
@@ -97,35 +103,32 @@ int run_command(const RunOptions& options)
     omp_set_num_threads(options.threads);
   const io::Case c = io::read_case(options.input.file, options.input.overrides);
   print_warnings(c);
-  const simulation::TuggingPlan plan = io::plan_case(c);
+  static_cast<void>(io::plan_case(c)); // is refused before anything is written
   const fs::path folder = result_path(options, c);
-  const auto start = std::chrono::steady_clock::now();
   const InterruptGuard guard;
-  io::ResultDirectory results(folder, c);
+  using Mode = io::ResultDirectory::Mode;
+  io::ResultDirectory results(folder, c, options.resume ? Mode::resume : Mode::replace);
   if (results.replaced() && !options.quiet)
     fmt::print(stderr, "brinell: replacing the earlier result in {}\n", folder.string());
+  if (options.resume && !options.quiet)
+    fmt::print(stderr, "brinell: going on after {} finished steps\n", results.finished_steps());
   try
   {
-    const auto summary = simulate(c, results, options.quiet);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    results.finish(plan, summary, {.wall_time = seconds, .threads = omp_get_max_threads()});
-    if (!options.quiet)
-      print_summary(c, summary, seconds, folder);
+    std::visit([&](const auto& scenario) { simulate(scenario, c, results, folder, options.quiet); }, c.scenario);
   }
   catch (const Interrupted& interrupted)
   {
-    fmt::print(stderr, "brinell: interrupted\n");
-    stop(results, folder);
+    fmt::print(stderr, "brinell: interrupted; the finished steps are in {}, and --resume goes on\n", folder.string());
     return 128 + interrupted.signal;
   }
   catch (const ConvergenceError&)
   {
-    stop(results, folder);
+    fmt::print(stderr, "brinell: the finished steps are in {}\n", folder.string());
     throw;
   }
   catch (const InputError&) // the grid turned out too small
   {
-    stop(results, folder);
+    fmt::print(stderr, "brinell: the finished steps are in {}\n", folder.string());
     throw;
   }
   return exit_ok;

@@ -46,11 +46,24 @@ constexpr int spare_layers = 3;
 
 } // namespace
 
-Body::Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constitutive::Material& material)
-    : material_(material), half_space_(std::move(half_space)), layers_(grid().nz), known_layers_(grid().nz),
-      displacement_(grid().surface.size(), 0.0)
+void BodyState::exchange(Archive& archive)
 {
-  const std::size_t n = grid().size();
+  archive("plastic_strain", plastic_strain);
+  archive("equivalent", equivalent);
+  if (!backstress.empty())
+    archive("backstress", backstress);
+  archive("stress", stress);
+  archive("residual_displacement", residual_displacement);
+  archive("dissipation", dissipation);
+  archive("locked_in_energy", locked_in_energy);
+}
+
+Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
+           const constitutive::Material& material)
+    : grid_(grid), material_(material), half_space_(std::move(half_space)), layers_(grid_.nz), known_layers_(grid_.nz),
+      displacement_(grid_.surface.size(), 0.0)
+{
+  const std::size_t n = grid_.size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
   state_.equivalent.assign(n, 0.0);
   state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
@@ -58,15 +71,26 @@ Body::Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constit
   state_.residual_displacement = displacement_;
   is_active_.assign(n, 0);
   strain_ = state_.plastic_strain;
-  for (int layer = 0; layer < grid().nz; ++layer)
+  for (int layer = 0; layer < grid_.nz; ++layer)
   {
-    const double depth = (layer + 0.5) * grid().dz;
+    const double depth = (layer + 0.5) * grid_.dz;
     yield_factor_.push_back(material.yield_factor.at(depth, 1.0));
     initial_stress_.push_back(material.initial_stress.at(depth, 0.0));
   }
-  add_initial_stress(grid().nz, state_.stress);
+  add_initial_stress(grid_.nz, state_.stress);
   stress_ = state_.stress;
   q_field_ = state_.stress;
+}
+
+void Body::exchange(Archive& archive)
+{
+  if (!is_plastic())
+    return;
+  archive("state", state_);
+  archive("q_field", q_field_);
+  archive("layers", layers_);
+  archive("known_layers", known_layers_);
+  displacement_ = state_.residual_displacement;
 }
 
 void Body::begin(int shift, double stiffness_share)

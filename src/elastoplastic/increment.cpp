@@ -5,59 +5,130 @@
 #include "brinell/foundation/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace brinell::elastoplastic
 {
 
+namespace
+{
+
+std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, const Elastic& elastic)
+{
+  return elastic.is_rigid() ? nullptr : std::make_shared<const halfspace::HalfSpace>(grid, elastic);
+}
+
+/// Cubic interpolation between the columns -1, 0, 1, 2 at `fraction` of the way from 0 to 1 (Lagrange): exact for a parabola
+/// that falls on cells, and its transpose carries the pressure back, so that no work is lost in between.
+std::array<double, 4> interpolation_weights(double f)
+{
+  return {-f * (f - 1.0) * (f - 2.0) / 6.0, (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0, -(f + 1.0) * f * (f - 2.0) / 2.0,
+          (f + 1.0) * f * (f - 1.0) / 6.0};
+}
+
+} // namespace
+
 CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
-                               const Settings& settings, bool mirrored)
+                               const Settings& settings, Twin twin, Textures textures)
     : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic)), contact_(compliance_),
-      lower_(std::make_shared<halfspace::HalfSpace>(lower, lower_material.elastic), lower_material),
-      upper_(lower == upper && lower_material.elastic == upper_material.elastic
+      lower_(lower, operators(lower, lower_material.elastic), lower_material),
+      upper_(upper,
+             lower == upper && lower_material.elastic == upper_material.elastic
                  ? lower_.shared_half_space()
-                 : std::make_shared<halfspace::HalfSpace>(upper, upper_material.elastic),
+                 : operators(upper, upper_material.elastic),
              upper_material),
-      scales_(scales), settings_(settings), mirrored_(mirrored), pressure_(contact.size(), 0.0),
-      gap_(contact.size(), 0.0), total_gap_(contact.size()), gathered_(contact.size()),
-      lower_pressure_(lower.surface.size()), upper_pressure_(upper.surface.size())
+      scales_(scales), settings_(settings), twin_(twin), textures_(std::move(textures)), pressure_(contact.size(), 0.0),
+      gap_(contact.size(), 0.0), distance_(contact.size(), 0.0), lower_pressure_(lower.surface.size()),
+      upper_pressure_(upper.surface.size())
 {
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
     if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy)
       throw InternalError("CoupledContact: the three grids must have the same cells and rows");
-  if (mirrored && !(lower == upper && lower_material == upper_material))
-    throw InternalError("CoupledContact: bodies that are not alike cannot be mirror images");
+  if (twin != Twin::none && !(lower == upper && lower_material == upper_material))
+    throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
+  for (const auto& [texture, body] : {std::pair{&textures_.lower, &lower_}, {&textures_.upper, &upper_}})
+    if (!texture->empty() && texture->size() != body->grid().surface.size())
+      throw InternalError("CoupledContact: a texture needs one value per cell of its body's surface");
 }
 
-void CoupledContact::gather(const Body& body, int offset, std::span<const double> field, std::span<double> out) const
+void CoupledContact::exchange(Archive& archive)
 {
+  archive("lower", lower_);
+  archive("upper", upper_);
+  for (const auto& [name, place] : {std::pair{"lower", &placement_.lower}, {"upper", &placement_.upper}})
+  {
+    archive(std::string(name) + ".column", place->column);
+    archive(std::string(name) + ".fraction", place->fraction);
+  }
+  archive("approach", approach_);
+  archive("pressure", pressure_);
+  archive("gap", gap_);
+}
+
+/// Adds the depth of a body's surface to `out`.
+void CoupledContact::add_depth(const Body& body, const Place& place, std::span<const double> displacement,
+                               std::span<double> out) const
+{
+  const std::vector<double>& texture = &body == &lower_ ? textures_.lower : textures_.upper;
   const SurfaceGrid& from = body.grid().surface;
+  const auto depth = [&](int column, int j)
+  {
+    if (column < 0 || column >= from.nx)
+      return 0.0;
+    const auto n = static_cast<std::size_t>(column + from.nx * j);
+    return displacement[n] + (texture.empty() ? 0.0 : texture[n]);
+  };
+  const std::array<double, 4> weights = interpolation_weights(place.fraction);
   for (int j = 0; j < grid().ny; ++j)
     for (int i = 0; i < grid().nx; ++i)
     {
-      const int column = i + offset;
-      out[static_cast<std::size_t>(i + grid().nx * j)] =
-          column >= 0 && column < from.nx ? field[static_cast<std::size_t>(column + from.nx * j)] : 0.0;
+      double& value = out[static_cast<std::size_t>(i + grid().nx * j)];
+      const int column = i + place.column;
+      if (place.fraction == 0.0)
+        value += depth(column, j);
+      else
+        for (int m = 0; m < 4; ++m)
+          value += weights[static_cast<std::size_t>(m)] * depth(column + m - 1, j);
     }
 }
 
-void CoupledContact::spread_pressure(const Body& body, int offset, std::vector<double>& out) const
+void CoupledContact::surface_depth(const Body& body, const Place& place, std::span<double> out) const
+{
+  std::fill(out.begin(), out.end(), 0.0);
+  add_depth(body, place, body.state().residual_displacement, out);
+}
+
+void CoupledContact::spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const
 {
   const SurfaceGrid& to = body.grid().surface;
-  std::fill(out.begin(), out.end(), 0.0);
+  out.assign(to.size(), 0.0);
+  const std::array<double, 4> weights = interpolation_weights(place.fraction);
   for (int j = 0; j < grid().ny; ++j)
     for (int i = 0; i < grid().nx; ++i)
     {
       const double p = pressure_[static_cast<std::size_t>(i + grid().nx * j)];
-      const int column = i + offset;
+      const int column = i + place.column;
       if (p <= 0.0)
         continue;
-      if (column < 0 || column >= to.nx)
+      const bool between = place.fraction != 0.0;
+      if (column < (between ? 1 : 0) || column >= to.nx - (between ? 2 : 0))
         throw InputError("the contact has reached the end of the material grid: enlarge it by grid.extent");
-      out[static_cast<std::size_t>(column + to.nx * j)] = p;
+      double* cell = out.data() + column + static_cast<std::ptrdiff_t>(to.nx) * j;
+      if (between)
+        for (int m = 0; m < 4; ++m)
+          cell[m - 1] += weights[static_cast<std::size_t>(m)] * p;
+      else
+        *cell += p;
     }
+}
+
+double CoupledContact::load() const
+{
+  return std::accumulate(pressure_.begin(), pressure_.end(), 0.0) * grid().cell_area();
 }
 
 double CoupledContact::elastic_energy() const
@@ -148,42 +219,46 @@ private:
 } // namespace
 
 /// Contact of the deformed surfaces: gap and pressure for the residual displacements of the present trial.
-void CoupledContact::load(std::span<const double> rigid_gap, const Placement& placement, IncrementReport& report)
+void CoupledContact::touch(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
+                           IncrementReport& report)
 {
-  gather(lower_, placement.lower, lower_.residual_displacement(), gathered_);
-  std::transform(rigid_gap.begin(), rigid_gap.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
-  gather(upper_, placement.upper, upper_.residual_displacement(), gathered_);
-  std::transform(total_gap_.begin(), total_gap_.end(), gathered_.begin(), total_gap_.begin(), std::plus<>());
+  std::copy(distance.begin(), distance.end(), distance_.begin());
+  add_depth(lower_, placement.lower, lower_.residual_displacement(), distance_);
+  add_depth(upper_, placement.upper, upper_.residual_displacement(), distance_);
   constexpr int most_iterations = 2000;
   const contact::Report contact =
-      contact_.solve(total_gap_, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_);
+      contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_);
   report.contact_iterations += contact.iterations;
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
+  report.approach = contact.approach;
   spread_pressure(lower_, placement.lower, lower_pressure_);
   spread_pressure(upper_, placement.upper, upper_pressure_);
 }
 
-double CoupledContact::energy() const
+double CoupledContact::energy(double approach) const
 {
-  // The contact's part as the dual value -(1/2 p A p + p gap): its error is of second order in that of the pressure.
+  // The contact's part as the dual value -(1/2 p A p + p distance), whose error is of second order in that of the pressure.
+  // An imposed approach adds its work, which does not change in the increment only if the load is imposed.
   double work = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
-    work += pressure_[i] * total_gap_[i];
+    work += pressure_[i] * (distance_[i] - approach);
   const double lower = lower_.energy(lower_pressure_);
-  const double upper = mirrored_ ? lower : upper_.energy(upper_pressure_);
+  const double upper = twin_ != Twin::none ? lower : upper_.energy(upper_pressure_);
   return lower + upper - elastic_energy() - work * grid().cell_area();
 }
 
-IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const Placement& placement,
-                                        const Strategy& strategy)
+IncrementReport CoupledContact::advance(std::span<const double> distance, const contact::Drive& drive,
+                                        const Placement& placement, const Strategy& strategy)
 {
   IncrementReport report;
-  lower_.begin(placement.lower - placement_.lower, strategy.stiffness_share);
-  if (mirrored_)
-    upper_.follow(lower_);
+  const bool twins = twin_ != Twin::none;
+  const double imposed_approach = drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0;
+  lower_.begin(placement.lower.column - placement_.lower.column, strategy.stiffness_share);
+  if (twins)
+    upper_.follow(lower_, twin_);
   else
-    upper_.begin(placement.upper - placement_.upper, strategy.stiffness_share);
+    upper_.begin(placement.upper.column - placement_.upper.column, strategy.stiffness_share);
   Anderson anderson(strategy.anderson_depth);
   Unknowns unknowns;
   Progress progress;
@@ -196,13 +271,13 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
     last_lower.assign(lower_.residual_displacement().begin(), lower_.residual_displacement().end());
     last_upper.assign(upper_.residual_displacement().begin(), upper_.residual_displacement().end());
     lower_.integrate(strategy.integration);
-    if (mirrored_)
-      upper_.follow(lower_);
+    if (twins)
+      upper_.follow(lower_, twin_);
     else
       upper_.integrate(strategy.integration);
-    load(rigid_gap, placement, report);
+    touch(distance, drive, placement, report);
     const bool lower_grew = lower_.update(lower_pressure_);
-    const bool upper_grew = !mirrored_ && upper_.update(upper_pressure_);
+    const bool upper_grew = !twins && upper_.update(upper_pressure_);
     const bool grew = lower_grew || upper_grew;
     report.yield_error = std::max(lower_.yield_error(), upper_.yield_error());
     report.displacement_error = std::max(largest_change(lower_.residual_displacement(), last_lower),
@@ -217,7 +292,7 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
       break;
     if (strategy.watch_energy)
     {
-      const double now = energy();
+      const double now = energy(imposed_approach);
       constexpr double rounding = 1e-10;
       report.energy_rose = report.evaluations > 2 && !grew && now > report.energy + rounding * std::abs(report.energy);
       report.energy = now;
@@ -237,13 +312,14 @@ IncrementReport CoupledContact::advance(std::span<const double> rigid_gap, const
     std::fill(pressure_.begin(), pressure_.end(), 0.0); // no guess for the next attempt: it may not be finite
     return report;
   }
-  report.energy = energy();
+  report.energy = energy(imposed_approach);
   lower_.commit(lower_pressure_);
-  if (mirrored_)
-    upper_.adopt(lower_);
+  if (twins)
+    upper_.adopt(lower_, twin_);
   else
     upper_.commit(upper_pressure_);
   placement_ = placement;
+  approach_ = report.approach;
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -167,6 +168,8 @@ constitutive::Material material(const CaseValues& values, const RawCase& raw, co
 {
   const std::string table = body + ".material.";
   const std::string key = table + "hardening.law";
+  if (values.get<bool>(table + "rigid"))
+    return {{std::numeric_limits<double>::infinity(), 0.0}, {}};
   const auto& law = values.get<std::string>(key);
   constitutive::Material result{
       {values.get<double>(table + "young_modulus"), values.get<double>(table + "poisson_ratio")}, {}};

@@ -16,7 +16,7 @@ std::string unit_comment(const CaseValues& values, const Entry& entry)
   if (entry.dimension == dimension::none)
     return "";
   if (!entry.pure_if.empty() && values.get<bool>(entry.pure_if))
-    return " # alpha_c";
+    return entry.dimension == dimension::force ? " # P_c" : " # alpha_c";
   return fmt::format(" # {}", si_unit(entry.dimension));
 }
 

@@ -17,7 +17,7 @@ std::string alternatives(const std::vector<std::string>& words)
 {
   std::string text;
   for (const auto& word : words)
-    text += (text.empty() ? "" : " or ") + toml_string(word);
+    text += (text.empty() ? "" : " or ") + (word == "true" || word == "false" ? word : toml_string(word));
   return text;
 }
 
@@ -65,8 +65,12 @@ private:
     if (when.key.empty())
       return true;
     const Value* value = m_values.find(when.key);
-    const auto* word = value ? std::get_if<std::string>(value) : nullptr;
-    return word && std::find(when.values.begin(), when.values.end(), *word) != when.values.end();
+    if (!value)
+      return false;
+    const auto* flag = std::get_if<bool>(value);
+    const auto* word = std::get_if<std::string>(value);
+    const std::string given = flag ? (*flag ? "true" : "false") : (word ? *word : "");
+    return std::find(when.values.begin(), when.values.end(), given) != when.values.end();
   }
 
   /// Whether `given` of the file loses its meaning because the command line sets `other`.

@@ -44,7 +44,8 @@ std::string duration_text(double seconds)
 /// Cells of one body's track, from the elastic contact: a lower bound, in doubles so that nothing overflows.
 double least_cells(const simulation::TuggingCase& t)
 {
-  const double a = std::sqrt(equivalent_radius(t) * t.interference);
+  const double radius = 1.0 / (1.0 / t.lower.radius + 1.0 / t.upper.radius);
+  const double a = std::sqrt(radius * t.interference);
   const double separation = t.lower.radius + t.upper.radius - t.interference;
   const double reach = std::sqrt(std::pow(t.lower.radius + t.upper.radius, 2) - separation * separation);
   const double cell = a / t.resolution;
@@ -52,19 +53,28 @@ double least_cells(const simulation::TuggingCase& t)
   return ((2.0 * a + reach) / spacing[0]) * (2.0 * a / spacing[1]) * (a / spacing[2]);
 }
 
+/// The other plans look at that themselves.
+template <typename ScenarioCase>
+double least_cells(const ScenarioCase&)
+{
+  return 0.0;
+}
+
 /// Seconds on one core, from measured runs: time per cell of the contact's box, per evaluation, growing as N log N.
 /// Without plastic bodies only the contact is solved.
-double rough_seconds(const simulation::TuggingCase& t, const simulation::TuggingPlan& plan)
+template <typename ScenarioCase>
+double rough_seconds(const ScenarioCase& c, const simulation::Plan& plan)
 {
   constexpr double evaluations = 12.0;            // per step
   constexpr double seconds_per_cell_level = 5e-9; // one cell, one evaluation, one level of the transforms
   constexpr double elastic_share = 0.05;          // of the contact in an evaluation
-  const double cells =
-      4.0 * static_cast<double>(plan.contact.size()) * std::max(plan.lower.nz, plan.upper.nz); // 4: zero padding
-  const int plastic_bodies = (t.lower.material.is_plastic() ? 1 : 0) + (t.upper.material.is_plastic() ? 1 : 0);
-  const double steps = static_cast<double>(plan.steps_per_pass) * t.passes;
-  const double solved = plan.mirrored ? 1.0 : plastic_bodies + elastic_share;
-  return steps * solved * evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
+  const bool tugging = std::is_same_v<ScenarioCase, simulation::TuggingCase>; // much of the track is not yet plastic
+  const auto box = static_cast<double>(tugging ? plan.contact.size() * static_cast<std::size_t>(plan.lower.nz)
+                                               : std::max(plan.lower.size(), plan.upper.size()));
+  const double cells = 4.0 * box; // zero padding
+  const int plastic_bodies = (c.lower.material.is_plastic() ? 1 : 0) + (c.upper.material.is_plastic() ? 1 : 0);
+  const double solved = plan.twin != elastoplastic::Twin::none ? 1.0 : plastic_bodies + elastic_share;
+  return plan.steps * solved * evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
 }
 
 std::string volume_text(const VolumeGrid& grid)
@@ -74,33 +84,66 @@ std::string volume_text(const VolumeGrid& grid)
 
 std::string critical_report(const Case& c)
 {
-  const auto& t = c.tugging;
-  std::string text = fmt::format("# Contact: E' = {:.6e} Pa, equivalent radius = {:.6e} m, interference = {:.6e} m\n",
-                                 contact_modulus(t), equivalent_radius(t), t.interference);
+  std::string text = fmt::format("# Contact: E' = {:.6e} Pa", c.contact_modulus);
+  if (c.equivalent_radius)
+    text += fmt::format(", equivalent radius = {:.6e} m", *c.equivalent_radius);
+  const auto* tugging = std::get_if<simulation::TuggingCase>(&c.scenario);
+  if (tugging)
+    text += fmt::format(", interference = {:.6e} m", tugging->interference);
+  text += "\n";
   if (!c.first_yield)
-    return text + "# Both bodies stay elastic: there are no critical values.\n";
+    return text + (c.equivalent_radius ? "# Both bodies stay elastic: there are no critical values.\n"
+                                       : "# The bodies are not round: there are no critical values.\n");
   const auto& critical = c.first_yield->critical;
   constexpr std::array bodies{"the lower body yields first", "the upper body yields first", "both bodies alike"};
   text += fmt::format("# First yield ({}): C = {:.6f}, alpha_c = {:.6e} m, P_c = {:.6e} N, U_c = {:.6e} J,\n"
                       "#   contact radius = {:.6e} m, peak pressure = {:.6e} Pa\n",
                       bodies[static_cast<std::size_t>(c.first_yield->body)], critical.C, critical.interference,
                       critical.load, critical.energy, critical.contact_radius, critical.peak_pressure);
-  return text + fmt::format("#   interference / alpha_c = {:.6g}\n", t.interference / critical.interference);
+  return tugging ? text + fmt::format("#   interference / alpha_c = {:.6g}\n",
+                                      tugging->interference / critical.interference)
+                 : text;
 }
 
-std::string plan_report(const Case& c, const simulation::TuggingPlan& plan)
+const char* plural(int count)
 {
-  std::string text = fmt::format("# Motion: first touch at X = -{:.6e} m, {} steps per pass of {:.6e} m, {} pass{}\n",
-                                 plan.start_distance, plan.steps_per_pass, plan.shift, c.tugging.passes,
-                                 c.tugging.passes == 1 ? "" : "es");
-  text += fmt::format("# Cells: dx = {:.4e} m, dy = {:.4e} m, dz = {:.4e} m; elastic contact radius {:.4e} m\n",
-                      plan.contact.dx, plan.contact.dy, plan.lower.dz, plan.elastic_contact_radius);
-  if (plan.mirrored)
+  return count == 1 ? "" : "es";
+}
+
+std::string motion_report(const simulation::TuggingCase& t, const simulation::TuggingPlan& plan)
+{
+  return fmt::format("# Motion: first touch at X = -{:.6e} m, {} steps per pass of {:.6e} m, {} pass{}\n"
+                     "# Contact: elastic contact radius {:.4e} m\n",
+                     plan.start_distance, plan.steps_per_pass, plan.shift, t.passes, plural(t.passes),
+                     plan.elastic_contact_radius);
+}
+
+std::string motion_report(const simulation::IndentationCase& i, const simulation::IndentationPlan& plan)
+{
+  return fmt::format("# Indentation: {} steps at {} place{}; largest contact radius about {:.4e} m\n", plan.steps,
+                     i.places.size(), i.places.size() == 1 ? "" : "s", plan.contact_radius);
+}
+
+std::string motion_report(const simulation::RollingCase& r, const simulation::RollingPlan& plan)
+{
+  return fmt::format("# Motion: {} steps of {:.6e} m, {} pass{}; {} = {:.6e} {}\n"
+                     "# Contact: about {:.4e} x {:.4e} m wide\n",
+                     plan.rolling_steps, plan.shift, r.passes, plural(r.passes),
+                     r.drive.kind == contact::Drive::Kind::load ? "load" : "approach", r.drive.value,
+                     r.drive.kind == contact::Drive::Kind::load ? "N" : "m", 2.0 * plan.half_width_x,
+                     2.0 * plan.half_width_y);
+}
+
+std::string grid_report(const simulation::Plan& plan)
+{
+  std::string text = fmt::format("# Cells: dx = {:.4e} m, dy = {:.4e} m, dz = {:.4e} m\n", plan.contact.dx,
+                                 plan.contact.dy, plan.lower.dz);
+  if (plan.twin == elastoplastic::Twin::mirror_image)
     text += "# Symmetry: the bodies are mirror images of each other; one of them is solved\n";
-  text += fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx, plan.contact.ny,
-                      volume_text(plan.lower), volume_text(plan.upper));
-  return text + fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(plan.memory_bytes),
-                            duration_text(rough_seconds(c.tugging, plan)));
+  if (plan.twin == elastoplastic::Twin::alike)
+    text += "# Symmetry: both bodies have the same plastic strain; one of them is solved\n";
+  return text + fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx,
+                            plan.contact.ny, volume_text(plan.lower), volume_text(plan.upper));
 }
 
 } // namespace
@@ -114,30 +157,44 @@ double machine_memory()
   return bytes;
 }
 
-simulation::TuggingPlan plan_case(const Case& c, double available_memory)
+ScenarioPlan plan_case(const Case& c, double available_memory)
 {
-  constexpr std::string_view advice = "allowed: larger cells, or a smaller interference";
-  if (const double cells = least_cells(c.tugging); !(cells < most_cells))
-    throw InputError(fmt::format("{} makes at least {:.1e} cells; {}", c.grid_source, cells, advice));
-  simulation::TuggingPlan plan;
-  try
-  {
-    plan = simulation::plan(c.tugging);
-  }
-  catch (const InputError& error)
-  {
-    throw InputError(fmt::format("{}: {}", c.grid_source, error.what()));
-  }
-  if (plan.memory_bytes > available_memory)
-    throw InputError(fmt::format("{} needs {} of memory, this machine has {}; {}", c.grid_source,
-                                 size_text(plan.memory_bytes), size_text(available_memory), advice));
-  return plan;
+  constexpr std::string_view advice = "allowed: larger cells, or a smaller interference, load or track";
+  return std::visit(
+      [&](const auto& scenario) -> ScenarioPlan
+      {
+        if (const double cells = least_cells(scenario); !(cells < most_cells))
+          throw InputError(fmt::format("{} makes at least {:.1e} cells; {}", c.grid_source, cells, advice));
+        try
+        {
+          const auto plan = simulation::plan(scenario);
+          if (plan.memory_bytes > available_memory)
+            throw InputError(fmt::format("needs {} of memory, this machine has {}; {}", size_text(plan.memory_bytes),
+                                         size_text(available_memory), advice));
+          return plan;
+        }
+        catch (const InputError& error)
+        {
+          throw InputError(fmt::format("{}: {}", c.grid_source, error.what()));
+        }
+      },
+      c.scenario);
 }
 
-std::string check_report(const Case& c, const simulation::TuggingPlan& plan)
+std::string check_report(const Case& c, const ScenarioPlan& plan)
 {
-  return fmt::format("# Resolved case of {}\n{}\n{}{}", c.file.string(), resolved_text(c.values), critical_report(c),
-                     plan_report(c, plan));
+  const std::string head =
+      fmt::format("# Resolved case of {}\n{}\n{}", c.file.string(), resolved_text(c.values), critical_report(c));
+  return head + std::visit(
+                    [&](const auto& scenario)
+                    {
+                      using Plan = decltype(simulation::plan(scenario));
+                      const Plan& p = std::get<Plan>(plan);
+                      return motion_report(scenario, p) + grid_report(p) +
+                             fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(p.memory_bytes),
+                                         duration_text(rough_seconds(scenario, p)));
+                    },
+                    c.scenario);
 }
 
 } // namespace brinell::io

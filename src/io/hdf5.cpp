@@ -2,6 +2,7 @@
 #include "hdf5.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "replace_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -84,6 +85,25 @@ Handle create_file(const std::filesystem::path& path)
                  fmt::format("create {}", path.string()));
 }
 
+Handle create_file_in_memory()
+{
+  silence();
+  constexpr std::size_t growth = 1 << 20;
+  const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a property list");
+  check(H5Pset_fapl_core(access.id(), growth, 0), "keep a file in memory");
+  return checked(H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "create a file in memory");
+}
+
+void save_file(Handle file, const std::filesystem::path& path)
+{
+  check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "complete a file in memory");
+  const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
+  std::vector<char> image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  if (H5Fget_file_image(file.id(), image.data(), image.size()) != size || size <= 0)
+    fail("read a file in memory");
+  replace_file(path, {image.data(), image.size()});
+}
+
 Handle open_file(const std::filesystem::path& path)
 {
   silence();
@@ -153,6 +173,52 @@ void write_dataset(const Handle& group, const char* name, const std::vector<doub
   check(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
   write_attribute(dataset, "units", units);
   write_attribute(dataset, "long_name", long_name);
+}
+
+void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values)
+{
+  const std::string what = fmt::format("write the dataset {}", name);
+  const hsize_t size = values.size();
+  const Handle space = checked(H5Screate_simple(1, &size, nullptr), H5Sclose, what);
+  const Handle dataset = checked(
+      H5Dcreate2(group.id(), name.c_str(), H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose, what);
+  check(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+}
+
+std::vector<double> read_numbers(const Handle& group, const std::string& name)
+{
+  const std::string what = fmt::format("read the dataset {}", name);
+  const Handle dataset = checked(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, what);
+  const Handle space = checked(H5Dget_space(dataset.id()), H5Sclose, what);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+  check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+  return values;
+}
+
+std::vector<std::string> names(const Handle& group)
+{
+  H5G_info_t info{};
+  check(H5Gget_info(group.id(), &info), "look into a group");
+  std::vector<std::string> result;
+  for (hsize_t i = 0; i < info.nlinks; ++i)
+  {
+    const ssize_t length =
+        H5Lget_name_by_idx(group.id(), ".", H5_INDEX_NAME, H5_ITER_NATIVE, i, nullptr, 0, H5P_DEFAULT);
+    std::string name(static_cast<std::size_t>(std::max<ssize_t>(length, 0)), ' ');
+    H5Lget_name_by_idx(group.id(), ".", H5_INDEX_NAME, H5_ITER_NATIVE, i, name.data(), name.size() + 1, H5P_DEFAULT);
+    result.push_back(std::move(name));
+  }
+  return result;
+}
+
+int read_int_attribute(const Handle& object, const char* name)
+{
+  const std::string what = fmt::format("read the attribute {}", name);
+  const Handle attribute = checked(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose, what);
+  int value = 0;
+  check(H5Aread(attribute.id(), H5T_NATIVE_INT, &value), what);
+  return value;
 }
 
 void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object)

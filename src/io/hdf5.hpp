@@ -46,6 +46,9 @@ private:
 /// A new file, replacing what is there.
 /// @throws IoError (all of this header)
 [[nodiscard]] Handle create_file(const std::filesystem::path& path);
+/// A file in memory, to be written in one piece by `save_file`: HDF5 crashes when a full disk does not let it close a file.
+[[nodiscard]] Handle create_file_in_memory();
+void save_file(Handle file, const std::filesystem::path& path);
 [[nodiscard]] Handle open_file(const std::filesystem::path& path);
 /// Closes the file; unlike the destructor it reports data that could not be written.
 void close_file(Handle file);
@@ -62,6 +65,13 @@ void write_attribute(const Handle& object, const char* name, std::span<const dou
 /// @param shape  slowest index first
 void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name);
+
+/// Plain numbers, as they are.
+void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values);
+[[nodiscard]] std::vector<double> read_numbers(const Handle& group, const std::string& name);
+/// Names of the objects in a group.
+[[nodiscard]] std::vector<std::string> names(const Handle& group);
+[[nodiscard]] int read_int_attribute(const Handle& object, const char* name);
 
 /// A link `name` in `group` to an object of another file, whose path is relative to the folder of this one.
 void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object);

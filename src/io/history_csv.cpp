@@ -2,12 +2,12 @@
 #include "brinell/io/history_csv.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "replace_file.hpp"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
-#include <variant>
+#include <fstream>
 
 namespace brinell::io
 {
@@ -15,68 +15,119 @@ namespace brinell::io
 namespace
 {
 
-using simulation::StepRecord;
-
-/// Name of a column and the member it shows: header and rows cannot disagree.
-struct Column
-{
-  const char* name;
-  std::variant<int StepRecord::*, double StepRecord::*> member;
-};
-
-constexpr std::array columns{
-    Column{"step", &StepRecord::step},
-    Column{"X", &StepRecord::X},
-    Column{"theta", &StepRecord::theta},
-    Column{"interference", &StepRecord::interference},
-    Column{"contact_area", &StepRecord::contact_area},
-    Column{"max_pressure", &StepRecord::max_pressure},
-    Column{"F_n", &StepRecord::F_n},
-    Column{"F_X", &StepRecord::F_X},
-    Column{"F_Y", &StepRecord::F_Y},
-    Column{"F_Z", &StepRecord::F_Z},
-    Column{"F_X_macro", &StepRecord::F_X_macro},
-    Column{"F_Z_macro", &StepRecord::F_Z_macro},
-    Column{"work", &StepRecord::work},
-    Column{"dissipation_lower", &StepRecord::dissipation_lower},
-    Column{"dissipation_upper", &StepRecord::dissipation_upper},
-    Column{"energy_residual", &StepRecord::energy_residual},
-    Column{"max_residual_lower", &StepRecord::max_residual_lower},
-    Column{"max_residual_upper", &StepRecord::max_residual_upper},
-    Column{"max_equivalent_plastic_strain", &StepRecord::max_equivalent_plastic_strain},
-    Column{"iterations", &StepRecord::iterations},
-};
-
 IoError failure(const std::filesystem::path& path, const char* what)
 {
   return IoError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
 }
 
+/// The header and the rows of the first steps.
+std::string first_lines(const std::filesystem::path& path, const std::string& header, int rows)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::string text;
+  std::string line;
+  for (int i = 0; i <= rows; ++i)
+  {
+    if (!std::getline(stream, line) || (i == 0 && line != header))
+      throw IoError(fmt::format("{}: is not the history that the checkpoint belongs to", path.string()));
+    text += line + '\n';
+  }
+  return text;
+}
+
+void append(std::vector<NamedNumber>& columns, std::vector<NamedNumber> more)
+{
+  columns.insert(columns.end(), more.begin(), more.end());
+}
+
+/// Energies and strains, which end the rows of all scenarios.
+std::vector<NamedNumber> common_columns(const simulation::StepRecord& r)
+{
+  return {{"work", r.work},
+          {"dissipation_lower", r.dissipation_lower},
+          {"dissipation_upper", r.dissipation_upper},
+          {"energy_residual", r.energy_residual},
+          {"energy_elastic", r.energy_elastic},
+          {"max_residual_lower", r.max_residual_lower},
+          {"max_residual_upper", r.max_residual_upper},
+          {"max_equivalent_plastic_strain", r.max_equivalent_plastic_strain},
+          {"iterations", r.iterations}};
+}
+
 } // namespace
 
-std::string history_header()
+std::vector<NamedNumber> columns(const simulation::TuggingRecord& r)
+{
+  std::vector<NamedNumber> result{{"step", r.step},
+                                  {"pass", r.pass},
+                                  {"X", r.X},
+                                  {"theta", r.theta},
+                                  {"interference", r.interference},
+                                  {"contact_area", r.contact_area},
+                                  {"max_pressure", r.max_pressure},
+                                  {"F_n", r.F_n},
+                                  {"F_X", r.F_X},
+                                  {"F_Y", r.F_Y},
+                                  {"F_Z", r.F_Z},
+                                  {"F_X_macro", r.F_X_macro},
+                                  {"F_Z_macro", r.F_Z_macro}};
+  append(result, common_columns(r));
+  return result;
+}
+
+std::vector<NamedNumber> columns(const simulation::IndentationRecord& r)
+{
+  std::vector<NamedNumber> result{{"step", r.step},
+                                  {"pass", r.pass},
+                                  {"place", r.place},
+                                  {"x", r.x},
+                                  {"approach", r.approach},
+                                  {"F_n", r.F_n},
+                                  {"contact_area", r.contact_area},
+                                  {"contact_radius", r.contact_radius},
+                                  {"max_pressure", r.max_pressure},
+                                  {"mean_pressure", r.mean_pressure},
+                                  {"pile_up_lower", r.pile_up_lower}};
+  append(result, common_columns(r));
+  return result;
+}
+
+std::vector<NamedNumber> columns(const simulation::RollingRecord& r)
+{
+  std::vector<NamedNumber> result{{"step", r.step},
+                                  {"pass", r.pass},
+                                  {"x", r.x},
+                                  {"approach", r.approach},
+                                  {"F_n", r.F_n},
+                                  {"F_X", r.F_X},
+                                  {"contact_area", r.contact_area},
+                                  {"max_pressure", r.max_pressure}};
+  append(result, common_columns(r));
+  return result;
+}
+
+std::string history_header(const std::vector<NamedNumber>& columns)
 {
   std::string text;
-  for (const Column& column : columns)
-    text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+  for (const auto& [name, value] : columns)
+    text += fmt::format("{}{}", text.empty() ? "" : ",", name);
   return text;
 }
 
-std::string history_row(const StepRecord& record)
+std::string history_row(const std::vector<NamedNumber>& columns)
 {
   std::string text;
-  for (const Column& column : columns)
-    std::visit([&](auto member) { text += fmt::format("{}{}", text.empty() ? "" : ",", record.*member); },
-               column.member);
+  for (const auto& [name, value] : columns)
+    std::visit([&](auto number) { text += fmt::format("{}{}", text.empty() ? "" : ",", number); }, value);
   return text;
 }
 
-HistoryWriter::HistoryWriter(std::filesystem::path path)
-    : m_path(std::move(path)), m_file(std::fopen(m_path.c_str(), "w"))
+HistoryWriter::HistoryWriter(std::filesystem::path path, const std::string& header, int kept) : m_path(std::move(path))
 {
+  replace_file(m_path, kept > 0 ? first_lines(m_path, header, kept) : header + '\n');
+  m_file.reset(std::fopen(m_path.c_str(), "a"));
   if (!m_file)
     throw failure(m_path, "cannot be written");
-  write_line(history_header());
 }
 
 void HistoryWriter::write_line(const std::string& line)

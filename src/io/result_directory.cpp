@@ -2,9 +2,9 @@
 #include "brinell/io/result_directory.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/io/history_csv.hpp"
+#include "hdf5.hpp"
+#include "replace_file.hpp"
 #include "result_file.hpp"
-#include "summary_json.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -22,6 +22,8 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+constexpr const char* checkpoint_file = "checkpoint.h5";
 
 /// Holds a folder for this process; the lock ends with the process, however that ends.
 class FolderLock
@@ -72,47 +74,109 @@ bool removed(const fs::path& path)
 bool earlier_result_removed(const fs::path& folder)
 {
   bool found = false;
-  for (const char* name : {"summary.json", "history.csv", "result.h5", "snapshots", "contact.xdmf", "lower.xdmf",
-                           "upper.xdmf", "resolved.toml", "result.h5.part", "summary.json.part"})
+  for (const char* name :
+       {"summary.json", "history.csv", "result.h5", "snapshots", "contact.xdmf", "lower.xdmf", "upper.xdmf",
+        "resolved.toml", "result.h5.part", "summary.json.part", checkpoint_file, "checkpoint.h5.part"})
     found = removed(folder / name) || found;
   return found;
 }
 
 } // namespace
 
-void replace_file(const fs::path& path, const std::string& text)
+namespace
 {
-  fs::path part = path;
-  part += ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  std::error_code error;
-  if (stream)
-    fs::rename(part, path, error);
-  if (!stream || error)
-    throw IoError(
-        fmt::format("{}: cannot be written: {}", path.string(), error ? error.message() : std::strerror(errno)));
+
+struct Checkpoint
+{
+  int step = 0; ///< the last one that is finished
+  Archive::Fields fields;
+};
+
+void write_checkpoint(const fs::path& path, int step, const Archive::Fields& fields)
+{
+  h5::Handle file = h5::create_file_in_memory();
+  h5::write_attribute(file, "step", step);
+  for (const auto& [name, values] : fields)
+    h5::write_numbers(file, name, values);
+  h5::save_file(std::move(file), path);
 }
+
+std::optional<Checkpoint> read_checkpoint(const fs::path& path)
+{
+  if (!fs::exists(path))
+    return std::nullopt;
+  const h5::Handle file = h5::open_file(path);
+  Checkpoint checkpoint{h5::read_int_attribute(file, "step"), {}};
+  for (const std::string& name : h5::names(file))
+    checkpoint.fields[name] = h5::read_numbers(file, name);
+  return checkpoint;
+}
+
+InputError nothing_to_resume(const fs::path& folder)
+{
+  return InputError(fmt::format("{}: no run was stopped there that could be resumed", folder.string()));
+}
+
+/// What a run can go on from: nothing if it was stopped before its first checkpoint.
+std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
+{
+  if (fs::exists(folder / "summary.json"))
+    throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
+  std::ifstream stream(folder / "resolved.toml", std::ios::binary);
+  if (!stream)
+    throw nothing_to_resume(folder);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (text != resolved_text(c.values))
+    throw InputError(fmt::format("{}: the run that was stopped there is of another case: compare resolved.toml there "
+                                 "with what brinell check prints; without --resume it is replaced",
+                                 folder.string()));
+  return read_checkpoint(folder / checkpoint_file);
+}
+
+std::string header_of(const Scenario& scenario)
+{
+  using namespace simulation;
+  struct Header
+  {
+    std::string operator()(const TuggingCase&) const { return history_header(columns(TuggingRecord{})); }
+    std::string operator()(const IndentationCase&) const { return history_header(columns(IndentationRecord{})); }
+    std::string operator()(const RollingCase&) const { return history_header(columns(RollingRecord{})); }
+  };
+  return std::visit(Header{}, scenario);
+}
+
+} // namespace
 
 struct ResultDirectory::State
 {
-  State(const fs::path& folder, Case given)
-      : path(made_folder(folder)), c(std::move(given)), lock(path), replaced(earlier_result_removed(path)),
-        result(path, c), history(path / "history.csv")
+  State(const fs::path& folder, const Case& c, Mode mode)
+      : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
+        lock(path), checkpoint(take(path, c, mode)),
+        replaced(!checkpoint && earlier_result_removed(path) && mode == Mode::replace),
+        result(path, c, finished_steps()), history(path / "history.csv", header_of(c.scenario), finished_steps())
   {
     replace_file(path / "resolved.toml", resolved_text(c.values));
   }
 
+  static std::optional<Checkpoint> take(const fs::path& folder, const Case& c, Mode mode)
+  {
+    return mode == Mode::resume ? resumable(folder, c) : std::nullopt;
+  }
+  [[nodiscard]] int finished_steps() const { return checkpoint ? checkpoint->step + 1 : 0; }
+
   fs::path path;
-  Case c;
   FolderLock lock; // before anything in the folder is touched
+  std::optional<Checkpoint> checkpoint;
+  std::optional<Archive::Fields> fields = checkpoint ? std::optional(std::move(checkpoint->fields)) : std::nullopt;
   bool replaced;
   ResultFile result;
   HistoryWriter history;
 };
 
-ResultDirectory::ResultDirectory(const fs::path& path, const Case& c) : m_state(std::make_unique<State>(path, c)) {}
+ResultDirectory::ResultDirectory(const fs::path& path, const Case& c, Mode mode)
+    : m_state(std::make_unique<State>(path, c, mode))
+{
+}
 ResultDirectory::ResultDirectory(ResultDirectory&&) noexcept = default;
 ResultDirectory& ResultDirectory::operator=(ResultDirectory&&) noexcept = default;
 ResultDirectory::~ResultDirectory() = default;
@@ -122,27 +186,38 @@ bool ResultDirectory::replaced() const
   return m_state->replaced;
 }
 
-void ResultDirectory::add(const simulation::StepRecord& record)
+const std::optional<Archive::Fields>& ResultDirectory::checkpoint() const
 {
-  m_state->history.add(record);
+  return m_state->fields;
 }
 
-void ResultDirectory::add(const simulation::Snapshot& snapshot)
+int ResultDirectory::finished_steps() const
 {
-  m_state->result.add_step(snapshot);
+  return m_state->finished_steps();
 }
 
-void ResultDirectory::finish(const simulation::TuggingPlan& plan, const simulation::TuggingSummary& summary,
-                             const RunInfo& info)
+void ResultDirectory::add(const std::vector<NamedNumber>& columns)
 {
-  m_state->result.add_final(summary.final_state);
+  m_state->history.add(history_row(columns));
+}
+
+void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+{
+  m_state->result.add_step(step, columns, snapshot);
+}
+
+void ResultDirectory::add_checkpoint(int step, const Archive::Fields& fields)
+{
+  write_checkpoint(m_state->path / checkpoint_file, step, fields);
+}
+
+void ResultDirectory::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
+                             const std::string& summary)
+{
+  m_state->result.add_final(std::get<int>(last_columns.front().second), last_columns, final_state);
   m_state->result.merge();
-  replace_file(m_state->path / "summary.json", summary_text(m_state->c, plan, summary, info));
-}
-
-void ResultDirectory::stop()
-{
-  m_state->result.merge();
+  replace_file(m_state->path / "summary.json", summary);
+  removed(m_state->path / checkpoint_file);
 }
 
 } // namespace brinell::io

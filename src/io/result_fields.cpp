@@ -84,17 +84,11 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
 
 } // namespace
 
-void write_snapshot(const h5::Handle& group, const simulation::Snapshot& snapshot)
+void write_snapshot(const h5::Handle& group, const std::vector<NamedNumber>& columns,
+                    const simulation::Snapshot& snapshot)
 {
-  const simulation::StepRecord& record = snapshot.record;
-  h5::write_attribute(group, "step", record.step);
-  h5::write_attribute(group, "pass", record.pass);
-  h5::write_attribute(group, "X", record.X);
-  h5::write_attribute(group, "theta", record.theta);
-  h5::write_attribute(group, "interference", record.interference);
-  h5::write_attribute(group, "F_X", record.F_X);
-  h5::write_attribute(group, "F_Y", record.F_Y);
-  h5::write_attribute(group, "F_Z", record.F_Z);
+  for (const auto& column : columns)
+    std::visit([&](auto number) { h5::write_attribute(group, column.first, number); }, column.second);
   write_contact(group, snapshot);
   write_body(group, "lower", snapshot.lower);
   write_body(group, "upper", snapshot.upper);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/io/case_file.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/io/history_csv.hpp"
 #include "xdmf.hpp"
 
 #include <filesystem>
@@ -18,11 +18,12 @@ namespace brinell::io
 class ResultFile
 {
 public:
-  /// Writes an index without steps. @throws IoError (all members)
-  ResultFile(std::filesystem::path folder, const Case& c);
+  /// Writes an index of the first steps that are there already, none in a new folder. @throws IoError (all members)
+  ResultFile(std::filesystem::path folder, const Case& c, int finished_steps);
 
-  void add_step(const simulation::Snapshot& snapshot);
-  void add_final(const simulation::Snapshot& snapshot);
+  void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  /// The state after the last step.
+  void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
   void merge();
 
 private:
@@ -31,16 +32,19 @@ private:
   {
     std::string file;
     std::string group;
+    double time; ///< the step
+    std::vector<XdmfGrid> contact{}, lower{}, upper{};
   };
-  void add(const simulation::Snapshot& snapshot, const Piece& piece, double time);
+  void add(const simulation::Snapshot& snapshot, const std::vector<NamedNumber>& columns, Piece piece);
+  void read_index(int finished_steps);
+  void write_index() const;
+  void require_space() const;
   void write_result(bool linked) const;
   void write_xdmf() const;
 
   std::filesystem::path m_folder;
   std::string m_case_text, m_scenario, m_title;
   std::vector<Piece> m_pieces;
-  std::vector<XdmfTime> m_contact, m_lower, m_upper;
-  double m_last_time = -1.0;
 };
 
 } // namespace brinell::io

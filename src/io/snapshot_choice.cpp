@@ -7,7 +7,45 @@
 namespace brinell::io
 {
 
-bool SnapshotChoice::operator()(const simulation::StepRecord& record)
+/// The next step is not known yet: it is taken to be as long as this one was.
+bool NearestToMiddle::operator()(int pass, double x)
+{
+  const bool first = pass != m_pass;
+  if (first)
+    m_is_stored = false;
+  const double next = x + (x - m_x);
+  const bool nearest = x >= 0.0 || (!first && x > m_x && std::abs(x) <= std::abs(next));
+  m_pass = pass;
+  m_x = x;
+  if (m_is_stored || !nearest)
+    return false;
+  m_is_stored = true;
+  return true;
+}
+
+void NearestToMiddle::exchange(Archive& archive)
+{
+  archive("pass", m_pass);
+  archive("x", m_x);
+  archive("is_stored", m_is_stored);
+}
+
+bool SnapshotChoice::operator()(const simulation::TuggingCase&, const simulation::TuggingRecord& record)
+{
+  return chosen(record.step, m_middle(record.pass, record.X));
+}
+
+bool SnapshotChoice::operator()(const simulation::IndentationCase& c, const simulation::IndentationRecord& record)
+{
+  return chosen(record.step, (record.step + 1) % c.steps == 0);
+}
+
+bool SnapshotChoice::operator()(const simulation::RollingCase&, const simulation::RollingRecord& record)
+{
+  return chosen(record.step, m_middle(record.pass, record.x));
+}
+
+bool SnapshotChoice::chosen(int step, bool is_key_step) const
 {
   using Kind = SnapshotRule::Kind;
   switch (m_rule.kind)
@@ -17,29 +55,13 @@ bool SnapshotChoice::operator()(const simulation::StepRecord& record)
   case Kind::all:
     return true;
   case Kind::every:
-    return record.step % m_rule.every == 0;
+    return step % m_rule.every == 0;
   case Kind::listed:
-    return std::binary_search(m_rule.steps.begin(), m_rule.steps.end(), record.step);
+    return std::binary_search(m_rule.steps.begin(), m_rule.steps.end(), step);
   case Kind::aligned:
-    return nearest_to_alignment(record);
+    return is_key_step;
   }
   return false;
-}
-
-/// The next step is not known yet: it is taken to be as long as this one was.
-bool SnapshotChoice::nearest_to_alignment(const simulation::StepRecord& record)
-{
-  const bool first = record.pass != m_pass;
-  if (first)
-    m_aligned_is_stored = false;
-  const double next_X = record.X + (record.X - m_X);
-  const bool nearest = record.X >= 0.0 || (!first && std::abs(record.X) <= std::abs(next_X));
-  m_pass = record.pass;
-  m_X = record.X;
-  if (m_aligned_is_stored || !nearest)
-    return false;
-  m_aligned_is_stored = true;
-  return true;
 }
 
 } // namespace brinell::io

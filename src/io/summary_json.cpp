@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "summary_json.hpp"
+#include "brinell/io/summary_json.hpp"
 
 #include "brinell/io/versions.hpp"
 #include "value_text.hpp"
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace brinell::io
 {
@@ -14,6 +15,7 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
+using simulation::RunTotals;
 using simulation::TuggingPlan;
 using simulation::TuggingSummary;
 
@@ -36,25 +38,38 @@ Json critical_json(const Case& c)
           {"yields_first", bodies[static_cast<std::size_t>(c.first_yield->body)]}};
 }
 
-Json geometry_json(const simulation::TuggingCase& t, const TuggingPlan& plan)
+constexpr reference::CriticalValues no_scale{.interference = nan, .load = nan, .energy = nan};
+
+/// Units of what is normalised; without first yield every quotient becomes NaN, hence null.
+reference::CriticalValues scale_of(const Case& c)
 {
-  return {{"lower_radius_m", t.lower.radius},
-          {"upper_radius_m", t.upper.radius},
-          {"equivalent_radius_m", equivalent_radius(t)},
-          {"contact_modulus_Pa", contact_modulus(t)},
-          {"interference_m", t.interference},
-          {"start_distance_m", plan.start_distance}};
+  return c.first_yield ? c.first_yield->critical : no_scale;
+}
+
+Json geometry_json(const Case& c)
+{
+  Json json = {{"equivalent_radius_m", nullptr}, {"contact_modulus_Pa", c.contact_modulus}};
+  if (c.equivalent_radius)
+    json["equivalent_radius_m"] = *c.equivalent_radius;
+  return json;
+}
+
+Json tugging_geometry_json(const Case& c, const TuggingPlan& plan)
+{
+  const auto& t = std::get<simulation::TuggingCase>(c.scenario);
+  Json json = {{"lower_radius_m", t.lower.radius}, {"upper_radius_m", t.upper.radius}};
+  json.update(geometry_json(c));
+  json["interference_m"] = t.interference;
+  json["start_distance_m"] = plan.start_distance;
+  return json;
 }
 
 Json normalised_json(const Case& c, const TuggingSummary& s)
 {
-  // Without first yield every quotient becomes NaN, hence null.
-  const reference::CriticalValues scale =
-      c.first_yield ? c.first_yield->critical
-                    : reference::CriticalValues{.interference = nan, .load = nan, .energy = nan};
-  return {{"interference", c.tugging.interference / scale.interference},
+  const reference::CriticalValues scale = scale_of(c);
+  return {{"interference", std::get<simulation::TuggingCase>(c.scenario).interference / scale.interference},
           {"peak_F_X", s.peak_F_X / scale.load},
-          {"X_over_R_at_peak_F_X", s.X_at_peak_F_X / equivalent_radius(c.tugging)},
+          {"X_over_R_at_peak_F_X", s.X_at_peak_F_X / c.equivalent_radius.value_or(nan)},
           {"min_F_X", s.min_F_X / scale.load},
           {"peak_F_Z", s.peak_F_Z / scale.load},
           {"F_X_aligned", s.F_X_aligned / scale.load},
@@ -74,13 +89,13 @@ Json forces_json(const TuggingSummary& s)
           {"peak_F_Z_N", s.peak_F_Z}, {"F_X_aligned_N", s.F_X_aligned},     {"F_Z_aligned_N", s.F_Z_aligned}};
 }
 
-Json energy_json(const TuggingSummary& s)
+Json energy_json(const RunTotals& s)
 {
   return {{"net_J", s.work},
-          {"work_to_alignment_J", s.work_to_alignment},
           {"dissipation_lower_J", s.dissipation_lower},
           {"dissipation_upper_J", s.dissipation_upper},
           {"residual_J", s.energy_residual},
+          {"elastic_J", s.energy_elastic},
           {"balance_error", s.energy_balance_error}};
 }
 
@@ -89,13 +104,19 @@ Json cells(const VolumeGrid& grid)
   return Json::array({grid.surface.nx, grid.surface.ny, grid.nz});
 }
 
-Json grid_json(const TuggingPlan& plan)
+Json residual_json(const RunTotals& s)
+{
+  return {{"max_lower_m", s.max_residual_lower},
+          {"max_upper_m", s.max_residual_upper},
+          {"max_equivalent_plastic_strain", s.max_equivalent_plastic_strain}};
+}
+
+Json grid_json(const simulation::Plan& plan)
 {
   return {{"spacing_m", Json::array({plan.contact.dx, plan.contact.dy, plan.lower.dz})},
           {"contact_cells", Json::array({plan.contact.nx, plan.contact.ny})},
           {"lower_cells", cells(plan.lower)},
           {"upper_cells", cells(plan.upper)},
-          {"shift_m", plan.shift},
           {"memory_bytes", plan.memory_bytes}};
 }
 
@@ -124,9 +145,8 @@ Json case_json(const CaseValues& values)
   return root;
 }
 
-} // namespace
-
-std::string summary_text(const Case& c, const TuggingPlan& plan, const TuggingSummary& s, const RunInfo& info)
+/// What every summary begins with.
+Json head_json(const Case& c)
 {
   Json json;
   json["format"] = "brinell-summary";
@@ -135,15 +155,14 @@ std::string summary_text(const Case& c, const TuggingPlan& plan, const TuggingSu
   json["scenario"] = c.values.get<std::string>("scenario");
   json["title"] = c.title;
   json["critical"] = critical_json(c);
-  json["geometry"] = geometry_json(c.tugging, plan);
-  json["normalised"] = normalised_json(c, s);
-  json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
-  json["forces"] = forces_json(s);
-  json["energy"] = energy_json(s);
-  json["residual"] = {{"max_lower_m", s.max_residual_lower},
-                      {"max_upper_m", s.max_residual_upper},
-                      {"max_equivalent_plastic_strain", s.max_equivalent_plastic_strain}};
-  json["grid"] = grid_json(plan);
+  return json;
+}
+
+/// What every summary ends with, and its text.
+std::string finished(Json json, const Case& c, const simulation::Plan& plan, const RunTotals& s, const RunInfo& info)
+{
+  const Json grid = grid_json(plan);
+  json["grid"].update(grid);
   json["run"] = {{"steps", s.steps},
                  {"iterations", s.iterations},
                  {"split_increments", s.split_increments},
@@ -153,6 +172,103 @@ std::string summary_text(const Case& c, const TuggingPlan& plan, const TuggingSu
   json["case"] = case_json(c.values);
   // Titles come from files in any encoding: a bad byte must not cost a finished run its summary.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json indent_json(const simulation::Indent& i)
+{
+  return {{"place", i.place},
+          {"cycle", i.cycle},
+          {"x_m", i.x},
+          {"max_load_N", i.max_load},
+          {"max_approach_m", i.max_approach},
+          {"contact_area_m2", i.contact_area},
+          {"hardness_Pa", i.hardness},
+          {"loading_stiffness_N_per_m", i.loading_stiffness},
+          {"unloading_stiffness_N_per_m", i.unloading_stiffness},
+          {"final_approach_m", i.final_approach},
+          {"residual_depth_m", i.residual_depth},
+          {"pile_up_m", i.pile_up},
+          {"work_J", i.work}};
+}
+
+Json normalised_indent_json(const Case& c, const simulation::Indent& i)
+{
+  const reference::CriticalValues scale = scale_of(c);
+  const double critical_area = std::numbers::pi * scale.contact_radius * scale.contact_radius;
+  return {{"max_load", i.max_load / scale.load},
+          {"max_approach", i.max_approach / scale.interference},
+          {"contact_area", c.first_yield ? i.contact_area / critical_area : nan},
+          {"final_approach", i.final_approach / scale.interference},
+          {"residual_depth", i.residual_depth / scale.interference},
+          {"work", i.work / scale.energy}};
+}
+
+Json pass_json(const simulation::RollingPass& p)
+{
+  return {{"rut_depth_m", p.rut_depth},
+          {"shoulder_height_m", p.shoulder_height},
+          {"max_equivalent_plastic_strain", p.max_equivalent_plastic_strain},
+          {"track_plastic_strain", p.track_plastic_strain},
+          {"track_plastic_increment", p.track_plastic_increment},
+          {"dissipation_J", p.dissipation},
+          {"resistance_N", p.resistance},
+          {"max_pressure_Pa", p.max_pressure}};
+}
+
+} // namespace
+
+std::string summary_text(const Case& c, const TuggingPlan& plan, const TuggingSummary& s, const RunInfo& info)
+{
+  Json json = head_json(c);
+  json["geometry"] = tugging_geometry_json(c, plan);
+  json["normalised"] = normalised_json(c, s);
+  json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
+  json["forces"] = forces_json(s);
+  json["energy"] = energy_json(s);
+  json["energy"]["work_to_alignment_J"] = s.work_to_alignment;
+  json["residual"] = residual_json(s);
+  json["grid"]["shift_m"] = plan.shift;
+  return finished(std::move(json), c, plan, s, info);
+}
+
+std::string summary_text(const Case& c, const simulation::IndentationPlan& plan,
+                         const simulation::IndentationSummary& s, const RunInfo& info)
+{
+  Json json = head_json(c);
+  json["geometry"] = geometry_json(c);
+  json["geometry"]["estimated_contact_radius_m"] = plan.contact_radius;
+  json["indents"] = Json::array();
+  json["normalised"] = Json::array();
+  for (const simulation::Indent& indent : s.indents)
+  {
+    json["indents"].push_back(indent_json(indent));
+    json["normalised"].push_back(normalised_indent_json(c, indent));
+  }
+  json["energy"] = energy_json(s);
+  json["residual"] = residual_json(s);
+  return finished(std::move(json), c, plan, s, info);
+}
+
+std::string summary_text(const Case& c, const simulation::RollingPlan& plan, const simulation::RollingSummary& s,
+                         const RunInfo& info)
+{
+  Json json = head_json(c);
+  json["geometry"] = geometry_json(c);
+  json["geometry"]["estimated_half_width_x_m"] = plan.half_width_x;
+  json["geometry"]["estimated_half_width_y_m"] = plan.half_width_y;
+  const auto& drive = std::get<simulation::RollingCase>(c.scenario).drive;
+  json["drive"] = {{drive.kind == contact::Drive::Kind::load ? "load_N" : "approach_m", drive.value}};
+  json["passes"] = Json::array();
+  for (const simulation::RollingPass& pass : s.passes)
+    json["passes"].push_back(pass_json(pass));
+  json["profile"] = {{"depth_m", s.profile.depth},
+                     {"residual_xx_Pa", s.profile.residual_xx},
+                     {"residual_yy_Pa", s.profile.residual_yy},
+                     {"equivalent_plastic_strain", s.profile.equivalent_plastic_strain}};
+  json["energy"] = energy_json(s);
+  json["residual"] = residual_json(s);
+  json["grid"]["shift_m"] = plan.shift;
+  return finished(std::move(json), c, plan, s, info);
 }
 
 } // namespace brinell::io

@@ -69,29 +69,29 @@ std::int64_t integer(const Raw& raw, const Entry& entry)
   return *i;
 }
 
-std::vector<double> numbers(const Raw& raw, const Entry& entry)
+std::vector<double> numbers(const Raw& raw, const Entry& entry, bool pure)
 {
   const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
   if (!items)
-    throw wrong_type(raw, entry, false);
+    throw wrong_type(raw, entry, pure);
   std::vector<double> result;
   for (const Raw& item : *items)
     try
     {
-      result.push_back(number(item, entry, false));
+      result.push_back(number(item, entry, pure));
     }
     catch (const InputError& error)
     {
       throw InputError(fmt::format("has the element {}, which {}", shown(item), error.what()));
     }
   if (result.empty() || (entry.type == Type::vector3 && result.size() != 3))
-    throw InputError(fmt::format("has {} elements; {}", result.size(), allowed(entry, false)));
+    throw InputError(fmt::format("has {} elements; {}", result.size(), allowed(entry, pure)));
   return result;
 }
 
 Vector3 vector3(const Raw& raw, const Entry& entry)
 {
-  const std::vector<double> items = numbers(raw, entry);
+  const std::vector<double> items = numbers(raw, entry, false);
   return {items[0], items[1], items[2]};
 }
 
@@ -169,7 +169,7 @@ Value converted(const Raw& raw, const Entry& entry, bool pure)
   case Type::vector3:
     return vector3(raw, entry);
   case Type::numbers:
-    return numbers(raw, entry);
+    return numbers(raw, entry, pure);
   case Type::snapshots:
     return snapshot_rule(raw, entry);
   }

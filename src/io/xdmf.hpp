@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/scenario.hpp"
 
 #include <string>
 #include <vector>

@@ -53,4 +53,20 @@ Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure,
   return f;
 }
 
+double rolling_resistance(const SurfaceGrid& grid, std::span<const double> pressure,
+                          std::span<const double> lower_depth, std::span<const double> upper_depth, double upper_share)
+{
+  double force = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+    {
+      const int n = i + grid.nx * j;
+      const double p = pressure[static_cast<std::size_t>(n)] * grid.cell_area();
+      if (p != 0.0)
+        force -= p * (slope(lower_depth, n, 1, i, grid.nx, grid.dx) +
+                      upper_share * slope(upper_depth, n, 1, i, grid.nx, grid.dx));
+    }
+  return force;
+}
+
 } // namespace brinell::simulation

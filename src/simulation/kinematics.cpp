@@ -6,7 +6,7 @@
 namespace brinell::simulation
 {
 
-Passing::Passing(double radius_lower, double radius_upper, double interference, int cells, double dx,
+Passing::Passing(double radius_lower, double radius_upper, double interference, double cells, double dx,
                  Kinematics kinematics)
     : r1_(radius_lower), r2_(radius_upper), omega_(r1_ + r2_ - interference), dx_(dx),
       d0_(std::sqrt((r1_ + r2_) * (r1_ + r2_) - omega_ * omega_)), theta0_(std::atan2(d0_, omega_)), cells_(cells),
@@ -23,7 +23,18 @@ Passing::Passing(double radius_lower, double radius_upper, double interference, 
     ++count_;
 }
 
-Position Passing::at(int index, int columns, double X) const
+void Position::exchange(Archive& archive)
+{
+  archive("index", index);
+  archive("columns", columns);
+  archive("X", X);
+  archive("theta", theta);
+  archive("interference", interference);
+  archive("arc_lower", arc_lower);
+  archive("arc_upper", arc_upper);
+}
+
+Position Passing::at(int index, double columns, double X) const
 {
   const double first_arc = kinematics_ == Kinematics::exact ? 0.0 : -theta0_ * (r1_ + r2_);
   const double arc = first_arc + columns * dx_;
@@ -52,7 +63,7 @@ Position Passing::next(const Position& p) const
   return within_step(p, cells_);
 }
 
-Position Passing::within_step(const Position& p, int columns) const
+Position Passing::within_step(const Position& p, double columns) const
 {
   // Eq. 9 with 2 Delta the arc moved on both bodies together.
   const double X = p.X + omega_ * std::atan(columns * dx_ / std::hypot(omega_, p.X));

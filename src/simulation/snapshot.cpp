@@ -29,50 +29,32 @@ std::array<std::vector<double>, 6> expand(const std::vector<double>& deviator, c
   return out;
 }
 
-BodySnapshot body_snapshot(const elastoplastic::Body& body, const SurfaceGrid& contact,
-                           std::span<const double> pressure, int offset, double origin, double contact_x)
+} // namespace
+
+BodySnapshot body_snapshot(const elastoplastic::CoupledContact& pair, const elastoplastic::Body& body,
+                           const elastoplastic::Place& place, double origin, double contact_x)
 {
   BodySnapshot s;
   s.grid = body.grid();
   s.x0 = origin;
   s.y0 = -0.5 * (s.grid.surface.ny - 1) * s.grid.surface.dy;
   s.contact_x = contact_x;
+  if (!body.shared_half_space()) // rigid
+    return s;
   s.equivalent_plastic_strain = body.state().equivalent;
   s.residual_displacement = body.state().residual_displacement;
-
-  std::vector<double> on_body(s.grid.surface.size(), 0.0);
-  for (int j = 0; j < contact.ny; ++j)
-    for (int i = 0; i < contact.nx; ++i)
-      if (const int column = i + offset; column >= 0 && column < s.grid.surface.nx)
-        on_body[static_cast<std::size_t>(column + s.grid.surface.nx * j)] =
-            pressure[static_cast<std::size_t>(i + contact.nx * j)];
+  std::vector<double> pressure;
+  pair.spread_pressure(body, place, pressure);
   std::vector<double> deviator(Deviator::size * s.grid.size());
   std::vector<double> trace(s.grid.size(), 0.0);
   s.plastic_strain = expand(body.state().plastic_strain, trace);
-  halfspace::HalfSpace::Work work = body.half_space().make_work();
-  body.half_space().full_stress(on_body, body.state().plastic_strain, work, deviator, trace);
+  const halfspace::HalfSpace& half_space = *body.shared_half_space();
+  halfspace::HalfSpace::Work work = half_space.make_work();
+  half_space.full_stress(pressure, body.state().plastic_strain, work, deviator, trace);
   body.add_initial_stress(s.grid.nz, deviator);
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * body.initial_stress()[i / s.grid.surface.size()];
   s.stress = expand(deviator, trace);
-  return s;
-}
-
-} // namespace
-
-Snapshot snapshot(const elastoplastic::CoupledContact& pair, const Frame& frame, const StepRecord& record)
-{
-  Snapshot s;
-  s.record = record;
-  s.contact = pair.grid();
-  s.x0 = frame.x0;
-  s.y0 = -0.5 * (s.contact.ny - 1) * s.contact.dy;
-  s.pressure.assign(pair.pressure().begin(), pair.pressure().end());
-  s.gap.assign(pair.gap().begin(), pair.gap().end());
-  s.lower = body_snapshot(pair.lower(), s.contact, pair.pressure(), frame.placement.lower, frame.lower_origin,
-                          frame.position.arc_lower);
-  s.upper = body_snapshot(pair.upper(), s.contact, pair.pressure(), frame.placement.upper, frame.upper_origin,
-                          frame.position.arc_upper);
   return s;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/tugging.hpp"
 
-#include "brinell/elastoplastic/increment.hpp"
-#include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
-#include "plan.hpp"
-#include "snapshot.hpp"
-#include "summary.hpp"
+#include "records.hpp"
+#include "stepper.hpp"
+#include "tugging_plan.hpp"
+#include "tugging_summary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,211 +17,113 @@ namespace brinell::simulation
 namespace
 {
 
-using elastoplastic::Body;
-using elastoplastic::CoupledContact;
-using elastoplastic::IncrementReport;
-using elastoplastic::Integration;
-
 /// The two bodies, the motion, and the sums kept over a run.
 class Tugging
 {
 public:
-  Tugging(const TuggingCase& tugging, const TuggingObserver& observer)
+  Tugging(const TuggingCase& tugging, const Observer<TuggingRecord>& observer)
       : case_(tugging), observer_(observer), plan_(plan(tugging)), cells_(relative_cells(tugging, plan_.contact.dx)),
         passing_(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells_, plan_.contact.dx,
                  tugging.kinematics),
-        pair_(plan_.contact, plan_.lower, plan_.upper, tugging.lower.material, tugging.upper.material,
-              {yield_interference(tugging), tugging.interference}, tugging.solver, plan_.mirrored),
-        rigid_gap_(plan_.contact.size()), lower_residual_(plan_.contact.size()), upper_residual_(plan_.contact.size())
+        lattice_(plan_, passing_.start(0).arc_lower, passing_.start(0).arc_upper),
+        stepper_(plan_, {tugging.lower.material, tugging.upper.material,
+                         [curvature = 0.5 * (1.0 / tugging.lower.radius + 1.0 / tugging.upper.radius)](
+                             double x, double y) { return curvature * (x * x + y * y); },
+                         tugging.solver})
   {
   }
 
-  TuggingSummary run()
+  TuggingSummary run(const Archive::Fields* checkpoint)
   {
-    for (int pass = 0; pass < case_.passes; ++pass)
-      run_pass(pass);
+    if (checkpoint)
+    {
+      Archive archive(*checkpoint);
+      exchange(archive);
+    }
+    while (pass_ < case_.passes)
+      step();
     TuggingSummary result = summary_.result();
-    result.split_increments = split_increments_;
-    result.final_state = snapshot(pair_, frame(last_), summary_.last());
+    result.split_increments = stepper_.split_increments();
+    result.final_state = snapshot();
     return result;
   }
 
 private:
-  /// Contact grid relative to the bodies at one position.
-  Frame frame(const Position& p) const
+  [[nodiscard]] Frame frame(const Position& p) const { return lattice_.frame(p.arc_lower, p.arc_upper); }
+
+  [[nodiscard]] Target target(const Position& p) const
   {
-    const double dx = plan_.contact.dx;
-    Frame f;
-    f.position = p;
-    const int lower_zero = (plan_.lower.surface.nx - 1) / 2;
-    const int upper_zero = (plan_.upper.surface.nx - 1) / 2;
-    const int half = (plan_.contact.nx - 1) / 2;
-    // Lower column of the contact's central cell; the centre of contact is at most half a cell away from it.
-    const int centre = static_cast<int>(std::lround(p.arc_lower / dx));
-    f.placement.lower = centre - half + lower_zero;
-    f.x0 = (centre - half) * dx - p.arc_lower;
-    // The grids of both bodies coincide cell by cell; their relative column changes by whole cells only.
-    const Position start = passing_.start(0);
-    const int start_columns = static_cast<int>(std::lround((start.arc_lower - start.arc_upper) / dx));
-    const int columns = start_columns + p.columns - start.columns;
-    f.placement.upper = centre - columns - half + upper_zero;
-    f.upper_origin = f.x0 - (f.placement.upper) * dx + p.arc_upper;
-    f.lower_origin = -lower_zero * dx;
-    return f;
+    return {frame(p), {contact::Drive::Kind::approach, p.interference}};
   }
 
-  void fill_rigid_gap(const Frame& f)
+  [[nodiscard]] Snapshot snapshot() const
   {
-    const SurfaceGrid& g = plan_.contact;
-    const double curvature = 0.5 * (1.0 / case_.lower.radius + 1.0 / case_.upper.radius);
-    for (int j = 0; j < g.ny; ++j)
-      for (int i = 0; i < g.nx; ++i)
-      {
-        const double x = f.x0 + i * g.dx;
-        const double y = (j - 0.5 * (g.ny - 1)) * g.dy;
-        rigid_gap_[static_cast<std::size_t>(i + g.nx * j)] = curvature * (x * x + y * y) - f.position.interference;
-      }
+    return stepper_.snapshot(lattice_, frame(position_), position_.arc_lower, position_.arc_upper);
   }
 
-  void run_pass(int pass)
+  /// From one position to the next; the first one of a pass comes from nowhere.
+  void step()
   {
-    Position position = first_position();
-    // The first position of a pass has no contact; from there until rigid spheres part, and on while pressure remains.
-    const int steps = (passing_.start(0).index - position.index) + passing_.step_count();
-    for (int step = 0;; ++step)
+    const bool first = step_in_pass_ == 0;
+    const Position to = first ? first_position() : passing_.next(position_);
+    if (first) // until rigid spheres part; then on while pressure remains
+      steps_in_pass_ = (passing_.start(0).index - to.index) + passing_.step_count();
+    const bool whole = cells_ == std::round(cells_);
+    const auto path = [&](double t)
     {
-      const int evaluations = solve(step == 0 ? position : last_, position, pass);
-      record(position, pass, evaluations, steps);
-      check_extent("lower", pair_.lower());
-      check_extent("upper", pair_.upper());
-      last_ = position;
-      const bool touching =
-          std::any_of(pair_.pressure().begin(), pair_.pressure().end(), [](double p) { return p > 0.0; });
-      if (step >= steps && !touching)
-        break;
-      position = passing_.next(position);
+      const double columns = t * cells_;
+      return target(first || t == 1.0 ? to : passing_.within_step(position_, whole ? std::round(columns) : columns));
+    };
+    const int evaluations =
+        stepper_.advance(path, first ? 1.0 : 1.0 / cells_, fmt::format("pass {}, X = {:g} m", pass_ + 1, to.X));
+    position_ = to;
+    record(evaluations);
+    const int step_count = case_.passes * (steps_in_pass_ + 1);
+    if (step_in_pass_ >= steps_in_pass_ && !stepper_.touching())
+    {
+      extra_steps_ = std::max(extra_steps_, position_.index - passing_.start(0).index - passing_.step_count());
+      step_in_pass_ = 0;
+      ++pass_;
     }
-    extra_steps_ = std::max(extra_steps_, last_.index - passing_.start(0).index - passing_.step_count());
-  }
-
-  /// Plastic strain that would spread beyond the grid is lost: better no result than that one.
-  static void check_extent(const char* name, const Body& body)
-  {
-    constexpr double tolerated = 0.02;
-    const Body::EdgeStrain edge = body.edge_strain();
-    for (const auto& [share, where] :
-         {std::pair{edge.ends, "end, along x,"}, {edge.sides, "side, along y,"}, {edge.bottom, "bottom"}})
-      if (share > tolerated)
-        throw InputError(fmt::format(
-            "the plastic zone of the {} body has reached the {} of its grid ({:.0f} % of the largest plastic "
-            "strain there): enlarge it by grid.extent. All steps so far are kept",
-            name, where, 100.0 * share));
+    else
+      ++step_in_pass_;
+    report(
+        observer_, summary_.last(), step_count, [&] { return snapshot(); },
+        [&]
+        {
+          Archive archive;
+          exchange(archive);
+          return archive.fields();
+        });
   }
 
   /// Far enough back that the surfaces, with what earlier passes left on them, do not touch yet.
   Position first_position()
   {
+    constexpr int most = 1000;
     for (int before = extra_steps_;; ++before)
     {
       const Position p = passing_.start(before);
-      const Frame f = frame(p);
-      fill_rigid_gap(f);
-      gather_residual(f);
-      double smallest = 1.0;
-      for (std::size_t i = 0; i < rigid_gap_.size(); ++i)
-        smallest = std::min(smallest, rigid_gap_[i] + lower_residual_[i] + upper_residual_[i]);
-      if (smallest >= 0.0 || before > extra_steps_ + 1000)
+      if (stepper_.clearance(frame(p)) >= p.interference || before > extra_steps_ + most)
         return p;
     }
   }
 
-  void gather_residual(const Frame& f)
+  void record(int evaluations)
   {
-    pair_.gather(pair_.lower(), f.placement.lower, pair_.lower().state().residual_displacement, lower_residual_);
-    pair_.gather(pair_.upper(), f.placement.upper, pair_.upper().state().residual_displacement, upper_residual_);
-  }
-
-  /// One step from the last position. If it does not converge whole, it is split into moves of one cell; a move that
-  /// still does not is solved by the plain fixed point of the convex problem, watched by its energy.
-  int solve(const Position& from, const Position& to, int pass)
-  {
-    int evaluations = 0;
-    if (attempt(to, evaluations))
-      return evaluations;
-    ++split_increments_;
-    const int columns = std::max(1, to.columns - from.columns); // the first position of a pass comes from nowhere
-    for (int c = 1; c <= columns; ++c)
-    {
-      const Position position = c == columns ? to : passing_.within_step(from, c);
-      if (!(columns > 1 && attempt(position, evaluations)))
-        solve_guarded(position, pass, evaluations);
-    }
-    return evaluations;
-  }
-
-  /// Accelerated: first with a cell's own stiffness, then with that which bounds all.
-  bool attempt(const Position& position, int& evaluations)
-  {
-    const elastoplastic::Settings& s = case_.solver;
-    const Frame f = frame(position);
-    fill_rigid_gap(f);
-    for (const double share : {0.6, 1.0})
-    {
-      const IncrementReport report =
-          pair_.advance(rigid_gap_, f.placement, {s.integration, s.max_iterations, s.anderson_depth, share, false});
-      evaluations += report.evaluations;
-      if (report.converged)
-        return true;
-    }
-    return false;
-  }
-
-  void solve_guarded(const Position& position, int pass, int& evaluations)
-  {
-    const elastoplastic::Settings& s = case_.solver;
-    const Frame f = frame(position);
-    fill_rigid_gap(f);
-    IncrementReport report;
-    constexpr int patience = 20; // the plain fixed point is slow, but it descends
-    const bool has_energy = case_.lower.material.kinematic.empty() && case_.upper.material.kinematic.empty();
-    for (const double share : {1.0, 2.0, 4.0})
-    {
-      report = pair_.advance(rigid_gap_, f.placement,
-                             {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy});
-      evaluations += report.evaluations;
-      if (report.converged)
-        return;
-      if (has_energy && !report.energy_rose)
-        break;
-    }
-    throw ConvergenceError(fmt::format(
-        "pass {}, X = {:g} m: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), "
-        "change of displacement {:.2e} m, contact gap {:.2e} m. All earlier steps are kept. A smaller tugging.shift "
-        "or a larger solver.max_iterations may help",
-        pass + 1, position.X, evaluations, report.yield_error, s.yield_tolerance, report.displacement_error,
-        report.gap_error));
-  }
-
-  void record(const Position& position, int pass, int evaluations, int steps_per_pass)
-  {
-    const Frame f = frame(position);
-    gather_residual(f);
+    const Position& p = position_;
     const double sum = case_.lower.radius + case_.upper.radius;
+    const Stepper::Depths& depths = stepper_.depths(frame(p));
     const Forces forces =
-        project_forces(plan_.contact, pair_.pressure(), position.theta, {lower_residual_, case_.lower.radius / sum},
-                       {upper_residual_, case_.upper.radius / sum});
-    StepRecord r;
-    r.step = step_++;
-    r.pass = pass;
-    r.X = position.X;
-    r.theta = position.theta;
-    r.interference = position.interference;
-    for (const double p : pair_.pressure())
-    {
-      r.contact_area += p > 0.0 ? plan_.contact.cell_area() : 0.0;
-      r.max_pressure = std::max(r.max_pressure, p);
-    }
-    r.F_n = forces.F_n;
+        project_forces(plan_.contact, stepper_.pair().pressure(), p.theta, {depths.lower, case_.lower.radius / sum},
+                       {depths.upper, case_.upper.radius / sum});
+    TuggingRecord r;
+    stepper_.fill(r);
+    r.step = summary_.steps();
+    r.pass = pass_;
+    r.X = p.X;
+    r.theta = p.theta;
+    r.interference = p.interference;
     r.F_X = forces.F_X;
     r.F_Y = forces.F_Y;
     r.F_Z = forces.F_Z;
@@ -230,43 +131,40 @@ private:
     r.F_Z_macro = forces.F_Z_macro;
     r.F_X_lower = forces.F_X_lower;
     r.F_X_upper = forces.F_X_upper;
-    const auto& lower = pair_.lower().state();
-    const auto& upper = pair_.upper().state();
-    r.dissipation_lower = lower.dissipation;
-    r.dissipation_upper = upper.dissipation;
-    r.energy_residual = lower.locked_in_energy + upper.locked_in_energy;
-    r.energy_elastic = pair_.elastic_energy();
-    r.max_residual_lower = *std::max_element(lower.residual_displacement.begin(), lower.residual_displacement.end());
-    r.max_residual_upper = *std::max_element(upper.residual_displacement.begin(), upper.residual_displacement.end());
-    r.max_equivalent_plastic_strain = std::max(*std::max_element(lower.equivalent.begin(), lower.equivalent.end()),
-                                               *std::max_element(upper.equivalent.begin(), upper.equivalent.end()));
     r.iterations = evaluations;
     summary_.add(r); // sets the work
-    if (observer_.on_step)
-      observer_.on_step(summary_.last(), case_.passes * (steps_per_pass + 1));
-    if (observer_.wants_snapshot && observer_.on_snapshot && observer_.wants_snapshot(summary_.last()))
-      observer_.on_snapshot(snapshot(pair_, f, summary_.last()));
+  }
+
+  void exchange(Archive& archive)
+  {
+    archive("stepper", stepper_);
+    archive("summary", summary_);
+    archive("position", position_);
+    archive("pass", pass_);
+    archive("step_in_pass", step_in_pass_);
+    archive("steps_in_pass", steps_in_pass_);
+    archive("extra_steps", extra_steps_);
   }
 
   const TuggingCase& case_;
-  const TuggingObserver& observer_;
+  const Observer<TuggingRecord>& observer_;
   TuggingPlan plan_;
-  int cells_;
+  double cells_; ///< by which the bodies move against each other per step
   Passing passing_;
-  CoupledContact pair_;
-  std::vector<double> rigid_gap_, lower_residual_, upper_residual_;
+  Lattice lattice_;
+  Stepper stepper_;
   Summariser summary_;
-  Position last_;
-  int step_ = 0;
-  int extra_steps_ = 0;
-  int split_increments_ = 0;
+  Position position_; ///< of the last step
+  int pass_ = 0, step_in_pass_ = 0, steps_in_pass_ = 0;
+  int extra_steps_ = 0; ///< by which earlier passes lasted longer than that of rigid spheres
 };
 
 } // namespace
 
-TuggingSummary run(const TuggingCase& tugging, const TuggingObserver& observer)
+TuggingSummary run(const TuggingCase& tugging, const Observer<TuggingRecord>& observer,
+                   const Archive::Fields* checkpoint)
 {
-  return Tugging(tugging, observer).run();
+  return Tugging(tugging, observer).run(checkpoint);
 }
 
 } // namespace brinell::simulation

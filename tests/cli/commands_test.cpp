@@ -131,7 +131,7 @@ TEST_F(Interruption, EndsAfterTheStep)
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_NE(outcome.err.find("the finished steps are in out"), std::string::npos) << outcome.err;
   expect_finished_steps();
-  EXPECT_FALSE(fs::exists(folder() / "out" / "snapshots")) << "merged into result.h5";
+  EXPECT_TRUE(fs::exists(folder() / "out" / "checkpoint.h5")) << "to go on from";
 }
 
 TEST_F(Interruption, KilledRunKeepsItsSteps)

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -34,7 +35,8 @@ struct Outcome
 class Process
 {
 public:
-  Process(const fs::path& folder, const std::vector<std::string>& arguments)
+  /// @param largest_file  [bytes], as if the disk were full then; 0: no limit
+  Process(const fs::path& folder, const std::vector<std::string>& arguments, rlim_t largest_file = 0)
       : m_out(folder / "stdout"), m_err(folder / "stderr")
   {
     m_pid = fork();
@@ -42,6 +44,12 @@ public:
       return;
     if (!freopen(m_out.c_str(), "w", stdout) || !freopen(m_err.c_str(), "w", stderr) || chdir(folder.c_str()) != 0)
       _exit(127);
+    if (largest_file > 0)
+    {
+      const rlimit limit{largest_file, largest_file};
+      std::signal(SIGXFSZ, SIG_IGN); // writing fails, the process goes on
+      setrlimit(RLIMIT_FSIZE, &limit);
+    }
     std::vector<char*> argv{const_cast<char*>(BRINELL_PROGRAM)};
     for (const auto& argument : arguments)
       argv.push_back(const_cast<char*>(argument.c_str()));
@@ -81,9 +89,7 @@ class Program : public testing::Test
 protected:
   void SetUp() override
   {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    m_folder =
-        fs::temp_directory_path() / (std::string("brinell-cli-") + test->name() + "-" + std::to_string(getpid()));
+    m_folder = fs::temp_directory_path() / (std::string("brinell-cli-") + std::to_string(getpid()));
     fs::remove_all(m_folder);
     fs::create_directories(m_folder);
   }

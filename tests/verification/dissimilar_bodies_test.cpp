@@ -14,8 +14,8 @@ namespace brinell::verification
 namespace
 {
 
-using simulation::StepRecord;
 using simulation::TuggingCase;
+using simulation::TuggingRecord;
 
 TuggingCase swapped(TuggingCase t)
 {
@@ -44,17 +44,19 @@ TEST_P(DissimilarBodies, SwappingThemMirrorsTheResult)
   const std::string pair = std::string(GetParam().name) + ": ";
   // The two runs are one problem seen from either side, cell by cell. What remains is the tolerance of the iteration:
   // 1e-4 of the yield stress in a cell, at most as much in a sum, added up over the steps.
-  const auto same = [&](const char* what, double StepRecord::*a, double StepRecord::*b)
+  const auto same = [&](const char* what, double TuggingRecord::*a, double TuggingRecord::*b)
   { test::expect_close(pair + what, difference(run, a, mirror, b), 0.0, 1e-3, "exact: symmetry"); };
-  same("F_X, swapped", &StepRecord::F_X, &StepRecord::F_X);
-  same("F_Z, swapped", &StepRecord::F_Z, &StepRecord::F_Z);
-  same("F_n, swapped", &StepRecord::F_n, &StepRecord::F_n);
-  same("work, swapped", &StepRecord::work, &StepRecord::work);
-  same("dissipation of the lower, swapped", &StepRecord::dissipation_lower, &StepRecord::dissipation_upper);
-  same("dissipation of the upper, swapped", &StepRecord::dissipation_upper, &StepRecord::dissipation_lower);
-  same("residual displacement of the lower, swapped", &StepRecord::max_residual_lower, &StepRecord::max_residual_upper);
-  same("residual displacement of the upper, swapped", &StepRecord::max_residual_upper, &StepRecord::max_residual_lower);
-  same("locked-in energy, swapped", &StepRecord::energy_residual, &StepRecord::energy_residual);
+  same("F_X, swapped", &TuggingRecord::F_X, &TuggingRecord::F_X);
+  same("F_Z, swapped", &TuggingRecord::F_Z, &TuggingRecord::F_Z);
+  same("F_n, swapped", &TuggingRecord::F_n, &TuggingRecord::F_n);
+  same("work, swapped", &TuggingRecord::work, &TuggingRecord::work);
+  same("dissipation of the lower, swapped", &TuggingRecord::dissipation_lower, &TuggingRecord::dissipation_upper);
+  same("dissipation of the upper, swapped", &TuggingRecord::dissipation_upper, &TuggingRecord::dissipation_lower);
+  same("residual displacement of the lower, swapped", &TuggingRecord::max_residual_lower,
+       &TuggingRecord::max_residual_upper);
+  same("residual displacement of the upper, swapped", &TuggingRecord::max_residual_upper,
+       &TuggingRecord::max_residual_lower);
+  same("locked-in energy, swapped", &TuggingRecord::energy_residual, &TuggingRecord::energy_residual);
   // Coarse cells: the edge's error, first order in the cell at worst.
   test::expect_close(pair + "energy balance over the largest work", run.summary.energy_balance_error, 0.0,
                      slow_build ? 0.1 : 0.05, "exact: conservation of energy");
@@ -100,8 +102,8 @@ TEST(RepeatedPasses, LoseLessAndKeepTheWholeTrack)
   for (int pass = 0; pass < t.passes; ++pass)
   {
     const auto n = static_cast<std::size_t>(pass);
-    const StepRecord* last = nullptr;
-    for (const StepRecord& r : run.history)
+    const TuggingRecord* last = nullptr;
+    for (const TuggingRecord& r : run.history)
       if (r.pass == pass)
       {
         last = &r;

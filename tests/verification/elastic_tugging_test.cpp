@@ -38,7 +38,7 @@ template <typename Force>
 double largest_error(const TuggingRun& run, const reference::ElasticTugging& exact, Force force)
 {
   double error = 0.0, size = 0.0;
-  for (const simulation::StepRecord& r : run.history)
+  for (const simulation::TuggingRecord& r : run.history)
   {
     const auto [computed_force, exact_force] = force(r, reference::elastic_tugging_forces(exact, r.X));
     error = std::max(error, std::abs(computed_force - exact_force));

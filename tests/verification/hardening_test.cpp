@@ -16,8 +16,8 @@ namespace
 {
 
 using constitutive::Material;
-using simulation::StepRecord;
 using simulation::TuggingCase;
+using simulation::TuggingRecord;
 
 TuggingCase with_material(double interference_ratio, const Material& material)
 {
@@ -56,7 +56,7 @@ TEST(LinearHardening, WithoutModulusIsPerfectPlasticity)
   t.lower.material.hardening = t.upper.material.hardening = constitutive::LinearHardening{yield_stress, 0.0};
   const TuggingRun linear = computed(t);
   // The same arithmetic, compiled twice: rounding may differ, and the iteration carries it along up to its tolerance.
-  test::expect_close("F_X", difference(perfect, &StepRecord::F_X, linear, &StepRecord::F_X), 0.0, 1e-4,
+  test::expect_close("F_X", difference(perfect, &TuggingRecord::F_X, linear, &TuggingRecord::F_X), 0.0, 1e-4,
                      "exact: the same law");
 }
 
@@ -69,10 +69,11 @@ TEST(Hardening, OneLawInSeveralForms)
   const auto same = [&](const char* name, const HardeningLaw& law)
   {
     const TuggingRun run = computed(with_material(4.0, {elastic, law}));
-    test::expect_close(std::string(name) + ": F_X", difference(linear, &StepRecord::F_X, run, &StepRecord::F_X), 0.0,
-                       1e-4, "exact: the same law");
-    test::expect_close(std::string(name) + ": work", difference(linear, &StepRecord::work, run, &StepRecord::work), 0.0,
-                       1e-4, "exact: the same law");
+    test::expect_close(std::string(name) + ": F_X", difference(linear, &TuggingRecord::F_X, run, &TuggingRecord::F_X),
+                       0.0, 1e-4, "exact: the same law");
+    test::expect_close(std::string(name) + ": work",
+                       difference(linear, &TuggingRecord::work, run, &TuggingRecord::work), 0.0, 1e-4,
+                       "exact: the same law");
   };
   same("Swift", SwiftHardening{modulus, yield_stress / modulus, 1.0});
   same("Ludwik", LudwikHardening{yield_stress, modulus, 1.0});
@@ -130,8 +131,10 @@ TEST(DepthProfiles, OneFactorIsAnotherYieldStress)
   const TuggingRun a = computed(t);
   t.lower.material = t.upper.material = profiled;
   const TuggingRun b = computed(t);
-  test::expect_close("F_X", difference(a, &StepRecord::F_X, b, &StepRecord::F_X), 0.0, 2e-4, "exact: the same law");
-  test::expect_close("work", difference(a, &StepRecord::work, b, &StepRecord::work), 0.0, 2e-4, "exact: the same law");
+  test::expect_close("F_X", difference(a, &TuggingRecord::F_X, b, &TuggingRecord::F_X), 0.0, 2e-4,
+                     "exact: the same law");
+  test::expect_close("work", difference(a, &TuggingRecord::work, b, &TuggingRecord::work), 0.0, 2e-4,
+                     "exact: the same law");
 }
 
 TEST(DepthProfiles, HardCaseAndInitialStressKeepTheEnergy)
@@ -184,7 +187,7 @@ TEST(KinematicHardening, WithoutModulusIsPerfectPlasticity)
   Material material = perfect_material();
   material.kinematic = {{0.0, 0.0}, {0.0, 30.0}};
   const TuggingRun run = computed(with_material(4.0, material));
-  test::expect_close("F_X", difference(perfect, &StepRecord::F_X, run, &StepRecord::F_X), 0.0, 1e-4,
+  test::expect_close("F_X", difference(perfect, &TuggingRecord::F_X, run, &TuggingRecord::F_X), 0.0, 1e-4,
                      "exact: the same law");
 }
 
@@ -195,11 +198,11 @@ TEST(KinematicHardening, OneOfTwoMirrorImages)
   const TuggingRun one = computed(t);
   t.solver.mirror = false;
   const TuggingRun both = computed(t);
-  test::expect_close("F_X, two passes", difference(both, &StepRecord::F_X, one, &StepRecord::F_X), 0.0, 2e-4,
+  test::expect_close("F_X, two passes", difference(both, &TuggingRecord::F_X, one, &TuggingRecord::F_X), 0.0, 2e-4,
                      "exact: symmetry");
   test::expect_close("dissipation of the upper body",
-                     difference(both, &StepRecord::dissipation_upper, one, &StepRecord::dissipation_upper), 0.0, 2e-4,
-                     "exact: symmetry");
+                     difference(both, &TuggingRecord::dissipation_upper, one, &TuggingRecord::dissipation_upper), 0.0,
+                     2e-4, "exact: symmetry");
 }
 
 } // namespace

@@ -15,8 +15,8 @@ namespace brinell::verification
 namespace
 {
 
-using simulation::StepRecord;
 using simulation::TuggingCase;
+using simulation::TuggingRecord;
 
 /// alpha* = 4, some four cells per contact radius along x; both bodies are solved, though they are alike.
 TuggingCase small_case()
@@ -33,22 +33,23 @@ TuggingCase small_case()
 struct Column
 {
   const char* name;
-  double StepRecord::*value;
+  double TuggingRecord::*value;
   int length, stress;
 };
 
-constexpr std::array columns{Column{"F_n", &StepRecord::F_n, 2, 1},
-                             Column{"F_X", &StepRecord::F_X, 2, 1},
-                             Column{"F_Z", &StepRecord::F_Z, 2, 1},
-                             Column{"max_pressure", &StepRecord::max_pressure, 0, 1},
-                             Column{"contact_area", &StepRecord::contact_area, 2, 0},
-                             Column{"work", &StepRecord::work, 3, 1},
-                             Column{"dissipation_lower", &StepRecord::dissipation_lower, 3, 1},
-                             Column{"dissipation_upper", &StepRecord::dissipation_upper, 3, 1},
-                             Column{"energy_residual", &StepRecord::energy_residual, 3, 1},
-                             Column{"energy_elastic", &StepRecord::energy_elastic, 3, 1},
-                             Column{"max_residual_lower", &StepRecord::max_residual_lower, 1, 0},
-                             Column{"max_equivalent_plastic_strain", &StepRecord::max_equivalent_plastic_strain, 0, 0}};
+constexpr std::array columns{
+    Column{"F_n", &TuggingRecord::F_n, 2, 1},
+    Column{"F_X", &TuggingRecord::F_X, 2, 1},
+    Column{"F_Z", &TuggingRecord::F_Z, 2, 1},
+    Column{"max_pressure", &TuggingRecord::max_pressure, 0, 1},
+    Column{"contact_area", &TuggingRecord::contact_area, 2, 0},
+    Column{"work", &TuggingRecord::work, 3, 1},
+    Column{"dissipation_lower", &TuggingRecord::dissipation_lower, 3, 1},
+    Column{"dissipation_upper", &TuggingRecord::dissipation_upper, 3, 1},
+    Column{"energy_residual", &TuggingRecord::energy_residual, 3, 1},
+    Column{"energy_elastic", &TuggingRecord::energy_elastic, 3, 1},
+    Column{"max_residual_lower", &TuggingRecord::max_residual_lower, 1, 0},
+    Column{"max_equivalent_plastic_strain", &TuggingRecord::max_equivalent_plastic_strain, 0, 0}};
 
 /// Largest difference over all columns of a history and its image in other units, over the largest value of each.
 double difference(const TuggingRun& a, const TuggingRun& b, double length = 1.0, double stress = 1.0)

@@ -63,7 +63,7 @@ public:
         gap_[static_cast<std::size_t>(i + g.nx * j)] =
             x * x + y * y - ratio * exact_critical().interference; // 2R = 1 m
       }
-    const IncrementReport report = pair_.advance(gap_, {0, 0}, {Integration::path, 100, 6});
+    const IncrementReport report = pair_.advance(gap_, {}, {}, {Integration::path, 100, 6});
     if (!report.converged || !std::isfinite(load()))
       throw std::runtime_error("no convergence at " + std::to_string(ratio));
     return report;

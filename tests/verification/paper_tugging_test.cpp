@@ -23,11 +23,11 @@ std::vector<double> interferences()
 }
 
 /// Largest difference of a force at X and -X, with a sign, over the largest force: exact kinematics has both.
-double asymmetry(const TuggingRun& run, double simulation::StepRecord::*force, double sign)
+double asymmetry(const TuggingRun& run, double simulation::TuggingRecord::*force, double sign)
 {
   double difference = 0.0, largest = 0.0;
-  for (const simulation::StepRecord& a : run.history)
-    for (const simulation::StepRecord& b : run.history)
+  for (const simulation::TuggingRecord& a : run.history)
+    for (const simulation::TuggingRecord& b : run.history)
       if (std::abs(a.X + b.X) < 1e-9)
       {
         difference = std::max(difference, std::abs(a.*force - sign * b.*force));
@@ -43,8 +43,8 @@ TEST(PaperTugging, AtFirstYieldTheForcesAreThoseOfElasticSpheres)
   // This mesh has less than three cells per contact radius here (a_c = 10.5 mm, dx = 3.85, dy = 7.7 mm) and sees single
   // cells yield a little early: plastic strain of 1e-4, a share of 1e-3 of the work.
   test::expect_close("F_X at X = 0 over its peak", run.summary.F_X_aligned / peak, 0.0, 1e-3, paper);
-  test::expect_close("asymmetry of F_X", asymmetry(run, &simulation::StepRecord::F_X, -1.0), 0.0, 2e-3, paper);
-  test::expect_close("asymmetry of F_Z", asymmetry(run, &simulation::StepRecord::F_Z, 1.0), 0.0, 2e-3, paper);
+  test::expect_close("asymmetry of F_X", asymmetry(run, &simulation::TuggingRecord::F_X, -1.0), 0.0, 2e-3, paper);
+  test::expect_close("asymmetry of F_Z", asymmetry(run, &simulation::TuggingRecord::F_Z, 1.0), 0.0, 2e-3, paper);
   test::expect_close("net work / work to alignment", run.summary.work / run.summary.work_to_alignment, 0.0, 2e-3,
                      paper);
   // (dx dy)^(1/2) = 0.52 a_c: the edge's error, (0.52)^1.5 / 4.
@@ -95,8 +95,8 @@ TEST(PaperTugging, NormalForceLeansSlightlyForward)
   for (const double alpha : interferences())
   {
     const TuggingRun& run = paper_run(alpha);
-    const double normal = asymmetry(run, &simulation::StepRecord::F_Z, 1.0);
-    const double tangential = asymmetry(run, &simulation::StepRecord::F_X, -1.0);
+    const double normal = asymmetry(run, &simulation::TuggingRecord::F_Z, 1.0);
+    const double tangential = asymmetry(run, &simulation::TuggingRecord::F_X, -1.0);
     test::expect_within(labelled(alpha, "asymmetry of F_Z"), normal, 0.0, 1.0, paper);
     if (alpha < 2.0)
       continue;
@@ -105,7 +105,7 @@ TEST(PaperTugging, NormalForceLeansSlightlyForward)
                         std::string(paper) + ": less pronounced than for the tangential force");
     // Loading is the harder half.
     double first = 0.0, second = 0.0;
-    for (const simulation::StepRecord& r : run.history)
+    for (const simulation::TuggingRecord& r : run.history)
       (r.X < -1e-9 ? first : r.X > 1e-9 ? second : first) += std::abs(r.X) > 1e-9 ? r.F_Z : 0.0;
     EXPECT_GT(first, second) << alpha;
   }
@@ -177,7 +177,7 @@ TEST(PaperTugging, EqualBodiesEndAlike)
   test::expect_close("largest residual displacement, upper / lower", s.max_residual_upper / s.max_residual_lower, 1.0,
                      1e-4, "exact: symmetry");
   double sideways = 0.0;
-  for (const simulation::StepRecord& r : run.history)
+  for (const simulation::TuggingRecord& r : run.history)
     sideways = std::max(sideways, std::abs(r.F_Y));
   test::expect_close("largest F_Y over the largest F_Z", sideways / s.peak_F_Z, 0.0, 1e-9, "exact: symmetry");
 }

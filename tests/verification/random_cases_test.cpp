@@ -123,7 +123,7 @@ TEST(RandomCases, ConvergeOrAreRefused)
       split += s.split_increments;
       iterations += static_cast<double>(s.iterations);
       steps += s.steps;
-      for (const simulation::StepRecord& r : run.history)
+      for (const simulation::TuggingRecord& r : run.history)
         most = std::max(most, static_cast<double>(r.iterations));
     }
     catch (const InputError& error) // the plastic zone has outgrown the grid: it says so

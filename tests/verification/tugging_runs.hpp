@@ -74,11 +74,11 @@ inline simulation::TuggingCase small_case(double interference_ratio)
 struct TuggingRun
 {
   simulation::TuggingPlan plan;
-  std::vector<simulation::StepRecord> history;
+  std::vector<simulation::TuggingRecord> history;
   simulation::TuggingSummary summary;
 
   /// The record at alignment, if a step falls there.
-  [[nodiscard]] const simulation::StepRecord& aligned() const
+  [[nodiscard]] const simulation::TuggingRecord& aligned() const
   {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < history.size(); ++i)
@@ -92,8 +92,8 @@ inline TuggingRun computed(const simulation::TuggingCase& tugging)
 {
   TuggingRun run;
   run.plan = simulation::plan(tugging);
-  simulation::TuggingObserver observer;
-  observer.on_step = [&](const simulation::StepRecord& r, int) { run.history.push_back(r); };
+  simulation::Observer<simulation::TuggingRecord> observer;
+  observer.on_step = [&](const simulation::TuggingRecord& r, int) { run.history.push_back(r); };
   run.summary = simulation::run(tugging, observer);
   return run;
 }
@@ -109,8 +109,8 @@ inline const TuggingRun& paper_run(double interference_ratio)
 }
 
 /// Largest difference of a quantity between two histories, over the largest value.
-inline double difference(const TuggingRun& a, double simulation::StepRecord::*of_a, const TuggingRun& b,
-                         double simulation::StepRecord::*of_b)
+inline double difference(const TuggingRun& a, double simulation::TuggingRecord::*of_a, const TuggingRun& b,
+                         double simulation::TuggingRecord::*of_b)
 {
   double change = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < std::min(a.history.size(), b.history.size()); ++i)

@@ -9,35 +9,55 @@
 namespace brinell::contact
 {
 
+/// What is imposed on two bodies; the other one of the two is found.
+struct Drive
+{
+  enum class Kind
+  {
+    approach, ///< how far the bodies have come together since their undeformed surfaces touched, `value` in [m]
+    load      ///< the sum of the pressure, `value` in [N], not negative
+  };
+  Kind kind = Kind::approach;
+  double value = 0.0;
+  bool operator==(const Drive&) const = default;
+};
+
 /// How a contact solution ended.
 struct Report
 {
   bool converged = false;
   int iterations = 0;
+  double approach = 0.0;    ///< imposed or found [m]; without load that at which the surfaces touch
   double gap_error = 0.0;   ///< largest |gap| where pressure acts [m]
   double penetration = 0.0; ///< largest negative gap where none acts [m]
 };
 
-/// Displacement-driven contact by the constrained conjugate gradient method (Polonsky, Keer 1999; the approach is given,
-/// so there is no load to correct).
+/// Contact by the constrained conjugate gradient method (Polonsky, Keer 1999).
 ///
-/// Finds p >= 0, gap = rigid_gap + A p >= 0, p * gap = 0 with A the surface compliance.
+/// Finds p >= 0, gap = distance - approach + A p >= 0, p * gap = 0 with A the surface compliance; the approach is given, or
+/// the sum of p dx dy is.
 class ElasticContact
 {
 public:
   explicit ElasticContact(const halfspace::SurfaceCompliance& compliance);
 
-  /// @param rigid_gap  distance of the undeformed surfaces [m], negative where they would overlap.
+  /// @param distance   of the undeformed surfaces at no approach [m].
   /// @param tolerance  largest |gap| under pressure and largest penetration elsewhere [m].
   /// @param pressure   in: a guess (zeros are one); out: the pressure [Pa].
   /// @param gap        out: [m].
-  [[nodiscard]] Report solve(std::span<const double> rigid_gap, double tolerance, int max_iterations,
+  [[nodiscard]] Report solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap);
 
 private:
+  void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure) const;
+  void scale_to_load(double load, std::span<double> pressure) const;
+  [[nodiscard]] double descend(bool conjugate, bool load_given, std::span<const double> pressure,
+                               std::span<const double> gap);
+
   const halfspace::SurfaceCompliance& compliance_;
   halfspace::SurfaceCompliance::Scratch scratch_;
   std::vector<double> direction_, image_;
+  double norm_ = 1.0; ///< of the gap under pressure, squared, in the iteration before
 };
 
 } // namespace brinell::contact

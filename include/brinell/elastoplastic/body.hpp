@@ -4,6 +4,7 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/constitutive/return_mapping.hpp"
 #include "brinell/elastoplastic/settings.hpp"
+#include "brinell/foundation/archive.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
 #include <memory>
@@ -24,6 +25,16 @@ struct BodyState
   double dissipation =
       0.0; ///< plastic work since the start [J]; with back stresses, a part of it stays in the material
   double locked_in_energy = 0.0; ///< elastic energy of the residual stress [J]
+
+  void exchange(Archive& archive);
+};
+
+/// What the upper body is to the lower one, so that only that one need be solved.
+enum class Twin
+{
+  none,
+  mirror_image, ///< reversed in x: two asperities passing each other
+  alike         ///< the same field in the same direction: pure rolling
 };
 
 /// One body of a contact: material, operators, history, and the trial of the increment at hand.
@@ -33,12 +44,13 @@ struct BodyState
 class Body
 {
 public:
-  /// @param half_space  operators of the body's grid and elastic constants; bodies that are alike share them.
-  Body(std::shared_ptr<const halfspace::HalfSpace> half_space, const constitutive::Material& material);
+  /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid.
+  Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
+       const constitutive::Material& material);
 
-  [[nodiscard]] const VolumeGrid& grid() const { return half_space_->grid(); }
+  [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
-  [[nodiscard]] const halfspace::HalfSpace& half_space() const { return *half_space_; }
+  /// nullptr if the body is rigid.
   [[nodiscard]] const std::shared_ptr<const halfspace::HalfSpace>& shared_half_space() const { return half_space_; }
   [[nodiscard]] const BodyState& state() const { return state_; }
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
@@ -54,10 +66,13 @@ public:
   /// Makes the present trial the new state.
   void commit(std::span<const double> pressure);
 
-  /// Instead of an increment of its own: this body is the mirror image in x of `other`, which has the same grid. Takes
-  /// over the residual displacement of its trial (`follow`) or its state (`adopt`).
-  void follow(const Body& other);
-  void adopt(const Body& other);
+  /// Instead of an increment of its own: this body is the twin of `other`, which has the same grid. Takes over the
+  /// residual displacement of its trial (`follow`) or its state (`adopt`).
+  void follow(const Body& other, Twin twin);
+  void adopt(const Body& other, Twin twin);
+
+  /// Everything that the next increment depends on.
+  void exchange(Archive& archive);
 
   /// Biaxial stress xx = yy of each layer before the first load [Pa].
   [[nodiscard]] const std::vector<double>& initial_stress() const { return initial_stress_; }
@@ -94,6 +109,7 @@ private:
   void collect_active(const std::vector<double>& q_field, double fraction);
   [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
 
+  VolumeGrid grid_;
   constitutive::Material material_;
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
   halfspace::HalfSpace::Work work_;

@@ -17,7 +17,8 @@ struct IncrementReport
 {
   bool converged = false;
   bool contact_converged = false;
-  int evaluations = 0; ///< of the elastic-plastic operator of both bodies
+  double approach = 0.0; ///< imposed, or found for the load imposed [m]
+  int evaluations = 0;   ///< of the elastic-plastic operator of both bodies
   int contact_iterations = 0;
   double yield_error = 0.0;        ///< relative to the yield stress
   double displacement_error = 0.0; ///< last change of residual displacement [m]
@@ -26,18 +27,29 @@ struct IncrementReport
   bool energy_rose = false;        ///< stopped by Strategy::watch_energy
 };
 
-/// Where the cells of the contact grid lie on the material grids: contact column i is column i + offset.
+/// Where the contact grid lies on a material grid: contact column i is at column i + column + fraction.
+struct Place
+{
+  int column = 0;
+  double fraction = 0.0; ///< [0, 1)
+};
+
 struct Placement
 {
-  int lower = 0;
-  int upper = 0;
+  Place lower, upper;
 };
 
 /// Reference lengths of the tolerances [m].
 struct Scales
 {
-  double displacement = 0.0; ///< alpha_c: for the change of residual displacement
-  double gap = 0.0;          ///< interference: for complementarity
+  double displacement = 0.0; ///< approach at first yield: for the change of residual displacement
+  double gap = 0.0;          ///< largest approach: for complementarity
+};
+
+/// Heights that the surfaces had before the first load, on the material grids, as depth into the body [m]; empty: smooth.
+struct Textures
+{
+  std::vector<double> lower, upper;
 };
 
 /// How one increment is solved.
@@ -57,41 +69,53 @@ struct Strategy
 class CoupledContact
 {
 public:
-  /// @param mirrored  the upper body is and stays the mirror image in x of the lower one (same grid, material, shape and
-  ///                  history): only the lower one is solved.
+  /// @param twin  unless none, the upper body has the grid, material and history of the lower one (or their mirror image)
+  ///              and keeps it: only the lower one is solved.
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
-                 const Scales& scales, const Settings& settings, bool mirrored = false);
+                 const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {});
 
   [[nodiscard]] const Body& lower() const { return lower_; }
   [[nodiscard]] const Body& upper() const { return upper_; }
   [[nodiscard]] std::span<const double> pressure() const { return pressure_; } ///< on the contact grid [Pa]
   [[nodiscard]] std::span<const double> gap() const { return gap_; }           ///< on the contact grid [m]
+  [[nodiscard]] double approach() const { return approach_; }                  ///< of the last increment [m]
+  [[nodiscard]] double load() const;                                           ///< sum of the pressure [N]
   [[nodiscard]] double elastic_energy() const;                                 ///< recoverable, 1/2 p A p [J]
   [[nodiscard]] const SurfaceGrid& grid() const { return compliance_.grid(); }
 
   /// Solves one increment from the present state; commits it only if it converged.
-  /// @param rigid_gap  distance of the undeformed, unindented surfaces on the contact grid [m].
+  /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m].
   /// @param placement  of the contact grid on the material grids.
-  [[nodiscard]] IncrementReport advance(std::span<const double> rigid_gap, const Placement& placement,
-                                        const Strategy& strategy);
+  [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,
+                                        const Placement& placement, const Strategy& strategy);
 
-  /// Residual displacement of a body under the contact grid [m]; zero outside its material grid.
-  void gather(const Body& body, int offset, std::span<const double> field, std::span<double> out) const;
+  /// Depth of a body's surface under the contact grid: texture and residual displacement [m]; zero outside its grid.
+  void surface_depth(const Body& body, const Place& place, std::span<double> out) const;
+  /// The present pressure on the grid of a body's surface [Pa].
+  void spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const;
+
+  /// Everything that the next increment depends on.
+  void exchange(Archive& archive);
 
 private:
-  void load(std::span<const double> rigid_gap, const Placement& placement, IncrementReport& report);
-  [[nodiscard]] double energy() const;
-  void spread_pressure(const Body& body, int offset, std::vector<double>& out) const;
+  void touch(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
+             IncrementReport& report);
+  void add_depth(const Body& body, const Place& place, std::span<const double> displacement,
+                 std::span<double> out) const;
+  [[nodiscard]] double energy(double approach) const;
 
   halfspace::SurfaceCompliance compliance_;
   contact::ElasticContact contact_;
   Body lower_, upper_;
   Scales scales_;
   Settings settings_;
-  bool mirrored_;
+  Twin twin_;
+  Textures textures_;
   Placement placement_;
-  std::vector<double> pressure_, gap_, total_gap_, gathered_;
+  double approach_ = 0.0;
+  std::vector<double> pressure_, gap_;
+  std::vector<double> distance_; ///< of the surfaces with texture and residual displacement at no approach
   std::vector<double> lower_pressure_, upper_pressure_; ///< the pressure on the material grids
 };
 

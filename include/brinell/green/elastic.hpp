@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 namespace brinell
 {
 
-/// Constants of an isotropic linear elastic body.
+/// Constants of an isotropic linear elastic body; rigid if Young's modulus is infinite.
 struct Elastic
 {
   double young_modulus = 0.0; ///< E [Pa], > 0
@@ -14,6 +16,7 @@ struct Elastic
   [[nodiscard]] double shear_modulus() const { return young_modulus / (2.0 * (1.0 + poisson_ratio)); }
   /// Contact compliance of one half space (1 - nu^2) / E [1/Pa].
   [[nodiscard]] double contact_compliance() const { return (1.0 - poisson_ratio * poisson_ratio) / young_modulus; }
+  [[nodiscard]] bool is_rigid() const { return std::isinf(young_modulus); }
   bool operator==(const Elastic&) const = default;
 };
 

@@ -3,12 +3,15 @@
 
 #include "brinell/io/schema.hpp"
 #include "brinell/reference/critical.hpp"
+#include "brinell/simulation/indentation.hpp"
+#include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/tugging.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace brinell::io
@@ -43,7 +46,7 @@ enum class YieldsFirst
   both
 };
 
-/// First yield of the normal contact of the two bodies.
+/// First yield of the normal contact of two bodies with one relative curvature.
 struct FirstYield
 {
   reference::CriticalValues critical;
@@ -53,25 +56,25 @@ struct FirstYield
 /// Something the user should look at, although it can be computed.
 using Warning = std::string;
 
+using Scenario = std::variant<simulation::TuggingCase, simulation::IndentationCase, simulation::RollingCase>;
+
 /// A case as read: typed, in SI, defaults filled in.
 struct Case
 {
   std::filesystem::path file;
   std::string name;  ///< of the folder if the file is called case.toml, else of the file
   std::string title; ///< may be empty
-  simulation::TuggingCase tugging;
+  Scenario scenario;
   SnapshotRule snapshots;
+  double checkpoint_interval = 0.0;               ///< [s]
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
-  std::optional<FirstYield> first_yield;          ///< empty if both bodies are elastic
+  std::optional<double> equivalent_radius;        ///< 1 / (1/R1 + 1/R2) [m] if it is the same in all directions
+  double contact_modulus = 0.0;                   ///< E' [Pa]
+  std::optional<FirstYield> first_yield;          ///< empty if both bodies are elastic, or not round
   CaseValues values;
   std::string grid_source; ///< "file:line: grid.spacing = ..." for messages about the size of the grid
   std::vector<Warning> warnings;
 };
-
-/// Equivalent radius 1 / (1/R1 + 1/R2) [m].
-[[nodiscard]] double equivalent_radius(const simulation::TuggingCase& tugging);
-/// E' of the two bodies [Pa].
-[[nodiscard]] double contact_modulus(const simulation::TuggingCase& tugging);
 
 /// Reads a case file.
 /// @param overrides  "key=value" as given to --set; the value is TOML, or a bare word taken as a string.

@@ -8,16 +8,19 @@
 namespace brinell::io
 {
 
+/// The plan of a scenario, in the order of `Scenario`.
+using ScenarioPlan = std::variant<simulation::TuggingPlan, simulation::IndentationPlan, simulation::RollingPlan>;
+
 /// Memory that a program can get here [bytes]: that of the machine, or of its control group if that is less.
 [[nodiscard]] double machine_memory();
 
 /// The plan of a case.
 /// @param available_memory [bytes]
 /// @throws InputError with place and value of the grid if it has an absurd number of cells or does not fit
-[[nodiscard]] simulation::TuggingPlan plan_case(const Case& c, double available_memory = machine_memory());
+[[nodiscard]] ScenarioPlan plan_case(const Case& c, double available_memory = machine_memory());
 
 /// What `brinell check` prints: the resolved case, and as comments its critical values, grids, steps, memory and rough cost.
 /// The whole is again a case file.
-[[nodiscard]] std::string check_report(const Case& c, const simulation::TuggingPlan& plan);
+[[nodiscard]] std::string check_report(const Case& c, const ScenarioPlan& plan);
 
 } // namespace brinell::io

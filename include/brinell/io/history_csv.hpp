@@ -1,31 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/simulation/indentation.hpp"
+#include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/tugging.hpp"
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace brinell::io
 {
 
+/// A number of a history by its name.
+using NamedNumber = std::pair<const char*, std::variant<int, double>>;
+
+/// The columns of history.csv, in order, with the values of one step. The same for each record of a scenario.
+[[nodiscard]] std::vector<NamedNumber> columns(const simulation::TuggingRecord& record);
+[[nodiscard]] std::vector<NamedNumber> columns(const simulation::IndentationRecord& record);
+[[nodiscard]] std::vector<NamedNumber> columns(const simulation::RollingRecord& record);
+
 /// Header line of history.csv, without the end of line.
-[[nodiscard]] std::string history_header();
+[[nodiscard]] std::string history_header(const std::vector<NamedNumber>& columns);
 /// One row, without the end of line; numbers in the shortest form that reads back the same.
-[[nodiscard]] std::string history_row(const simulation::StepRecord& record);
+[[nodiscard]] std::string history_row(const std::vector<NamedNumber>& columns);
 
 /// Writes history.csv row by row; each row is with the operating system when `add` returns.
 class HistoryWriter
 {
 public:
-  /// Replaces the file.
+  /// Replaces the file, or goes on after the rows of its first steps.
+  /// @param kept  how many of them; 0: a new file.
   /// @throws IoError
-  explicit HistoryWriter(std::filesystem::path path);
+  HistoryWriter(std::filesystem::path path, const std::string& header, int kept);
 
   /// @throws IoError
-  void add(const simulation::StepRecord& record) { write_line(history_row(record)); }
+  void add(const std::string& row) { write_line(row); }
 
 private:
   void write_line(const std::string& line);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/archive.hpp"
 #include "brinell/io/case_file.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/io/history_csv.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace brinell::io
 {
@@ -17,38 +19,46 @@ struct RunInfo
   int threads = 1;
 };
 
-/// The folder of a run, docs/reference/results-format.md. Whenever the process ends, the finished steps can be read.
+/// The folder of a run, docs/reference/results-format.md. Whenever the process ends, the finished steps can be read, and the
+/// run can go on from its last checkpoint.
 class ResultDirectory
 {
 public:
+  enum class Mode
+  {
+    replace, ///< an earlier result
+    resume   ///< the run that was stopped there
+  };
+
   /// Makes the folder, takes it for this process, removes an earlier result (its summary first) and writes what is known
-  /// before the first step.
-  /// @throws IoError; also if another run is writing there
-  ResultDirectory(const std::filesystem::path& path, const Case& c);
+  /// before the first step. With `resume` it keeps what was finished at the checkpoint instead, if there is one.
+  /// @throws IoError, also if another run is writing there; InputError if the run there is of another case or is complete
+  ResultDirectory(const std::filesystem::path& path, const Case& c, Mode mode = Mode::replace);
   ResultDirectory(ResultDirectory&&) noexcept;
   ResultDirectory& operator=(ResultDirectory&&) noexcept;
   ~ResultDirectory();
 
   /// Whether an earlier result was removed.
   [[nodiscard]] bool replaced() const;
+  /// The state to go on from.
+  [[nodiscard]] const std::optional<Archive::Fields>& checkpoint() const;
+  /// Steps that were finished there; 0 without one.
+  [[nodiscard]] int finished_steps() const;
 
   /// A finished step. @throws IoError
-  void add(const simulation::StepRecord& record);
-  /// The fields of a finished step. @throws IoError
-  void add(const simulation::Snapshot& snapshot);
+  void add(const std::vector<NamedNumber>& columns);
+  /// Its fields, with the columns as attributes. @throws IoError
+  void add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  /// The state after a step, replacing the one before. @throws IoError
+  void add_checkpoint(int step, const Archive::Fields& fields);
 
-  /// Final state, result.h5 in one piece and, last of all, the summary. @throws IoError
-  void finish(const simulation::TuggingPlan& plan, const simulation::TuggingSummary& summary, const RunInfo& info);
-
-  /// result.h5 in one piece for a run that was stopped; no summary. @throws IoError
-  void stop();
+  /// Final state, result.h5 in one piece and, last of all, the summary; the checkpoint goes. @throws IoError
+  void finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
+              const std::string& summary);
 
 private:
   struct State;
   std::unique_ptr<State> m_state;
 };
-
-/// Replaces a file in one piece: readers see the old text or the new one. @throws IoError
-void replace_file(const std::filesystem::path& path, const std::string& text);
 
 } // namespace brinell::io

@@ -24,7 +24,7 @@ struct SnapshotRule
   enum class Kind
   {
     none,
-    aligned, ///< the step nearest to X = 0 of each pass
+    aligned, ///< the step nearest to the middle of each pass; indentation: where the imposed load or approach turns
     all,
     every, ///< every n-th step, from step 0
     listed
@@ -65,7 +65,7 @@ struct Range
   [[nodiscard]] std::string text() const;
 };
 
-/// The entry applies if another key has one of these values. No key: always.
+/// The entry applies if another key has one of these values ("true", "false" for a boolean). No key: always.
 struct Condition
 {
   std::string key;

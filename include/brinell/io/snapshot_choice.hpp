@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/archive.hpp"
 #include "brinell/io/schema.hpp"
+#include "brinell/simulation/indentation.hpp"
+#include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/tugging.hpp"
-
-#include <limits>
 
 namespace brinell::io
 {
+
+/// The step nearest to the middle of each pass, known when it comes.
+class NearestToMiddle
+{
+public:
+  /// Asked once per step, in order.
+  /// @param x  position, ascending in a pass, 0 in its middle
+  [[nodiscard]] bool operator()(int pass, double x);
+  void exchange(Archive& archive);
+
+private:
+  int m_pass = -1;          ///< of the step before
+  double m_x = 0.0;         ///< and its position
+  bool m_is_stored = false; ///< in this pass
+};
 
 /// Says after each step whether its fields are to be stored. Asked once per step, in order.
 class SnapshotChoice
@@ -15,15 +31,17 @@ class SnapshotChoice
 public:
   explicit SnapshotChoice(SnapshotRule rule) : m_rule(std::move(rule)) {}
 
-  [[nodiscard]] bool operator()(const simulation::StepRecord& record);
+  [[nodiscard]] bool operator()(const simulation::TuggingCase& c, const simulation::TuggingRecord& record);
+  [[nodiscard]] bool operator()(const simulation::IndentationCase& c, const simulation::IndentationRecord& record);
+  [[nodiscard]] bool operator()(const simulation::RollingCase& c, const simulation::RollingRecord& record);
+
+  void exchange(Archive& archive) { m_middle.exchange(archive); }
 
 private:
-  [[nodiscard]] bool nearest_to_alignment(const simulation::StepRecord& record);
+  [[nodiscard]] bool chosen(int step, bool is_key_step) const;
 
   SnapshotRule m_rule;
-  int m_pass = -1;                  ///< pass of the step before
-  double m_X = 0.0;                 ///< and its X
-  bool m_aligned_is_stored = false; ///< in this pass
+  NearestToMiddle m_middle;
 };
 
 } // namespace brinell::io

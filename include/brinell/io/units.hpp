@@ -19,6 +19,7 @@ namespace dimension
 {
 inline constexpr Dimension none{};
 inline constexpr Dimension length{.length = 1};
+inline constexpr Dimension force{.mass = 1, .length = 1, .time = -2};
 inline constexpr Dimension pressure{.mass = 1, .length = -1, .time = -2};
 } // namespace dimension
 

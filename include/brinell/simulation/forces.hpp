@@ -31,4 +31,11 @@ struct ResidualSurface
 [[nodiscard]] Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure, double theta,
                                     const ResidualSurface& lower, const ResidualSurface& upper);
 
+/// Resistance to rolling: the work that the pressure takes from the drive per distance on the lower body [N], by the slope of
+/// both surfaces as they are (texture and residual displacement).
+/// @param upper_share  distance on the upper body per distance on the lower one
+[[nodiscard]] double rolling_resistance(const SurfaceGrid& grid, std::span<const double> pressure,
+                                        std::span<const double> lower_depth, std::span<const double> upper_depth,
+                                        double upper_share);
+
 } // namespace brinell::simulation

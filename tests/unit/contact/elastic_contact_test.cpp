@@ -31,7 +31,7 @@ Solution solution(const SurfaceGrid& grid, double modulus, const std::vector<dou
   ElasticContact contact(compliance);
   guess.resize(grid.size(), 0.0);
   Solution s{{}, std::move(guess), std::vector<double>(grid.size())};
-  s.report = contact.solve(rigid_gap, tolerance, max_iterations, s.pressure, s.gap);
+  s.report = contact.solve(rigid_gap, {}, tolerance, max_iterations, s.pressure, s.gap);
   return s;
 }
 

@@ -194,7 +194,7 @@ TEST(IncrementDoorTest, RefusesGridsThatDoNotMatchAndAContactBeyondTheBody)
   EXPECT_THROW(CoupledContact(g, v, other, m, m, Scales{1.0, 1.0}, Settings{}), InternalError);
   CoupledContact contact(g, v, v, m, m, Scales{1.0, 1.0}, Settings{});
   const std::vector<double> gap(g.size(), -0.001);
-  EXPECT_THROW(static_cast<void>(contact.advance(gap, Placement{3, 0}, Strategy{})), InputError);
+  EXPECT_THROW(static_cast<void>(contact.advance(gap, {}, Placement{{3}, {0}}, Strategy{})), InputError);
 }
 
 } // namespace

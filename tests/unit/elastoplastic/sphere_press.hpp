@@ -61,7 +61,7 @@ public:
   }
   [[nodiscard]] IncrementReport press(double interference, const Strategy& strategy, int offset = 0)
   {
-    return contact_.advance(rigid_gap(interference), Placement{offset, offset}, strategy);
+    return contact_.advance(rigid_gap(interference), {}, Placement{{offset}, {offset}}, strategy);
   }
 
   /// Normal force [N].

@@ -16,7 +16,7 @@ using sample::parsed;
 TEST(Case, IsTypedAndInSi)
 {
   const Case c = parsed();
-  const auto& t = c.tugging;
+  const auto& t = sample::tugging(c);
   EXPECT_EQ(c.title, "sample");
   EXPECT_EQ(c.name, "sample");
   EXPECT_EQ(t.lower.radius, 1.0);
@@ -31,12 +31,12 @@ TEST(Case, FillsInTheDefaultsOfTheEngine)
 {
   const Case c = parsed();
   const simulation::TuggingCase defaults;
-  EXPECT_EQ(c.tugging.passes, defaults.passes);
-  EXPECT_EQ(c.tugging.kinematics, defaults.kinematics);
-  EXPECT_EQ(c.tugging.solver.max_iterations, defaults.solver.max_iterations);
-  EXPECT_EQ(c.tugging.solver.yield_tolerance, defaults.solver.yield_tolerance);
-  EXPECT_EQ(c.tugging.solver.integration, defaults.solver.integration);
-  EXPECT_FALSE(c.tugging.shift.has_value());
+  EXPECT_EQ(sample::tugging(c).passes, defaults.passes);
+  EXPECT_EQ(sample::tugging(c).kinematics, defaults.kinematics);
+  EXPECT_EQ(sample::tugging(c).solver.max_iterations, defaults.solver.max_iterations);
+  EXPECT_EQ(sample::tugging(c).solver.yield_tolerance, defaults.solver.yield_tolerance);
+  EXPECT_EQ(sample::tugging(c).solver.integration, defaults.solver.integration);
+  EXPECT_FALSE(sample::tugging(c).shift.has_value());
   EXPECT_EQ(c.snapshots.kind, SnapshotRule::Kind::aligned);
 }
 
@@ -45,9 +45,9 @@ TEST(Case, NormalisedInterferenceIsInCriticalOnes)
 {
   const Case c = parsed({"upper.shape.radius=1"});
   EXPECT_NEAR(c.first_yield.value().critical.interference, 2.214290e-4, 5e-10);
-  EXPECT_EQ(c.tugging.interference, 9.0 * c.first_yield->critical.interference);
+  EXPECT_EQ(sample::tugging(c).interference, 9.0 * c.first_yield->critical.interference);
   const Case length = parsed({"tugging.normalised=false", "tugging.interference=2 mm"});
-  EXPECT_EQ(length.tugging.interference, 0.002);
+  EXPECT_EQ(sample::tugging(length).interference, 0.002);
 }
 
 TEST(Case, TheWeakerBodyGivesTheCriticalValues)
@@ -74,7 +74,7 @@ TEST(Case, ResolvedTextReadsBackTheSame)
     const std::string text = resolved_text(c.values);
     const Case again = parse_case(text, "again.toml");
     EXPECT_EQ(again.values.all(), c.values.all()) << text;
-    EXPECT_EQ(again.tugging.interference, c.tugging.interference);
+    EXPECT_EQ(sample::tugging(again).interference, sample::tugging(c).interference);
   }
 }
 
@@ -83,15 +83,15 @@ TEST(Case, OverridesWin)
   const Case c = parsed({"tugging.interference=4", "tugging.interference=6", "tugging.kinematics=paper",
                          "lower.shape.radius=3 mm", "output.snapshots=[5, 1, 5]", "tugging.shift='1 mm'"});
   EXPECT_EQ(c.values.get<double>("tugging.interference"), 6.0); // the last of several
-  EXPECT_EQ(c.tugging.kinematics, simulation::Kinematics::paper);
-  EXPECT_EQ(c.tugging.lower.radius, 0.003);
+  EXPECT_EQ(sample::tugging(c).kinematics, simulation::Kinematics::paper);
+  EXPECT_EQ(sample::tugging(c).lower.radius, 0.003);
   EXPECT_EQ(c.snapshots.steps, (std::vector{1, 5}));
-  EXPECT_EQ(c.tugging.shift, 0.001);
+  EXPECT_EQ(sample::tugging(c).shift, 0.001);
 }
 
 TEST(Case, OverridesPushOutWhatTheyExclude)
 {
-  EXPECT_FALSE(parsed({"grid.resolution=10"}).tugging.spacing.has_value());
+  EXPECT_FALSE(sample::tugging(parsed({"grid.resolution=10"})).spacing.has_value());
   const std::vector<std::string> elastic{"tugging.normalised=false", "tugging.interference=1 mm"};
   for (const char* law : {"lower.material.hardening.law=none", "lower.material.hardening={law = \"none\"}",
                           "lower.material.hardening={}"})

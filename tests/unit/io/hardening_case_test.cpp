@@ -22,7 +22,7 @@ std::string law(const std::string& keys)
 
 HardeningLaw read(const std::string& keys)
 {
-  return sample::parsed({law(keys)}).tugging.lower.material.hardening.value();
+  return sample::tugging(sample::parsed({law(keys)})).lower.material.hardening.value();
 }
 
 std::string message(const std::string& keys)
@@ -67,7 +67,7 @@ TEST(HardeningCase, EveryLawIsBuilt)
 TEST(HardeningCase, BackStressesStandBesideAnyLaw)
 {
   const auto terms = [](const std::string& keys)
-  { return sample::parsed({law(keys)}).tugging.lower.material.kinematic; };
+  { return sample::tugging(sample::parsed({law(keys)})).lower.material.kinematic; };
   EXPECT_TRUE(terms(R"("perfect", yield_stress="900 MPa")").empty());
   EXPECT_EQ(terms(R"("perfect", yield_stress="900 MPa", kinematic_moduli=["90 GPa", 1e9], kinematic_recall=[600, 0])"),
             (std::vector<constitutive::KinematicTerm>{{90e9, 600.0}, {1e9, 0.0}}));
@@ -88,7 +88,7 @@ TEST(HardeningCase, ProfilesOverDepthAreReadAndChecked)
     std::vector<std::string> all;
     for (const std::string& key : keys)
       all.push_back("lower.material." + key);
-    return sample::parsed(all).tugging.lower.material;
+    return sample::tugging(sample::parsed(all)).lower.material;
   };
   const auto m = material({"yield_profile={depth=[0, \"2 mm\", 0.01], factor=[1.5, 1.2, 1]}",
                            "initial_stress={depth=[0, \"4 mm\"], value=[\"-600 MPa\", 0]}"});
@@ -153,9 +153,9 @@ TEST_F(HardeningFile, IsReadFromTheFolderOfTheCaseAndResolvedIntoIt)
   write("plastic strain, stress in Pa\n# measured\n0, 900e6\n0.01; 1.1e9\n\n0.1\t1200000000\n");
   const Case c = parsed();
   const HardeningLaw expected = constitutive::TabulatedHardening({0.0, 0.01, 0.1}, {900e6, 1.1e9, 1.2e9});
-  EXPECT_EQ(c.tugging.lower.material.hardening.value(), expected);
+  EXPECT_EQ(sample::tugging(c).lower.material.hardening.value(), expected);
   const Case again = parse_case(resolved_text(c.values), "/elsewhere/resolved.toml");
-  EXPECT_EQ(again.tugging.lower.material.hardening.value(), expected);
+  EXPECT_EQ(sample::tugging(again).lower.material.hardening.value(), expected);
 }
 
 TEST_F(HardeningFile, ErrorsNameFileLineAndContent)

@@ -15,41 +15,41 @@ namespace
 
 TEST(History, HeaderIsTheSpecifiedOne)
 {
-  EXPECT_EQ(
-      history_header(),
-      "step,X,theta,interference,contact_area,max_pressure,F_n,F_X,F_Y,F_Z,F_X_macro,F_Z_macro,work,dissipation_lower,"
-      "dissipation_upper,energy_residual,max_residual_lower,max_residual_upper,max_equivalent_plastic_strain,"
-      "iterations");
+  EXPECT_EQ(history_header(sample::columns(0)), "step,pass,X,theta,interference,contact_area,max_pressure,F_n,F_X,F_Y,"
+                                                "F_Z,F_X_macro,F_Z_macro,work,dissipation_lower,"
+                                                "dissipation_upper,energy_residual,energy_elastic,max_residual_lower,"
+                                                "max_residual_upper,max_equivalent_plastic_strain,"
+                                                "iterations");
 }
 
 TEST(History, NumbersReadBackTheSame)
 {
-  simulation::StepRecord record = sample::record(4);
+  simulation::TuggingRecord record = sample::record(4);
   record.work = 1e-300 / 3.0;
-  std::istringstream row(history_row(record));
+  std::istringstream row(history_row(columns(record)));
   std::vector<std::string> cells;
   for (std::string cell; std::getline(row, cell, ',');)
     cells.push_back(cell);
-  ASSERT_EQ(cells.size(), 20u);
+  ASSERT_EQ(cells.size(), 22u);
   EXPECT_EQ(cells.front(), "4");
-  EXPECT_EQ(std::strtod(cells[1].c_str(), nullptr), record.X);
-  EXPECT_EQ(std::strtod(cells[7].c_str(), nullptr), 1.0 / 3.0);
-  EXPECT_EQ(std::strtod(cells[12].c_str(), nullptr), record.work);
+  EXPECT_EQ(std::strtod(cells[2].c_str(), nullptr), record.X);
+  EXPECT_EQ(std::strtod(cells[8].c_str(), nullptr), 1.0 / 3.0);
+  EXPECT_EQ(std::strtod(cells[13].c_str(), nullptr), record.work);
   EXPECT_EQ(cells.back(), "7");
 }
 
 TEST(History, RowsAreThereBeforeTheFileIsClosed)
 {
   const sample::TemporaryFolder folder;
-  HistoryWriter writer(folder.path() / "history.csv");
-  writer.add(sample::record(0));
+  HistoryWriter writer(folder.path() / "history.csv", history_header(sample::columns(0)), 0);
+  writer.add(history_row(sample::columns(0)));
   EXPECT_EQ(sample::file_text(folder.path() / "history.csv"),
-            history_header() + "\n" + history_row(sample::record(0)) + "\n");
+            history_header(sample::columns(0)) + "\n" + history_row(sample::columns(0)) + "\n");
 }
 
 TEST(History, SaysThatItCannotBeWritten)
 {
-  EXPECT_THROW(HistoryWriter("/nowhere/history.csv"), IoError);
+  EXPECT_THROW(HistoryWriter("/nowhere/history.csv", "step", 0), IoError);
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/result_directory.hpp"
+#include "brinell/io/summary_json.hpp"
 #include "io/hdf5.hpp"
+#include "io/replace_file.hpp"
 #include "sample.hpp"
 
 #include <cmath>
@@ -59,7 +61,7 @@ simulation::TuggingSummary hand_made_summary(const Case& c)
 {
   simulation::TuggingSummary s;
   s.steps = 2;
-  s.final_state = sample::snapshot(1);
+  s.final_state = sample::snapshot();
   if (c.first_yield)
   {
     s.peak_F_X = 0.25 * c.first_yield->critical.load;
@@ -74,10 +76,12 @@ simulation::TuggingSummary hand_made_summary(const Case& c)
 void write_complete(const fs::path& folder, const Case& c)
 {
   ResultDirectory results(folder, c);
-  results.add(sample::record(0));
-  results.add(sample::snapshot(0));
-  results.add(sample::record(1));
-  results.finish({}, hand_made_summary(c), {.wall_time = 1.5, .threads = 3});
+  results.add(sample::columns(0));
+  results.add(0, sample::columns(0), sample::snapshot());
+  results.add(sample::columns(1));
+  const simulation::TuggingSummary summary = hand_made_summary(c);
+  results.finish(summary.final_state, sample::columns(1),
+                 summary_text(c, simulation::TuggingPlan{}, summary, {.wall_time = 1.5, .threads = 3}));
 }
 
 TEST(Results, FieldsAreOrderedAndDescribed)
@@ -151,15 +155,12 @@ TEST(Results, FinishedStepsAreReadableAtAnyTime)
   EXPECT_TRUE(fs::exists(folder.path() / "result.h5"));
   for (int step = 0; step < 3; ++step)
   {
-    results.add(sample::record(step));
-    results.add(sample::snapshot(step));
+    results.add(sample::columns(step));
+    results.add(step, sample::columns(step), sample::snapshot());
     EXPECT_EQ(dataset(folder.path() / "result.h5", "/steps/00000" + std::to_string(step) + "/contact/pressure"),
               sample::numbered(4, 3, 1));
     EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   }
-  results.stop();
-  EXPECT_FALSE(fs::exists(folder.path() / "snapshots"));
-  EXPECT_EQ(dataset(folder.path() / "result.h5", "/steps/000002/contact/pressure"), sample::numbered(4, 3, 1));
 }
 
 TEST(Results, EarlierResultGoesBeforeTheNewOneBegins)
@@ -184,7 +185,7 @@ TEST(Results, OneRunPerFolder)
   const sample::TemporaryFolder folder;
   const Case c = sample::parsed();
   ResultDirectory first(folder.path(), c);
-  first.add(sample::record(0));
+  first.add(sample::columns(0));
   const std::string before = sample::file_text(folder.path() / "history.csv");
   EXPECT_THROW(ResultDirectory(folder.path(), c), IoError);
   EXPECT_EQ(sample::file_text(folder.path() / "history.csv"), before);
@@ -208,9 +209,9 @@ TEST(Results, FieldsMustFitTheirGrid)
 {
   const sample::TemporaryFolder folder;
   ResultDirectory results(folder.path(), sample::parsed());
-  simulation::Snapshot snapshot = sample::snapshot(0);
+  simulation::Snapshot snapshot = sample::snapshot();
   snapshot.pressure.pop_back();
-  EXPECT_THROW(results.add(snapshot), InternalError);
+  EXPECT_THROW(results.add(0, sample::columns(0), snapshot), InternalError);
 }
 
 TEST(Results, SaysThatItCannotBeWritten)

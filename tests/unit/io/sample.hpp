@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/io/case_file.hpp"
+#include "brinell/io/history_csv.hpp"
 #include "brinell/simulation/tugging.hpp"
 
 #include <algorithm>
@@ -33,6 +34,11 @@ spacing = ["3.85 mm", "7.7 mm", "1.925 mm"]
 inline Case parsed(const std::vector<std::string>& overrides = {})
 {
   return parse_case(case_text, "sample.toml", overrides);
+}
+
+inline const simulation::TuggingCase& tugging(const Case& c)
+{
+  return std::get<simulation::TuggingCase>(c.scenario);
 }
 
 /// A new folder that goes with the test.
@@ -68,14 +74,19 @@ inline std::string file_text(const std::filesystem::path& path)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline simulation::StepRecord record(int step)
+inline simulation::TuggingRecord record(int step)
 {
-  simulation::StepRecord r;
+  simulation::TuggingRecord r;
   r.step = step;
   r.X = 0.1 * step - 0.3;
   r.F_X = 1.0 / 3.0;
   r.iterations = 7;
   return r;
+}
+
+inline std::vector<NamedNumber> columns(int step)
+{
+  return io::columns(record(step));
 }
 
 /// Values that name their cell: i + 100 j + 10000 k.
@@ -108,10 +119,9 @@ inline simulation::BodySnapshot body(bool plastic)
   return b;
 }
 
-inline simulation::Snapshot snapshot(int step)
+inline simulation::Snapshot snapshot()
 {
   simulation::Snapshot s;
-  s.record = record(step);
   s.contact = {4, 3, 0.5, 0.25};
   s.x0 = -0.75;
   s.y0 = -0.25;

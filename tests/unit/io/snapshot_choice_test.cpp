@@ -14,12 +14,12 @@ std::vector<int> stored(SnapshotRule rule, const std::vector<std::vector<double>
 {
   SnapshotChoice choice(std::move(rule));
   std::vector<int> steps;
-  simulation::StepRecord record;
+  simulation::TuggingRecord record;
   for (record.pass = 0; record.pass < static_cast<int>(passes.size()); ++record.pass)
     for (const double X : passes[static_cast<std::size_t>(record.pass)])
     {
       record.X = X;
-      if (choice(record))
+      if (choice(simulation::TuggingCase{}, record))
         steps.push_back(record.step);
       ++record.step;
     }

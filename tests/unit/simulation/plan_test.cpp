@@ -101,11 +101,11 @@ TEST(PlanTest, GridsHoldTheContactAndTheTrack)
   EXPECT_GT(p.upper.surface.nx, p.lower.surface.nx); // the larger sphere is passed over a longer arc
 }
 
-TEST(PlanTest, HalfCellsAndWholeCellsAreShiftsOthersAreNot)
+TEST(PlanTest, AnyShiftIsPossible)
 {
   TuggingCase t = paper();
   const int steps = plan(t).steps_per_pass;
-  for (const double cells : {0.5, 1.0, 1.5, 2.0, 4.0})
+  for (const double cells : {0.3, 0.5, 0.75, 1.0, 1.25, 2.0, 4.0})
   {
     t.shift = cells * 3.85e-3;
     const TuggingPlan p = plan(t);
@@ -113,15 +113,12 @@ TEST(PlanTest, HalfCellsAndWholeCellsAreShiftsOthersAreNot)
     // 2 (R1 + R2) theta0 is crossed by 2 shifts a step; one step more on each side at most.
     EXPECT_NEAR(p.steps_per_pass * cells, steps, 2.0 * cells + 2.0) << cells;
   }
-  for (const double cells : {0.3, 0.75, 1.25, 0.1, 0.0, -1.0})
+  for (const double cells : {0.0, -1.0})
   {
     t.shift = cells * 3.85e-3;
     const std::string text = refusal(t);
     EXPECT_NE(text.find("tugging.shift"), std::string::npos) << cells << ": " << text;
-    EXPECT_NE(text.find("half a cell"), std::string::npos) << cells << ": " << text;
   }
-  t.shift = 0.3 * 3.85e-3;
-  EXPECT_NE(refusal(t).find("0.3 cells"), std::string::npos) << refusal(t); // what was found
 }
 
 TEST(PlanTest, RefusesGridsBeyondAllMeasure)
@@ -148,9 +145,9 @@ TEST(PlanTest, StepsLieOnTheCellsOfBothBodies)
         const double dx = p.contact.dx;
         double before_lower = 0.0, before_upper = 0.0;
         int snapshots = 0;
-        TuggingObserver observer;
-        observer.wants_snapshot = [](const StepRecord&) { return true; };
-        observer.on_snapshot = [&](const Snapshot& s)
+        Observer<TuggingRecord> observer;
+        observer.wants_snapshot = [](const TuggingRecord&) { return true; };
+        observer.on_snapshot = [&](const TuggingRecord&, const Snapshot& s)
         {
           EXPECT_LE(std::abs(s.x0 + 0.5 * (s.contact.nx - 1) * dx), 0.5001 * dx);
           for (const BodySnapshot* body : {&s.lower, &s.upper})

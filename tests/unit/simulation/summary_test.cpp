@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulation/summary.hpp"
+#include "simulation/tugging_summary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@ namespace
 
 constexpr double rounding = 1e-13;
 
-StepRecord step(int number, int pass, double X, double F_X, double F_Z)
+TuggingRecord step(int number, int pass, double X, double F_X, double F_Z)
 {
-  StepRecord r;
+  TuggingRecord r;
   r.step = number;
   r.pass = pass;
   r.X = X;
@@ -89,7 +89,7 @@ TEST(SummaryTest, EnergyBalanceIsRelativeToTheLargestWork)
   Summariser s;
   s.add(step(0, 0, -1.0, 10.0, 1.0));
   s.add(step(1, 0, 0.0, 10.0, 1.0));
-  StepRecord last = step(2, 0, 1.0, -18.0, 1.0);
+  TuggingRecord last = step(2, 0, 1.0, -18.0, 1.0);
   last.dissipation_lower = 2.0;
   last.dissipation_upper = 1.0;
   last.energy_residual = 2.5;

@@ -6,9 +6,8 @@
 namespace brinell::simulation
 {
 
-/// Cells by which the bodies move against each other per step.
-/// @throws InputError if the shift is no whole multiple of dx / 2.
-[[nodiscard]] int relative_cells(const TuggingCase& tugging, double dx);
+/// Cells by which the bodies move against each other per step; between whole numbers the surfaces are interpolated.
+[[nodiscard]] double relative_cells(const TuggingCase& tugging, double dx);
 
 /// Interference at which one of the bodies first yields [m]; the full interference if none does before.
 [[nodiscard]] double yield_interference(const TuggingCase& tugging);

@@ -34,13 +34,22 @@ void mirror_deviator(const std::vector<double>& from, int nx, std::size_t n, std
 
 } // namespace
 
-void Body::follow(const Body& other)
+void Body::follow(const Body& other, Twin twin)
 {
-  mirror(other.displacement_, grid().surface.nx, displacement_);
+  if (twin == Twin::alike)
+    displacement_ = other.displacement_;
+  else
+    mirror(other.displacement_, grid().surface.nx, displacement_);
 }
 
-void Body::adopt(const Body& other)
+void Body::adopt(const Body& other, Twin twin)
 {
+  if (twin == Twin::alike)
+  {
+    state_ = other.state_;
+    displacement_ = other.displacement_;
+    return;
+  }
   const int nx = grid().surface.nx;
   const std::size_t n = grid().size();
   mirror_deviator(other.state_.plastic_strain, nx, n, state_.plastic_strain);

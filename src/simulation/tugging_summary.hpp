@@ -11,15 +11,17 @@ class Summariser
 {
 public:
   /// Adds a step; its work is set here (trapezoidal rule in X, from pass to pass without the way back).
-  void add(StepRecord record);
-  [[nodiscard]] const StepRecord& last() const { return last_; }
+  void add(TuggingRecord record);
+  [[nodiscard]] const TuggingRecord& last() const { return last_; }
+  [[nodiscard]] int steps() const { return summary_.steps; }
   [[nodiscard]] TuggingSummary result() const;
+  void exchange(Archive& archive);
 
 private:
-  void at_alignment(const StepRecord& before, const StepRecord& now);
+  void at_alignment(const TuggingRecord& before, const TuggingRecord& now);
 
   TuggingSummary summary_;
-  StepRecord last_;
+  TuggingRecord last_;
   double largest_work_ = 0.0;
 };
 

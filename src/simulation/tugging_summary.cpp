@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "summary.hpp"
+#include "tugging_summary.hpp"
+
+#include "records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +9,7 @@
 namespace brinell::simulation
 {
 
-void Summariser::add(StepRecord record)
+void Summariser::add(TuggingRecord record)
 {
   const bool continues = record.step > 0 && record.pass == last_.pass;
   record.work = last_.work;
@@ -30,7 +32,7 @@ void Summariser::add(StepRecord record)
   last_ = record;
 }
 
-void Summariser::at_alignment(const StepRecord& before, const StepRecord& now)
+void Summariser::at_alignment(const TuggingRecord& before, const TuggingRecord& now)
 {
   const double t = before.X / (before.X - now.X);
   const auto between = [t](double a, double b) { return a + t * (b - a); };
@@ -41,18 +43,27 @@ void Summariser::at_alignment(const StepRecord& before, const StepRecord& now)
     summary_.load_ratio_aligned = summary_.F_X_aligned / summary_.F_Z_aligned;
 }
 
+void Summariser::exchange(Archive& archive)
+{
+  archive("last", last_);
+  archive("largest_work", largest_work_);
+  archive("steps", summary_.steps);
+  archive("iterations", summary_.iterations);
+  archive("peak_F_X", summary_.peak_F_X);
+  archive("X_at_peak_F_X", summary_.X_at_peak_F_X);
+  archive("min_F_X", summary_.min_F_X);
+  archive("peak_F_Z", summary_.peak_F_Z);
+  archive("F_X_aligned", summary_.F_X_aligned);
+  archive("F_Z_aligned", summary_.F_Z_aligned);
+  archive("load_ratio_aligned", summary_.load_ratio_aligned);
+  archive("load_ratio_end", summary_.load_ratio_end);
+  archive("work_to_alignment", summary_.work_to_alignment);
+}
+
 TuggingSummary Summariser::result() const
 {
   TuggingSummary s = summary_;
-  s.work = last_.work;
-  s.dissipation_lower = last_.dissipation_lower;
-  s.dissipation_upper = last_.dissipation_upper;
-  s.energy_residual = last_.energy_residual;
-  if (largest_work_ > 0.0)
-    s.energy_balance_error = (s.work - s.dissipation_lower - s.dissipation_upper - s.energy_residual) / largest_work_;
-  s.max_residual_lower = last_.max_residual_lower;
-  s.max_residual_upper = last_.max_residual_upper;
-  s.max_equivalent_plastic_strain = last_.max_equivalent_plastic_strain;
+  take_totals(last_, largest_work_, s);
   return s;
 }
 

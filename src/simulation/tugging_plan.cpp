@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan.hpp"
+#include "tugging_plan.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/fft.hpp"
 #include "brinell/reference/critical.hpp"
+#include "footprint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +30,6 @@ double plastic_growth(const TuggingCase& tugging)
   const double ratio =
       tugging.interference / yield_interference(tugging) * (tugging.lower == tugging.upper ? 1.0 : 2.0);
   return std::pow(std::max(1.0, ratio / covered), 0.4);
-}
-
-/// Half-width in whole cells around a central one that covers `length`.
-int half_cells(double length, double cell)
-{
-  return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
 }
 
 double equivalent_radius(const TuggingCase& tugging)
@@ -73,44 +67,13 @@ VolumeGrid material_grid(const TuggingCase& tugging, const SurfaceGrid& contact,
 }
 
 /// Whether the bodies are alike and pass each other so that a cell of one always has its mirror image in the other.
-bool is_mirrored(const TuggingCase& tugging, const Position& p, double dx)
+bool is_mirrored(const TuggingCase& tugging, const Position& p, double cells, double dx)
 {
   constexpr double rounding = 1e-9;
   const double columns = (p.arc_lower - p.arc_upper) / dx;
   return tugging.solver.mirror && tugging.lower == tugging.upper && tugging.lower.material.is_plastic() &&
-         std::abs(columns - std::round(columns)) < rounding && std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
-}
-
-/// Real padded planes of all layers [bytes].
-double padded_bytes(const VolumeGrid& grid)
-{
-  return static_cast<double>(fast_length(2 * grid.surface.nx - 1)) * fast_length(2 * grid.surface.ny - 1) * grid.nz *
-         sizeof(double);
-}
-
-/// Spectra of the stress, and rows without their padding in y.
-double spectra_bytes(const VolumeGrid& grid, int components)
-{
-  return 1.5 * components * padded_bytes(grid);
-}
-
-/// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
-double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
-{
-  const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
-  const double cells = static_cast<double>(grid.size()) * sizeof(double);
-  const double fields = cells * (6 * 5 + 4);
-  const double active_share = 0.25;
-  const double accelerator = cells * active_share * 5 * (2 * anderson_depth + 4);
-  return kernels + fields + (solved ? spectra_bytes(grid, 5) + accelerator : 0.0);
-}
-
-/// The final state always is a snapshot: tensors of both bodies, and the operators' spectra for one of them at a time.
-double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
-{
-  const auto cells = static_cast<double>(lower.size() + upper.size());
-  const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
-  return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
+         cells == std::round(cells) && std::abs(columns - std::round(columns)) < rounding &&
+         std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
 }
 
 } // namespace
@@ -130,17 +93,14 @@ double yield_interference(const TuggingCase& tugging)
   return smallest;
 }
 
-int relative_cells(const TuggingCase& tugging, double dx)
+double relative_cells(const TuggingCase& tugging, double dx)
 {
-  const double shift = tugging.shift.value_or(dx);
-  const double cells = 2.0 * shift / dx;
-  const int whole = static_cast<int>(std::lround(cells));
-  if (whole < 1 || std::abs(cells - whole) > 1e-6 * cells)
-    throw InputError(
-        fmt::format("tugging.shift = {:g} m is {:g} cells of dx = {:g} m; allowed are whole multiples of "
-                    "half a cell, so that the strain of both bodies is carried along without interpolation",
-                    shift, shift / dx, dx));
-  return whole;
+  constexpr double rounding = 1e-6;
+  const double cells = 2.0 * tugging.shift.value_or(dx) / dx;
+  const double whole = std::round(cells);
+  if (!(cells > 0.0))
+    throw InputError(fmt::format("tugging.shift = {:g} m; allowed: > 0", cells * 0.5 * dx));
+  return std::abs(cells - whole) <= rounding * cells ? whole : cells;
 }
 
 TuggingPlan plan(const TuggingCase& tugging)
@@ -157,19 +117,20 @@ TuggingPlan plan(const TuggingCase& tugging)
   const double scaled = a * tugging.extent * plastic_growth(tugging);
   plan.contact = {2 * half_cells(contact_extent_x * scaled, dx) + 1, 2 * half_cells(contact_extent_y * scaled, dy) + 1,
                   dx, dy};
-  const int cells = relative_cells(tugging, dx);
+  const double cells = relative_cells(tugging, dx);
   const Passing passing(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells, dx,
                         tugging.kinematics);
   plan.lower = material_grid(tugging, plan.contact, tugging.lower.radius, passing.angle_at_touch(), dz, scaled);
   plan.upper = material_grid(tugging, plan.contact, tugging.upper.radius, passing.angle_at_touch(), dz, scaled);
   plan.steps_per_pass = passing.step_count();
-  plan.mirrored = is_mirrored(tugging, passing.start(0), dx);
+  plan.steps = tugging.passes * (plan.steps_per_pass + 1);
+  plan.twin =
+      is_mirrored(tugging, passing.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
+  plan.scales = {yield_interference(tugging), tugging.interference};
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = passing.start_distance();
-  const int depth = tugging.solver.anderson_depth;
-  plan.memory_bytes = body_bytes(plan.lower, depth, tugging.lower.material.is_plastic()) +
-                      body_bytes(plan.upper, depth, tugging.upper.material.is_plastic() && !plan.mirrored) +
-                      snapshot_bytes(plan.lower, plan.upper);
+  plan.memory_bytes = memory_bytes(plan, tugging.lower.material.is_plastic(), tugging.upper.material.is_plastic(),
+                                   tugging.solver.anderson_depth);
   return plan;
 }
 

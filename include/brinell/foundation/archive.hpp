@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/error.hpp"
+
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace brinell
+{
+
+/// The numbers of a state by name, to be stored and taken back. One function per class lists its members for both ways,
+/// so that neither can forget what the other one knows.
+class Archive
+{
+public:
+  using Fields = std::map<std::string, std::vector<double>>;
+
+  /// Takes in what it is shown.
+  Archive() = default;
+  /// Gives back what was taken in.
+  explicit Archive(Fields fields) : fields_(std::move(fields)), gives_(true) {}
+
+  /// @throws InputError if there is no such field, or it has another size than the member it belongs to.
+  void operator()(const std::string& name, std::vector<double>& values)
+  {
+    if (!gives_)
+      fields_[prefix_ + name] = values;
+    else if (const std::vector<double>& field = at(name); field.size() == values.size())
+      values = field;
+    else
+      throw InputError("the stored state has another size of " + prefix_ + name);
+  }
+  template <typename Number>
+  requires std::is_arithmetic_v<Number>
+  void operator()(const std::string& name, Number& value)
+  {
+    if (!gives_)
+      fields_[prefix_ + name] = {static_cast<double>(value)};
+    else
+      value = static_cast<Number>(at(name).at(0));
+  }
+  /// A part that lists its own members, with its name before theirs.
+  template <typename Part>
+  requires requires(Part& part, Archive& archive) { part.exchange(archive); }
+  void operator()(const std::string& name, Part& part)
+  {
+    const std::string outer = prefix_;
+    prefix_ += name + ".";
+    part.exchange(*this);
+    prefix_ = outer;
+  }
+
+  /// A list whose length belongs to the state: of numbers, or of parts.
+  void list(const std::string& name, std::vector<double>& values)
+  {
+    std::size_t size = values.size();
+    (*this)(name + ".size", size);
+    values.resize(size);
+    if (size > 0)
+      (*this)(name, values);
+  }
+  template <typename Part>
+  void list(const std::string& name, std::vector<Part>& parts)
+  {
+    std::size_t size = parts.size();
+    (*this)(name + ".size", size);
+    parts.resize(size);
+    for (std::size_t i = 0; i < size; ++i)
+      (*this)(name + "." + std::to_string(i), parts[i]);
+  }
+
+  [[nodiscard]] bool gives() const { return gives_; }
+  [[nodiscard]] const Fields& fields() const { return fields_; }
+
+private:
+  [[nodiscard]] const std::vector<double>& at(const std::string& name) const
+  {
+    const auto found = fields_.find(prefix_ + name);
+    if (found == fields_.end() || found->second.empty())
+      throw InputError("the stored state has no " + prefix_ + name);
+    return found->second;
+  }
+
+  Fields fields_;
+  bool gives_ = false;
+  std::string prefix_;
+};
+
+} // namespace brinell

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/elastic_contact.hpp"
+#include "brinell/simulation/scenario.hpp"
+
+/// The upper body is pressed into the lower one and lifted off again, at one place or at several.
+namespace brinell::simulation
+{
+
+struct IndentationRecord;
+
+struct IndentationCase : Numerics
+{
+  using Record = IndentationRecord; ///< row of its history
+
+  ShapedBody lower; ///< is indented
+  ShapedBody upper; ///< the indenter
+  /// Loads or approaches to be reached one after the other from no contact, all of one kind; a list that is repeated or
+  /// has several places must end with zero.
+  std::vector<contact::Drive> sequence;
+  int steps = 20;                  ///< from one entry of the sequence to the next
+  int cycles = 1;                  ///< how often the sequence is applied at each place
+  std::vector<double> places{0.0}; ///< x of the indenter's apex on the lower body [m]
+};
+
+struct IndentationPlan : Plan
+{
+  double contact_radius = 0.0; ///< estimate at the largest load or approach, along x [m]
+};
+
+/// One row of the history.
+struct IndentationRecord : StepRecord
+{
+  int place = 0;               ///< which of the places
+  double x = 0.0;              ///< where it is [m]
+  double approach = 0.0;       ///< depth of the indenter from first touch of the undeformed bodies [m]
+  double contact_radius = 0.0; ///< of the circle with the contact area [m]
+  double mean_pressure = 0.0;  ///< load over projected contact area [Pa]
+  double pile_up_lower = 0.0;  ///< largest height of the residual surface [m]
+
+  void exchange(Archive& archive);
+};
+
+/// One loading and unloading at one place: read at the largest load, and where the contact opens.
+struct Indent
+{
+  int place = 0, cycle = 0;
+  double x = 0.0;                   ///< [m]
+  double max_load = 0.0;            ///< [N]
+  double max_approach = 0.0;        ///< at that load [m]
+  double contact_area = 0.0;        ///< projected, at that load [m^2]
+  double hardness = 0.0;            ///< max_load / contact_area [Pa]
+  double loading_stiffness = 0.0;   ///< dF/d approach, arriving at the largest load [N/m]
+  double unloading_stiffness = 0.0; ///< leaving it [N/m]; 0 without unloading
+  double final_approach = 0.0;      ///< at which the contact opens [m]; NaN if it does not
+  double residual_depth = 0.0;      ///< largest residual displacement of the lower body then [m]
+  double pile_up = 0.0;             ///< largest height of its residual surface then [m]
+  double work = 0.0;                ///< net, of this indent [J]
+
+  void exchange(Archive& archive);
+};
+
+struct IndentationSummary : RunTotals
+{
+  std::vector<Indent> indents;
+};
+
+/// Grids, number of steps and memory of a case.
+/// @throws InputError
+[[nodiscard]] IndentationPlan plan(const IndentationCase& indentation);
+
+/// Runs a case, or goes on from a checkpoint of it.
+/// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).
+[[nodiscard]] IndentationSummary run(const IndentationCase& indentation,
+                                     const Observer<IndentationRecord>& observer = {},
+                                     const Archive::Fields* checkpoint = nullptr);
+
+} // namespace brinell::simulation

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/elastic_contact.hpp"
+#include "brinell/simulation/scenario.hpp"
+
+/// The upper body, pressed on the lower one, rolls over it along x: pass after pass over the same track.
+namespace brinell::simulation
+{
+
+struct RollingRecord;
+
+struct RollingCase : Numerics
+{
+  using Record = RollingRecord; ///< row of its history
+
+  ShapedBody lower;
+  ShapedBody upper;
+  contact::Drive drive;        ///< kept while rolling
+  double distance = 0.0;       ///< from -distance/2 to distance/2 on the lower body in each pass [m], > 0
+  std::optional<double> shift; ///< by which the contact moves on the lower body per step [m]; default: one cell dx
+  /// (u_lower - u_upper) / mean of the speeds of both surfaces past the contact, in (-2, 2]: 0 pure rolling; 2: the upper body
+  /// slides without turning.
+  double slide_to_roll = 0.0;
+  int passes = 1;
+  int load_steps = 6; ///< in which the drive comes up before a pass and goes down after it
+};
+
+struct RollingPlan : Plan
+{
+  double half_width_x = 0.0, half_width_y = 0.0; ///< of the contact, estimate [m]
+  double shift = 0.0;                            ///< on the lower body per step [m]
+  int rolling_steps = 0;                         ///< in each pass
+};
+
+/// One row of the history.
+struct RollingRecord : StepRecord
+{
+  double x = 0.0;        ///< of the contact's centre on the lower body [m]
+  double approach = 0.0; ///< [m]
+  double F_X = 0.0;      ///< resistance to rolling: work of the drive per distance on the lower body [N]
+
+  void exchange(Archive& archive);
+};
+
+/// What a pass has left, under the middle of the track.
+struct RollingPass
+{
+  double rut_depth = 0.0;                     ///< residual displacement of the lower body at x = y = 0 [m]
+  double shoulder_height = 0.0;               ///< largest height of its residual surface in the section x = 0 [m]
+  double max_equivalent_plastic_strain = 0.0; ///< of both bodies
+  double track_plastic_strain = 0.0;          ///< largest equivalent plastic strain of the lower body under x = y = 0
+  double track_plastic_increment = 0.0;       ///< largest growth of it in this pass
+  double dissipation = 0.0;                   ///< of both bodies in this pass [J]
+  double resistance = 0.0;                    ///< mean F_X over the middle half of the track [N]
+  double max_pressure = 0.0;                  ///< mean over the same of the largest pressure [Pa]
+
+  void exchange(Archive& archive);
+};
+
+/// Under x = y = 0 of the lower body after the last pass, unloaded.
+struct TrackProfile
+{
+  std::vector<double> depth;                    ///< of the layers' centres [m]
+  std::vector<double> residual_xx, residual_yy; ///< [Pa]
+  std::vector<double> equivalent_plastic_strain;
+};
+
+struct RollingSummary : RunTotals
+{
+  std::vector<RollingPass> passes;
+  TrackProfile profile;
+};
+
+/// Grids, number of steps and memory of a case.
+/// @throws InputError
+[[nodiscard]] RollingPlan plan(const RollingCase& rolling);
+
+/// Runs a case, or goes on from a checkpoint of it.
+/// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).
+[[nodiscard]] RollingSummary run(const RollingCase& rolling, const Observer<RollingRecord>& observer = {},
+                                 const Archive::Fields* checkpoint = nullptr);
+
+} // namespace brinell::simulation

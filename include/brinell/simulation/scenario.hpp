@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/constitutive/material.hpp"
+#include "brinell/elastoplastic/increment.hpp"
+#include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/grid.hpp"
+#include "brinell/simulation/shape.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+/// Step loops: motion, history, energies. What all scenarios share. SI units.
+namespace brinell::simulation
+{
+
+/// A body in the general scenarios.
+struct ShapedBody
+{
+  Shape shape;
+  constitutive::Material material;
+  Texture texture{};
+  bool operator==(const ShapedBody&) const = default;
+};
+
+/// Cells and solver of a case.
+struct Numerics
+{
+  std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
+  double resolution = 8.0;                      ///< cells per contact radius along x if no spacing is given
+  double extent = 1.0; ///< factor on the automatic extent of the grids around contact and plastic zone, > 0
+  elastoplastic::Settings solver;
+};
+
+/// What a run will cost and where its cells are; computed without running.
+struct Plan
+{
+  SurfaceGrid contact;                                  ///< grid of the contact, carried along with it
+  VolumeGrid lower, upper;                              ///< material grids, wide enough for the whole track
+  int steps = 0;                                        ///< estimate
+  elastoplastic::Twin twin = elastoplastic::Twin::none; ///< other than none: one body is solved
+  double memory_bytes = 0.0;
+  elastoplastic::Scales scales; ///< of the tolerances
+};
+
+/// What every row of a history tells.
+struct StepRecord
+{
+  int step = 0; ///< counts from 0
+  int pass = 0; ///< counts from 0
+  double contact_area = 0.0, max_pressure = 0.0;
+  double F_n = 0.0;                                        ///< sum of the pressure [N]
+  double work = 0.0;                                       ///< of the drive since the start [J]
+  double dissipation_lower = 0.0, dissipation_upper = 0.0; ///< plastic work since the start [J]
+  double energy_residual = 0.0; ///< elastic energy locked in by the plastic strain of both bodies [J]
+  double energy_elastic = 0.0;  ///< recoverable energy of the contact pressure [J]
+  double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
+  double max_equivalent_plastic_strain = 0.0;
+  int iterations = 0; ///< evaluations of the elastic-plastic operator in this step
+
+  void exchange(Archive& archive);
+};
+
+/// Fields of one body on its own material grid.
+struct BodySnapshot
+{
+  VolumeGrid grid;
+  double x0 = 0.0, y0 = 0.0;                         ///< centre of cell (0, 0) in the body's surface coordinates [m]
+  double contact_x = 0.0;                            ///< where the contact centre is now [m]
+  std::array<std::vector<double>, 6> stress;         ///< xx yy zz yz xz xy, contact and residual [Pa]; empty if rigid
+  std::array<std::vector<double>, 6> plastic_strain; ///< xx yy zz yz xz xy [-]
+  std::vector<double> equivalent_plastic_strain;     ///< [-]
+  std::vector<double> residual_displacement;         ///< surface, into the body positive [m]
+};
+
+/// Fields of one step.
+struct Snapshot
+{
+  SurfaceGrid contact;
+  double x0 = 0.0, y0 = 0.0;    ///< centre of contact cell (0, 0) from the contact's own centre [m]
+  std::vector<double> pressure; ///< [Pa]
+  std::vector<double> gap;      ///< [m], >= 0
+  BodySnapshot lower, upper;
+};
+
+/// What every summary tells.
+struct RunTotals
+{
+  int steps = 0;
+  long iterations = 0;
+  int split_increments = 0; ///< increments that had to be split or redone with the guarded scheme
+  double work = 0.0, dissipation_lower = 0.0, dissipation_upper = 0.0, energy_residual = 0.0, energy_elastic = 0.0; // J
+  double energy_balance_error = 0.0; ///< (work - dissipation - stored energy) / largest work reached
+  double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< at the end [m]
+  double max_equivalent_plastic_strain = 0.0;
+  Snapshot final_state;
+};
+
+/// How a caller watches a run. Empty functions are skipped; after each step they are called in this order.
+template <typename Record>
+struct Observer
+{
+  std::function<void(const Record&, int step_count_estimate)> on_step;
+  std::function<bool(const Record&)> wants_snapshot;
+  std::function<void(const Record&, const Snapshot&)> on_snapshot;
+  std::function<bool(const Record&)> wants_checkpoint;
+  /// Everything that the rest of the run depends on: to be given to `run` later.
+  std::function<void(const Record&, const Archive::Fields&)> on_checkpoint;
+};
+
+} // namespace brinell::simulation

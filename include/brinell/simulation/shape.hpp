@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <variant>
+#include <vector>
+
+/// Surfaces of bodies before they are loaded: their shape on the scale of the contact, and what lies on it.
+namespace brinell::simulation
+{
+
+/// A half space without curvature.
+struct Plane
+{
+  bool operator==(const Plane&) const = default;
+};
+
+/// x^2/(2 radius_x) + y^2/(2 radius_y): a sphere, a crowned roller or an ellipsoid near its apex (Hertz). A radius may be
+/// infinite, and negative for a groove, as long as the two bodies together are convex.
+struct Paraboloid
+{
+  double radius_x = 0.0, radius_y = 0.0; ///< [m], not zero
+  bool operator==(const Paraboloid&) const = default;
+};
+
+/// A cylinder with its axis along y and plane ends.
+struct Roller
+{
+  double radius = 0.0; ///< [m], > 0
+  double length = 0.0; ///< [m], > 0
+  bool operator==(const Roller&) const = default;
+};
+
+/// A cone, rounded by a ball of the tip radius that touches it from inside.
+struct Cone
+{
+  double half_angle = 0.0; ///< between axis and flank [rad]
+  double tip_radius = 0.0; ///< [m], >= 0
+  bool operator==(const Cone&) const = default;
+};
+
+/// A regular pyramid, rounded in the same way at tip and edges. Vickers: four faces at 68 degrees to the axis; Berkovich:
+/// three at 65.27 degrees (the modified one, with the Vickers' ratio of projected area to depth).
+struct Pyramid
+{
+  int faces = 4;
+  double face_angle = 0.0; ///< between axis and face [rad]
+  double tip_radius = 0.0; ///< [m], >= 0
+  bool operator==(const Pyramid&) const = default;
+};
+
+using Shape = std::variant<Plane, Paraboloid, Roller, Cone, Pyramid>;
+
+/// Distance of the surface from the plane that touches it at its apex, at (x, y) from there [m].
+[[nodiscard]] double height(const Shape& shape, double x, double y);
+
+/// No texture.
+struct Smooth
+{
+  bool operator==(const Smooth&) const = default;
+};
+
+/// A round dent with a shoulder, depth * 10^(-10 (r/radius)^2) cos(2 pi r/radius), as often used for rolling over dents
+/// (Lubrecht, Venner; Ville and Nelias 1999). Negative depth: a bump.
+struct Dent
+{
+  double x = 0.0, y = 0.0; ///< centre on the body's surface [m]
+  double depth = 0.0;      ///< [m]
+  double radius = 0.0;     ///< [m], > 0; the dent itself reaches to a quarter of it
+  bool operator==(const Dent&) const = default;
+};
+
+/// Heights on a grid, linear between its points, zero outside.
+struct HeightMap
+{
+  int nx = 0, ny = 0;            ///< points, x runs fastest
+  double dx = 0.0, dy = 0.0;     ///< [m]
+  double x = 0.0, y = 0.0;       ///< centre on the body's surface [m]
+  std::vector<double> heights{}; ///< out of the body positive [m]
+  bool operator==(const HeightMap&) const = default;
+};
+
+/// Fixed to the material, where the shape stays with the contact.
+using Texture = std::variant<Smooth, Dent, HeightMap>;
+
+/// Depth into the body of its surface at (x, y) [m].
+[[nodiscard]] double depth(const Texture& texture, double x, double y);
+
+} // namespace brinell::simulation

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "case_material.hpp"
+#include "case_reader.hpp"
+
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+simulation::Shape shape(const CaseReader& reader, const std::string& body)
+{
+  const std::string table = body + ".shape.";
+  const auto number = [&](const char* key) { return reader.get<double>(table + key); };
+  const auto& type = reader.get<std::string>(table + "type");
+  if (type == "sphere")
+    return simulation::Paraboloid{number("radius"), number("radius")};
+  if (type == "ellipsoid")
+    return simulation::Paraboloid{number("radius_x"), number("radius_y")};
+  if (type == "cylinder")
+    return simulation::Roller{number("radius"), number("length")};
+  if (type == "cone")
+    return simulation::Cone{number("half_angle") * degree, number("tip_radius")};
+  if (type == "vickers")
+    return simulation::Pyramid{4, 68.0 * degree, number("tip_radius")};
+  if (type == "berkovich")
+    return simulation::Pyramid{3, 65.27 * degree, number("tip_radius")};
+  if (type != "flat")
+    throw InternalError(fmt::format("the shape {} is in the schema, but is not built", type));
+  return simulation::Plane{};
+}
+
+/// Heights in m, a line per row; empty lines and lines that begin with # are skipped.
+simulation::HeightMap heights(const std::filesystem::path& file)
+{
+  std::ifstream stream(file);
+  if (!stream)
+    throw InputError(fmt::format("cannot be opened: no file {}, or not readable", file.string()));
+  simulation::HeightMap map;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number)
+  {
+    const auto first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#')
+      continue;
+    for (char& c : line)
+      if (c == ',' || c == ';' || c == '\t' || c == '\r')
+        c = ' ';
+    std::istringstream numbers(line);
+    const std::size_t before = map.heights.size();
+    for (double height = 0.0; numbers >> height;)
+      map.heights.push_back(height);
+    const auto count = static_cast<int>(map.heights.size() - before);
+    if (!numbers.eof() || count == 0 || (map.ny > 0 && count != map.nx))
+      throw InputError(fmt::format("has in line {} \"{}\"; allowed: {} heights in m", number, line.substr(0, 40),
+                                   map.ny > 0 ? std::to_string(map.nx) : "one or more"));
+    map.nx = count;
+    ++map.ny;
+  }
+  if (map.ny == 0)
+    throw InputError("has no heights");
+  return map;
+}
+
+simulation::Texture texture(const CaseReader& reader, const std::string& body)
+{
+  const std::string table = body + ".texture.";
+  const auto number = [&](const char* key) { return reader.get<double>(table + key); };
+  const auto& type = reader.get<std::string>(table + "type");
+  if (type == "smooth")
+    return simulation::Smooth{};
+  if (type == "dent" || type == "bump")
+    return simulation::Dent{number("x"), number("y"), type == "dent" ? number("depth") : -number("height"),
+                            number("radius")};
+  const auto& spacing = reader.get<std::vector<double>>(table + "spacing");
+  if (spacing.size() != 2)
+    reader.add(table + "spacing", "needs two lengths, [dx, dy]");
+  else
+    try
+    {
+      const auto& name = reader.get<std::string>(table + "file");
+      simulation::HeightMap map = heights(std::filesystem::path(reader.raw.file).parent_path() / name);
+      map.dx = spacing[0];
+      map.dy = spacing[1];
+      map.x = number("x");
+      map.y = number("y");
+      return map;
+    }
+    catch (const InputError& error)
+    {
+      reader.add(table + "file", error.what());
+    }
+  return simulation::Smooth{};
+}
+
+} // namespace
+
+simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body)
+{
+  return {shape(reader, body), material(reader.values, reader.raw, body, reader.problems), texture(reader, body)};
+}
+
+} // namespace brinell::io

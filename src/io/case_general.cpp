@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/reference/hertz.hpp"
+#include "case_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+/// Indentation and rolling: two bodies of any shape.
+namespace brinell::io
+{
+
+namespace
+{
+
+using contact::Drive;
+using simulation::Paraboloid;
+using simulation::Roller;
+using simulation::ShapedBody;
+
+/// Curvatures along x and y; none for tips.
+std::optional<std::array<double, 2>> curvature(const simulation::Shape& shape)
+{
+  if (std::holds_alternative<simulation::Plane>(shape))
+    return std::array{0.0, 0.0};
+  if (const auto* p = std::get_if<Paraboloid>(&shape))
+    return std::array{1.0 / p->radius_x, 1.0 / p->radius_y};
+  if (const auto* r = std::get_if<Roller>(&shape))
+    return std::array{1.0 / r->radius, 0.0};
+  return std::nullopt;
+}
+
+/// Sum of the curvatures of both bodies.
+std::optional<std::array<double, 2>> relative_curvature(const ShapedBody& lower, const ShapedBody& upper)
+{
+  const auto a = curvature(lower.shape);
+  const auto b = curvature(upper.shape);
+  if (!a || !b)
+    return std::nullopt;
+  return std::array{(*a)[0] + (*b)[0], (*a)[1] + (*b)[1]};
+}
+
+double smallest_radius(const ShapedBody& body)
+{
+  const auto k = curvature(body.shape);
+  const double largest = k ? std::max(std::abs((*k)[0]), std::abs((*k)[1])) : 0.0;
+  return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
+}
+
+/// Both bodies, and what follows from them alone.
+void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper)
+{
+  lower = read_body(reader, "lower");
+  upper = read_body(reader, "upper");
+  reader.problems.throw_if_any();
+  warn_of_material("lower", lower.material, c);
+  warn_of_material("upper", upper.material, c);
+  if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
+    reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
+  std::optional<double> radius;
+  if (const auto k = relative_curvature(lower, upper); k && (*k)[0] > 0.0)
+    if (std::abs((*k)[0] - (*k)[1]) < 1e-12 * (*k)[0])
+      radius = 1.0 / (*k)[0];
+  set_first_yield(lower.material, upper.material, radius, c);
+}
+
+/// Loads or approaches, whichever are given.
+std::vector<Drive> sequence(const CaseReader& reader, const Case& c)
+{
+  const std::string key = reader.has("indentation.load") ? "indentation.load" : "indentation.approach";
+  if (!reader.has(key))
+  {
+    reader.problems.add(reader.place(key),
+                        "indentation needs one of indentation.load and indentation.approach, a list as "
+                        "[\"10 N\", 0] or [\"2 um\", 0]");
+    return {};
+  }
+  const bool by_load = key == "indentation.load";
+  double unit = 1.0;
+  if (reader.get<bool>("indentation.normalised"))
+  {
+    if (!c.first_yield)
+    {
+      reader.add(key,
+                 "is in units of first yield, which exists for round bodies only, one of which can yield; allowed: "
+                 "indentation.normalised = false with units");
+      return {};
+    }
+    unit = by_load ? c.first_yield->critical.load : c.first_yield->critical.interference;
+  }
+  std::vector<Drive> drives;
+  for (const double value : reader.get<std::vector<double>>(key))
+    drives.push_back({by_load ? Drive::Kind::load : Drive::Kind::approach, value * unit});
+  if (std::none_of(drives.begin(), drives.end(), [](const Drive& d) { return d.value > 0.0; }))
+    reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
+  const bool repeats =
+      reader.integer("indentation.cycles") > 1 || reader.get<std::vector<double>>("indentation.places").size() > 1;
+  if (repeats && drives.back().value != 0.0)
+    reader.add(key, "must end with 0 if there are several cycles or places");
+  return drives;
+}
+
+/// Load whose elastic contact has that peak pressure.
+double load_of_hertz_pressure(const CaseReader& reader, const Case& c, const simulation::RollingCase& rolling)
+{
+  const std::string key = "rolling.hertz_pressure";
+  const double pressure = reader.get<double>(key);
+  const auto k = relative_curvature(rolling.lower, rolling.upper);
+  double length = std::numeric_limits<double>::infinity();
+  for (const ShapedBody* body : {&rolling.lower, &rolling.upper})
+    if (const auto* roller = std::get_if<Roller>(&body->shape))
+      length = std::min(length, roller->length);
+  if (k && (*k)[0] > 0.0 && (*k)[1] == 0.0 && std::isfinite(length))
+    return pressure * pressure * std::numbers::pi * length / ((*k)[0] * c.contact_modulus);
+  if (k && (*k)[0] > 0.0 && (*k)[1] > 0.0)
+  {
+    const double of_one_newton =
+        reference::elliptical_contact_at_load(1.0 / (*k)[0], 1.0 / (*k)[1], c.contact_modulus, 1.0).peak_pressure;
+    return std::pow(pressure / of_one_newton, 3);
+  }
+  reader.add(key, "has no meaning for these shapes; allowed: rolling.load or rolling.approach");
+  return 1.0;
+}
+
+Drive rolling_drive(const CaseReader& reader, const Case& c, const simulation::RollingCase& rolling)
+{
+  std::vector<std::string> given;
+  for (const char* key : {"rolling.load", "rolling.hertz_pressure", "rolling.approach"})
+    if (reader.has(key))
+      given.emplace_back(key);
+  if (given.size() != 1)
+  {
+    reader.problems.add(reader.place(given.empty() ? "rolling.load" : given[1]),
+                        fmt::format("{} of rolling.load, rolling.hertz_pressure and rolling.approach {}; one is needed",
+                                    given.empty() ? "none" : "more than one",
+                                    given.size() > 1 ? "are given" : "is given"));
+    return {};
+  }
+  if (given[0] == "rolling.hertz_pressure")
+    return {Drive::Kind::load, load_of_hertz_pressure(reader, c, rolling)};
+  return {given[0] == "rolling.load" ? Drive::Kind::load : Drive::Kind::approach, reader.get<double>(given[0])};
+}
+
+/// Shapes that cannot touch, and grids beyond all measure, are told apart by the plan.
+template <typename ScenarioCase>
+auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenario)
+{
+  try
+  {
+    return std::optional(simulation::plan(scenario));
+  }
+  catch (const InputError& error)
+  {
+    const std::string what = error.what();
+    reader.problems.add(what.starts_with("grid") ? c.grid_source : reader.raw.file, what);
+    return std::optional<decltype(simulation::plan(scenario))>();
+  }
+}
+
+} // namespace
+
+void read_indentation(const CaseReader& reader, Case& c)
+{
+  simulation::IndentationCase i;
+  read_pair(reader, c, i.lower, i.upper);
+  read_numerics(reader, i);
+  i.sequence = sequence(reader, c);
+  i.steps = reader.integer("indentation.steps");
+  i.cycles = reader.integer("indentation.cycles");
+  i.places = reader.get<std::vector<double>>("indentation.places");
+  if (reader.problems.empty())
+    if (const auto plan = planned(reader, c, i))
+      warn_of_size(plan->contact_radius, std::min(smallest_radius(i.lower), smallest_radius(i.upper)), c);
+  c.scenario = i;
+}
+
+void read_rolling(const CaseReader& reader, Case& c)
+{
+  simulation::RollingCase r;
+  read_pair(reader, c, r.lower, r.upper);
+  read_numerics(reader, r);
+  r.drive = rolling_drive(reader, c, r);
+  r.distance = reader.get<double>("rolling.distance");
+  if (reader.has("rolling.shift"))
+    r.shift = reader.get<double>("rolling.shift");
+  r.slide_to_roll = reader.get<double>("rolling.slide_to_roll");
+  r.passes = reader.integer("rolling.passes");
+  r.load_steps = reader.integer("rolling.load_steps");
+  if (reader.problems.empty())
+    if (const auto plan = planned(reader, c, r))
+      warn_of_size(plan->half_width_x, std::min(smallest_radius(r.lower), smallest_radius(r.upper)), c);
+  c.scenario = r;
+}
+
+} // namespace brinell::io

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/io/case_file.hpp"
+#include "raw_case.hpp"
+#include "value_text.hpp"
+
+#include <fmt/format.h>
+
+namespace brinell::io
+{
+
+/// What the readers of the parts of a case share.
+struct CaseReader
+{
+  const CaseValues& values;
+  const RawCase& raw;
+  Problems& problems;
+
+  template <class T>
+  [[nodiscard]] const T& get(std::string_view key) const
+  {
+    return values.get<T>(key);
+  }
+  [[nodiscard]] int integer(std::string_view key) const { return static_cast<int>(get<std::int64_t>(key)); }
+  [[nodiscard]] bool has(std::string_view key) const { return values.find(key) != nullptr; }
+
+  /// Where a key stands, or is missed.
+  [[nodiscard]] std::string place(const std::string& key) const
+  {
+    const Given* given = raw.find(key);
+    return given ? given->place : raw.place_for(key);
+  }
+  /// "key = value" for checks that come after the reading.
+  [[nodiscard]] std::string cited(const std::string& key) const
+  {
+    const Given* given = raw.find(key);
+    const Value* value = values.find(key);
+    return given ? fmt::format("{} = {}", key, shown(given->raw)) : (value ? key + " = " + toml_text(*value) : key);
+  }
+  void add(const std::string& key, std::string_view what) const
+  {
+    problems.add(place(key), fmt::format("{} {}", cited(key), what));
+  }
+};
+
+/// Cells and solver, common to all scenarios.
+void read_numerics(const CaseReader& reader, simulation::Numerics& numerics);
+/// A body of the general scenarios.
+[[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
+
+/// Each scenario takes what it needs into `c`: its own case, equivalent radius, contact modulus, first yield, warnings.
+/// What is wrong goes into the reader's problems.
+void read_tugging(const CaseReader& reader, Case& c);
+void read_indentation(const CaseReader& reader, Case& c);
+void read_rolling(const CaseReader& reader, Case& c);
+
+/// Contact modulus and first yield, the latter if the bodies are round with that equivalent radius [m].
+void set_first_yield(const constitutive::Material& lower, const constitutive::Material& upper,
+                     std::optional<double> radius, Case& c);
+/// What can be computed, but is seldom meant.
+void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c);
+/// The bodies are computed as half spaces.
+void warn_of_size(double contact_radius, double smallest_radius, Case& c);
+
+} // namespace brinell::io

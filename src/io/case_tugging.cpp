@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "case_material.hpp"
+#include "case_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+simulation::Asperity asperity(const CaseReader& reader, const std::string& body)
+{
+  const std::string shape = body + ".shape.type";
+  const std::string texture = body + ".texture.type";
+  if (reader.get<std::string>(shape) != "sphere")
+    reader.add(shape, "cannot pass another body; allowed with scenario = \"tugging\": \"sphere\"");
+  if (reader.get<std::string>(texture) != "smooth")
+    reader.add(texture, "is not possible with scenario = \"tugging\"; allowed: \"smooth\"");
+  reader.problems.throw_if_any();
+  return {reader.get<double>(body + ".shape.radius"), material(reader.values, reader.raw, body, reader.problems)};
+}
+
+void set_interference(const CaseReader& reader, Case& c, simulation::TuggingCase& tugging)
+{
+  const std::string key = "tugging.interference";
+  const bool normalised = reader.get<bool>("tugging.normalised");
+  const double given = reader.get<double>(key);
+  if (normalised && !c.first_yield)
+  {
+    reader.add(
+        key, "is in units of the critical interference alpha_c, but neither body can yield, so there is none; allowed: "
+             "tugging.normalised = false with a length, or a yield stress for a body");
+    return;
+  }
+  tugging.interference = normalised ? given * c.first_yield->critical.interference : given;
+  const double limit = std::min(tugging.lower.radius, tugging.upper.radius);
+  if (!(tugging.interference < limit))
+    reader.add(
+        key, fmt::format(
+                 "makes {:.4g} m, more than the radius of a sphere; allowed: < {:.4g} m{}", tugging.interference, limit,
+                 normalised ? fmt::format(" = {:.4g} alpha_c", limit / c.first_yield->critical.interference) : ""));
+}
+
+} // namespace
+
+void read_tugging(const CaseReader& reader, Case& c)
+{
+  simulation::TuggingCase t;
+  t.lower = asperity(reader, "lower");
+  t.upper = asperity(reader, "upper");
+  reader.problems.throw_if_any();
+  if (reader.has("tugging.shift"))
+    t.shift = reader.get<double>("tugging.shift");
+  t.kinematics = reader.get<std::string>("tugging.kinematics") == "paper" ? simulation::Kinematics::paper
+                                                                          : simulation::Kinematics::exact;
+  t.passes = reader.integer("tugging.passes");
+  read_numerics(reader, t);
+  warn_of_material("lower", t.lower.material, c);
+  warn_of_material("upper", t.upper.material, c);
+  if (t.lower.material.elastic.is_rigid() && t.upper.material.elastic.is_rigid())
+    reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
+  set_first_yield(t.lower.material, t.upper.material, 1.0 / (1.0 / t.lower.radius + 1.0 / t.upper.radius), c);
+  set_interference(reader, c, t);
+  const double contact_radius = std::sqrt(*c.equivalent_radius * t.interference);
+  warn_of_size(contact_radius, std::min(t.lower.radius, t.upper.radius), c);
+  if (t.spacing && std::max((*t.spacing)[0], (*t.spacing)[1]) > 0.8 * contact_radius)
+    c.warnings.push_back(
+        fmt::format("about one cell per contact radius ({:.3g} m): the results will be coarse", contact_radius));
+  c.scenario = t;
+}
+
+} // namespace brinell::io

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footprint.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/foundation/fft.hpp"
+#include "brinell/reference/critical.hpp"
+#include "brinell/reference/hertz.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+
+constexpr double pi = std::numbers::pi;
+
+/// Flow stress over yield stress of the first load, as mean pressure of a fully plastic contact (Tabor 1951).
+constexpr double constraint_factor = 2.8;
+/// Strain at which a contact's mean pressure reads the flow stress.
+constexpr double representative_strain = 0.02;
+
+/// What both bodies together are made of.
+struct Pair
+{
+  double modulus;        ///< E' [Pa]
+  double yield_pressure; ///< peak pressure at first yield [Pa]; infinite
+  double yield_stress;   ///< of the weaker body [Pa]
+  double flow_stress;    ///< at the representative strain [Pa]
+};
+
+Pair pair_of(const ShapedBody& lower, const ShapedBody& upper)
+{
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Pair pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
+  for (const ShapedBody* body : {&lower, &upper})
+    if (body->material.is_plastic())
+    {
+      const double yield = constitutive::initial_yield_stress(*body->material.hardening);
+      const double C = reference::critical_pressure_ratio(body->material.elastic.poisson_ratio);
+      pair.yield_pressure = std::min(pair.yield_pressure, C * yield);
+      pair.yield_stress = std::min(pair.yield_stress, yield);
+      pair.flow_stress = std::min(pair.flow_stress,
+                                  std::visit([](const auto& law) { return law.yield_stress_at(representative_strain); },
+                                             *body->material.hardening));
+    }
+  return pair;
+}
+
+/// Radius over that of the elastic contact, by the mean pressure that this would have (load imposed).
+double growth_under_load(const Pair& pair, double elastic_mean_pressure)
+{
+  const double share = elastic_mean_pressure / (constraint_factor * pair.flow_stress);
+  return std::pow(1.0 + share * share, 0.25);
+}
+
+/// The same for an imposed approach (area of Jackson and Green 2005 for steels).
+double growth_under_approach(const Pair& pair, double elastic_peak_pressure)
+{
+  const double ratio = std::pow(elastic_peak_pressure / pair.yield_pressure, 2) / 1.9;
+  return std::min(1.6, std::pow(std::max(1.0, ratio), 0.085));
+}
+
+/// Radius of the plastic zone (expanding cavity, Johnson 1985, Eq. 6.33) around a contact of radius a at the slope
+/// `inclination` of the surfaces at its edge.
+double plastic_reach(const Pair& pair, double a, double inclination)
+{
+  const double constraint = pair.modulus * inclination / (5.0 * pair.yield_stress);
+  return a * std::cbrt(std::max(1.0, constraint));
+}
+
+Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, const Drive& drive)
+{
+  const bool by_load = drive.kind == Drive::Kind::load;
+  const reference::EllipticalContact e =
+      by_load ? reference::elliptical_contact_at_load(radius_x, radius_y, pair.modulus, drive.value)
+              : reference::elliptical_contact_at_approach(radius_x, radius_y, pair.modulus, drive.value);
+  const double growth =
+      by_load ? growth_under_load(pair, e.peak_pressure / 1.5) : growth_under_approach(pair, e.peak_pressure);
+  Footprint f;
+  f.half_x = e.semi_axis_x * growth;
+  f.half_y = e.semi_axis_y * growth;
+  f.approach = e.approach;
+  const double over_yield = std::max(1.0, e.peak_pressure / pair.yield_pressure);
+  f.first_yield_approach = e.approach / (over_yield * over_yield); // peak pressure grows as the root of the approach
+  const double a = std::min(f.half_x, f.half_y);
+  f.plastic_reach = plastic_reach(pair, a, a / std::min(radius_x, radius_y));
+  return f;
+}
+
+/// A cylinder of finite length; its approach as that of a rigid flat strip's (Johnson 1985, section 5.6) at the load.
+Footprint of_roller(const Pair& pair, double radius, double length, const Drive& drive)
+{
+  const auto half_width = [&](double load) { return std::sqrt(4.0 * load * radius / (pi * length * pair.modulus)); };
+  const auto approach = [&](double load)
+  { return load / (pi * pair.modulus * length) * (1.0 + std::log(1.0 + std::pow(length / half_width(load), 2))); };
+  double load = drive.value;
+  if (drive.kind == Drive::Kind::approach)
+  {
+    double low = 0.0;
+    double high = pi * pair.modulus * length * drive.value;
+    for (int i = 0; i < 100; ++i)
+      (approach(0.5 * (low + high)) < drive.value ? low : high) = 0.5 * (low + high);
+    load = high;
+  }
+  const double elastic = half_width(load);
+  const double peak = 2.0 * load / (pi * elastic * length);
+  const double growth = growth_under_load(pair, peak * pi / 4.0);
+  Footprint f;
+  f.half_x = elastic * growth * growth; // only the width grows
+  f.half_y = 0.5 * length;
+  f.approach = approach(load);
+  f.first_yield_approach = f.approach / std::max(1.0, std::pow(peak / (1.1 * pair.yield_pressure), 2));
+  f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / radius);
+  return f;
+}
+
+/// A cone or a pyramid of that slope, or the ball at its tip, whichever makes the larger contact.
+/// @param reach_x, reach_y  half-widths of the contact over the radius of the circle with its area.
+Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach_x, double reach_y, const Drive& drive)
+{
+  const double elastic_mean = 0.5 * pair.modulus * slope; // Sneddon
+  const double share = elastic_mean / (constraint_factor * pair.flow_stress);
+  const double mean_pressure = elastic_mean / std::sqrt(1.0 + share * share);
+  constexpr double piled_up = 1.15;
+  double a =
+      drive.kind == Drive::Kind::load ? std::sqrt(drive.value / (pi * mean_pressure)) : piled_up * drive.value / slope;
+  Footprint f;
+  f.approach = drive.kind == Drive::Kind::load ? 0.5 * pi * a * slope : drive.value;
+  f.first_yield_approach = 0.0;
+  if (tip_radius > 0.0)
+  {
+    const Footprint ball = of_paraboloids(pair, tip_radius, tip_radius, drive);
+    a = std::max(a, ball.half_x);
+    f.approach = std::max(f.approach, ball.approach);
+    f.first_yield_approach = ball.first_yield_approach;
+  }
+  f.half_x = reach_x * a;
+  f.half_y = reach_y * a;
+  f.plastic_reach = plastic_reach(pair, a, slope);
+  return f;
+}
+
+/// Curvature of a body along x and y, for those that have one.
+std::array<double, 2> curvatures(const Shape& shape)
+{
+  if (const auto* p = std::get_if<Paraboloid>(&shape))
+    return {1.0 / p->radius_x, 1.0 / p->radius_y};
+  if (const auto* r = std::get_if<Roller>(&shape))
+    return {1.0 / r->radius, 0.0};
+  return {0.0, 0.0};
+}
+
+Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, const Drive& drive)
+{
+  for (const Shape* shape : {&lower, &upper}) // beside a tip the other surface is flat
+  {
+    if (const auto* cone = std::get_if<Cone>(shape))
+      return of_tip(pair, 1.0 / std::tan(cone->half_angle), cone->tip_radius, 1.0, 1.0, drive);
+    if (const auto* pyramid = std::get_if<Pyramid>(shape))
+    {
+      const double n = pyramid->faces;
+      const double corner = std::sqrt(pi / (0.5 * n * std::sin(2.0 * pi / n))); // of the polygon with the area pi
+      const bool even = pyramid->faces % 4 == 0;
+      return of_tip(pair, 1.0 / std::tan(pyramid->face_angle), pyramid->tip_radius,
+                    even ? corner * std::cos(pi / n) : corner, even ? corner * std::cos(pi / n) : corner, drive);
+    }
+  }
+  const auto a = curvatures(lower);
+  const auto b = curvatures(upper);
+  double length = std::numeric_limits<double>::infinity();
+  for (const Shape* shape : {&lower, &upper})
+    if (const auto* roller = std::get_if<Roller>(shape))
+      length = std::min(length, roller->length);
+  const double along_x = a[0] + b[0];
+  const double along_y = a[1] + b[1];
+  if (std::isfinite(length) && along_x > 0.0 && along_y == 0.0)
+    return of_roller(pair, 1.0 / along_x, length, drive);
+  if (!(along_x > 0.0) || !(along_y > 0.0))
+    throw InputError(fmt::format(
+        "the bodies do not touch in a point: the sum of their curvatures is {:.4g} 1/m along x and {:.4g} 1/m along y; "
+        "allowed: both > 0, or a roller of finite length on a plane or another roller",
+        along_x, along_y));
+  return of_paraboloids(pair, 1.0 / along_x, 1.0 / along_y, drive);
+}
+
+/// Real padded planes of all layers [bytes].
+double padded_bytes(const VolumeGrid& grid)
+{
+  return static_cast<double>(fast_length(2 * grid.surface.nx - 1)) * fast_length(2 * grid.surface.ny - 1) * grid.nz *
+         sizeof(double);
+}
+
+/// Spectra of the stress, and rows without their padding in y.
+double spectra_bytes(const VolumeGrid& grid, int components)
+{
+  return 1.5 * components * padded_bytes(grid);
+}
+
+/// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
+double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
+{
+  const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
+  const double cells = static_cast<double>(grid.size()) * sizeof(double);
+  const double fields = cells * (6 * 5 + 4);
+  const double active_share = 0.25;
+  const double accelerator = cells * active_share * 5 * (2 * anderson_depth + 4);
+  return kernels + fields + (solved ? spectra_bytes(grid, 5) + accelerator : 0.0);
+}
+
+/// The final state always is a snapshot: tensors of both bodies, and the operators' spectra for one of them at a time.
+double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
+{
+  const auto cells = static_cast<double>(lower.size() + upper.size());
+  const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
+  return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
+}
+
+} // namespace
+
+Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
+{
+  const Pair pair = pair_of(lower, upper);
+  Footprint f = of_shapes(pair, lower.shape, upper.shape, drive);
+  // Under a point contact the largest shear is at 0.48 a, under a line contact at 0.79 a.
+  const double narrow = std::min(f.half_x, f.half_y) / std::max(f.half_x, f.half_y);
+  f.depth = std::max((2.9 - 1.05 * narrow) * std::min(f.half_x, f.half_y), 1.1 * f.plastic_reach);
+  return f;
+}
+
+std::array<double, 3> cell_sizes(const Numerics& numerics, const Footprint& f)
+{
+  const double dx = f.half_x / numerics.resolution;
+  const double dy = dx * std::clamp(f.half_y / f.half_x, 0.25, 4.0);
+  const std::array<double, 3> spacing = numerics.spacing.value_or(std::array{dx, dy, 0.5 * std::min(dx, dy)});
+  constexpr double most_cells = 1e5;
+  const double finest = *std::min_element(spacing.begin(), spacing.end());
+  if (const double a = std::max(f.half_x, f.half_y); !(a / finest < most_cells))
+    throw InputError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, a));
+  return spacing;
+}
+
+int half_cells(double length, double cell)
+{
+  return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
+}
+
+double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth)
+{
+  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) +
+         body_bytes(plan.upper, anderson_depth, upper_is_plastic && plan.twin == elastoplastic::Twin::none) +
+         snapshot_bytes(plan.lower, plan.upper);
+}
+
+void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
+{
+  const auto [dx, dy, dz] = cell_sizes(numerics, f);
+  const double scale = numerics.extent;
+  const double width = std::min(f.half_x, f.half_y); // of what surrounds the contact
+  const double half_y = scale * std::max(f.half_y + 0.5 * width, 1.1 * f.plastic_reach);
+  const double reach_x = scale * std::max(f.half_x + 0.5 * width, 1.1 * f.plastic_reach);
+  constexpr int margin = 4;          // cells: material pushed ahead
+  constexpr double most_cells = 2e9; // beyond it indices would overflow; far beyond any machine
+  const double cells = 4.0 * (std::max(track_lower, track_upper) + reach_x) / dx * (half_y / dy) * (f.depth / dz);
+  if (!(cells < most_cells))
+    throw InputError(fmt::format("grid: {:.1e} cells; allowed: fewer than {:.0e}, so larger cells or a shorter track",
+                                 cells, most_cells));
+  plan.contact = {2 * half_cells(scale * 1.6 * f.half_x, dx) + 1, 2 * half_cells(half_y, dy) + 1, dx, dy};
+  for (const auto& [grid, track] : {std::pair{&plan.lower, track_lower}, {&plan.upper, track_upper}})
+  {
+    grid->surface = plan.contact;
+    grid->surface.nx = std::max(plan.contact.nx, 2 * (half_cells(track + reach_x, dx) + margin) + 1);
+    grid->nz = std::max(2, static_cast<int>(std::ceil(scale * f.depth / dz - 1e-9)));
+    grid->dz = dz;
+  }
+  plan.scales = {std::clamp(f.first_yield_approach, 1e-3 * f.approach, f.approach), f.approach};
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/elastic_contact.hpp"
+#include "brinell/simulation/scenario.hpp"
+
+namespace brinell::simulation
+{
+
+/// Estimates of what a load or an approach does, from closed forms: good enough to lay out grids and tolerances.
+struct Footprint
+{
+  double half_x = 0.0, half_y = 0.0; ///< of the contact [m]
+  double plastic_reach = 0.0;        ///< radius of the plastic zone [m]
+  double depth = 0.0;                ///< to which plastic strain is to be expected [m]
+  double approach = 0.0;             ///< [m]
+  double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
+};
+
+/// @throws InputError if the contact would not be finite.
+[[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive);
+
+/// Cells from the contact's size, unless they are given.
+[[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const Footprint& footprint);
+
+/// Half-width in whole cells around a central one that covers `length`.
+[[nodiscard]] int half_cells(double length, double cell);
+
+/// What operators, fields and the final state take [bytes].
+[[nodiscard]] double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth);
+
+/// Grids of a contact that moves along the bodies, and tolerances.
+/// @param track_lower, track_upper  farthest place of the contact's centre from the middle of each body's grid [m].
+void lay_out(const Numerics& numerics, const Footprint& footprint, double track_lower, double track_upper, Plan& plan);
+
+} // namespace brinell::simulation

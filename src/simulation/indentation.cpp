@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/indentation.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "footprint.hpp"
+#include "indent.hpp"
+#include "records.hpp"
+#include "stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+
+Drive largest_drive(const IndentationCase& indentation)
+{
+  if (indentation.sequence.empty())
+    throw InputError("an indentation needs at least one load or approach");
+  Drive largest = indentation.sequence.front();
+  for (const Drive& drive : indentation.sequence)
+    largest.value = std::max(largest.value, drive.value);
+  if (!(largest.value > 0.0))
+    throw InputError("an indentation needs a load or an approach > 0");
+  return largest;
+}
+
+class Indentation
+{
+public:
+  Indentation(const IndentationCase& indentation, const Observer<IndentationRecord>& observer)
+      : case_(indentation), observer_(observer), plan_(plan(indentation)),
+        lattice_(plan_, indentation.places.front(), 0.0),
+        stepper_(plan_, {indentation.lower.material,
+                         indentation.upper.material,
+                         [&indentation](double x, double y)
+                         { return height(indentation.lower.shape, x, y) + height(indentation.upper.shape, x, y); },
+                         indentation.solver,
+                         {textured(indentation.lower.texture, plan_.lower.surface, lattice_.lower_origin()),
+                          textured(indentation.upper.texture, plan_.upper.surface, lattice_.upper_origin())}})
+  {
+  }
+
+  IndentationSummary run(const Archive::Fields* checkpoint)
+  {
+    if (checkpoint)
+    {
+      Archive archive(*checkpoint);
+      exchange(archive);
+    }
+    while (done_ < plan_.steps)
+      step();
+    IndentationSummary result;
+    result.steps = done_;
+    result.iterations = iterations_;
+    result.split_increments = stepper_.split_increments();
+    take_totals(last_, largest_work_, result);
+    result.indents = indents_;
+    result.final_state = snapshot();
+    return result;
+  }
+
+private:
+  [[nodiscard]] int steps_per_indent() const { return case_.steps * static_cast<int>(case_.sequence.size()); }
+  [[nodiscard]] double x() const
+  {
+    return case_.places[static_cast<std::size_t>(std::min(done_, plan_.steps - 1) / steps_per_indent() / case_.cycles)];
+  }
+  [[nodiscard]] Frame frame() const { return lattice_.frame(x(), 0.0); }
+  [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(lattice_, frame(), x(), 0.0); }
+
+  /// Load or approach after some steps of one indent.
+  [[nodiscard]] double imposed(double steps) const
+  {
+    const auto entry =
+        std::min(static_cast<std::size_t>(steps) / static_cast<std::size_t>(case_.steps), case_.sequence.size() - 1);
+    const double from = entry == 0 ? 0.0 : case_.sequence[entry - 1].value;
+    const double share = (steps - static_cast<double>(entry) * case_.steps) / case_.steps;
+    return from + (case_.sequence[entry].value - from) * share;
+  }
+
+  void step()
+  {
+    const int indent = done_ / steps_per_indent();
+    const int in_indent = done_ % steps_per_indent();
+    const Frame here = frame();
+    if (in_indent == 0)
+    {
+      current_ = IndentReader(x(), indent / case_.cycles, indent % case_.cycles, last_.work);
+      // Contact begins where the surfaces touch, unless the last entry of the sequence has left them pressed.
+      current_.start(stepper_.touching() ? last_.approach : stepper_.clearance(here), last_.F_n);
+    }
+    const auto path = [&](double t) { return Target{here, {case_.sequence.front().kind, imposed(in_indent + t)}}; };
+    constexpr double finest = 1.0 / 64;
+    const std::string where = fmt::format("step {}, {} = {:g} {}", done_, by_load() ? "load" : "approach",
+                                          imposed(in_indent + 1.0), by_load() ? "N" : "m");
+    const int evaluations = stepper_.advance(path, finest, where);
+    record(indent, evaluations, here);
+    if (in_indent + 1 == steps_per_indent())
+      indents_.push_back(current_.result());
+    // The snapshot of this step lies where the step was.
+    const auto snap = [this, here, x = x()] { return stepper_.snapshot(lattice_, here, x, 0.0); };
+    ++done_;
+    report(observer_, last_, plan_.steps, snap,
+           [&]
+           {
+             Archive archive;
+             exchange(archive);
+             return archive.fields();
+           });
+  }
+
+  [[nodiscard]] bool by_load() const { return case_.sequence.front().kind == Drive::Kind::load; }
+
+  void record(int indent, int evaluations, const Frame& here)
+  {
+    IndentationRecord r;
+    stepper_.fill(r);
+    r.step = done_;
+    r.pass = indent;
+    r.place = indent / case_.cycles;
+    r.x = x();
+    r.approach = stepper_.pair().approach();
+    r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
+    r.mean_pressure = r.contact_area > 0.0 ? r.F_n / r.contact_area : 0.0;
+    const std::vector<double>& residual = stepper_.pair().lower().state().residual_displacement;
+    r.pile_up_lower = std::max(0.0, -*std::min_element(residual.begin(), residual.end()));
+    r.iterations = evaluations;
+    r.work = last_.work + current_.add(r, r.F_n > 0.0 ? 0.0 : stepper_.clearance(here));
+    largest_work_ = std::max(largest_work_, r.work);
+    iterations_ += evaluations;
+    last_ = r;
+  }
+
+  void exchange(Archive& archive)
+  {
+    archive("stepper", stepper_);
+    archive("last", last_);
+    archive("current", current_);
+    archive.list("indents", indents_);
+    archive("largest_work", largest_work_);
+    archive("iterations", iterations_);
+    archive("done", done_);
+  }
+
+  const IndentationCase& case_;
+  const Observer<IndentationRecord>& observer_;
+  IndentationPlan plan_;
+  Lattice lattice_;
+  Stepper stepper_;
+  IndentationRecord last_;
+  IndentReader current_;
+  std::vector<Indent> indents_;
+  double largest_work_ = 0.0;
+  long iterations_ = 0;
+  int done_ = 0; ///< steps
+};
+
+} // namespace
+
+IndentationPlan plan(const IndentationCase& indentation)
+{
+  const Footprint f = footprint(indentation.lower, indentation.upper, largest_drive(indentation));
+  double track = 0.0;
+  for (const double x : indentation.places)
+    track = std::max(track, std::abs(x));
+  IndentationPlan plan;
+  lay_out(indentation, f, track, 0.0, plan);
+  plan.contact_radius = f.half_x;
+  plan.steps = indentation.steps * static_cast<int>(indentation.sequence.size() * indentation.places.size()) *
+               indentation.cycles;
+  plan.memory_bytes = memory_bytes(plan, indentation.lower.material.is_plastic(),
+                                   indentation.upper.material.is_plastic(), indentation.solver.anderson_depth);
+  return plan;
+}
+
+IndentationSummary run(const IndentationCase& indentation, const Observer<IndentationRecord>& observer,
+                       const Archive::Fields* checkpoint)
+{
+  return Indentation(indentation, observer).run(checkpoint);
+}
+
+} // namespace brinell::simulation

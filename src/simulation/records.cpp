@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records.hpp"
+
+#include "brinell/simulation/indentation.hpp"
+#include "brinell/simulation/rolling.hpp"
+#include "brinell/simulation/tugging.hpp"
+
+namespace brinell::simulation
+{
+
+void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
+{
+  totals.work = last.work;
+  totals.dissipation_lower = last.dissipation_lower;
+  totals.dissipation_upper = last.dissipation_upper;
+  totals.energy_residual = last.energy_residual;
+  totals.energy_elastic = last.energy_elastic;
+  if (largest_work > 0.0)
+    totals.energy_balance_error =
+        (last.work - last.dissipation_lower - last.dissipation_upper - last.energy_residual - last.energy_elastic) /
+        largest_work;
+  totals.max_residual_lower = last.max_residual_lower;
+  totals.max_residual_upper = last.max_residual_upper;
+  totals.max_equivalent_plastic_strain = last.max_equivalent_plastic_strain;
+}
+
+void StepRecord::exchange(Archive& archive)
+{
+  archive("step", step);
+  archive("pass", pass);
+  archive("contact_area", contact_area);
+  archive("max_pressure", max_pressure);
+  archive("F_n", F_n);
+  archive("work", work);
+  archive("dissipation_lower", dissipation_lower);
+  archive("dissipation_upper", dissipation_upper);
+  archive("energy_residual", energy_residual);
+  archive("energy_elastic", energy_elastic);
+  archive("max_residual_lower", max_residual_lower);
+  archive("max_residual_upper", max_residual_upper);
+  archive("max_equivalent_plastic_strain", max_equivalent_plastic_strain);
+  archive("iterations", iterations);
+}
+
+void TuggingRecord::exchange(Archive& archive)
+{
+  StepRecord::exchange(archive);
+  archive("X", X);
+  archive("theta", theta);
+  archive("interference", interference);
+  archive("F_X", F_X);
+  archive("F_Y", F_Y);
+  archive("F_Z", F_Z);
+  archive("F_X_macro", F_X_macro);
+  archive("F_Z_macro", F_Z_macro);
+  archive("F_X_lower", F_X_lower);
+  archive("F_X_upper", F_X_upper);
+}
+
+void IndentationRecord::exchange(Archive& archive)
+{
+  StepRecord::exchange(archive);
+  archive("place", place);
+  archive("x", x);
+  archive("approach", approach);
+  archive("contact_radius", contact_radius);
+  archive("mean_pressure", mean_pressure);
+  archive("pile_up_lower", pile_up_lower);
+}
+
+void Indent::exchange(Archive& archive)
+{
+  archive("place", place);
+  archive("cycle", cycle);
+  archive("x", x);
+  archive("max_load", max_load);
+  archive("max_approach", max_approach);
+  archive("contact_area", contact_area);
+  archive("hardness", hardness);
+  archive("loading_stiffness", loading_stiffness);
+  archive("unloading_stiffness", unloading_stiffness);
+  archive("final_approach", final_approach);
+  archive("residual_depth", residual_depth);
+  archive("pile_up", pile_up);
+  archive("work", work);
+}
+
+void RollingRecord::exchange(Archive& archive)
+{
+  StepRecord::exchange(archive);
+  archive("x", x);
+  archive("approach", approach);
+  archive("F_X", F_X);
+}
+
+void RollingPass::exchange(Archive& archive)
+{
+  archive("rut_depth", rut_depth);
+  archive("shoulder_height", shoulder_height);
+  archive("max_equivalent_plastic_strain", max_equivalent_plastic_strain);
+  archive("track_plastic_strain", track_plastic_strain);
+  archive("track_plastic_increment", track_plastic_increment);
+  archive("dissipation", dissipation);
+  archive("resistance", resistance);
+  archive("max_pressure", max_pressure);
+}
+
+} // namespace brinell::simulation

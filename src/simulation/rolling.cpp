@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/rolling.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/simulation/forces.hpp"
+#include "footprint.hpp"
+#include "records.hpp"
+#include "stepper.hpp"
+#include "track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+
+/// Distance on the upper body per distance on the lower one.
+double upper_share(const RollingCase& rolling)
+{
+  return (2.0 - rolling.slide_to_roll) / (2.0 + rolling.slide_to_roll);
+}
+
+class Rolling
+{
+public:
+  Rolling(const RollingCase& rolling, const Observer<RollingRecord>& observer)
+      : case_(rolling), observer_(observer), plan_(plan(rolling)), share_(upper_share(rolling)),
+        start_(-0.5 * plan_.rolling_steps * plan_.shift), lattice_(plan_, start_, share_ * start_),
+        stepper_(plan_, {rolling.lower.material,
+                         rolling.upper.material,
+                         [&rolling](double x, double y)
+                         { return height(rolling.lower.shape, x, y) + height(rolling.upper.shape, x, y); },
+                         rolling.solver,
+                         {textured(rolling.lower.texture, plan_.lower.surface, lattice_.lower_origin()),
+                          textured(rolling.upper.texture, plan_.upper.surface, lattice_.upper_origin())}}),
+        track_(plan_.lower, rolling.distance)
+  {
+  }
+
+  RollingSummary run(const Archive::Fields* checkpoint)
+  {
+    if (checkpoint)
+    {
+      Archive archive(*checkpoint);
+      exchange(archive);
+    }
+    while (pass_ < case_.passes)
+      step();
+    RollingSummary result;
+    result.steps = steps_;
+    result.iterations = iterations_;
+    result.split_increments = stepper_.split_increments();
+    take_totals(last_, largest_work_, result);
+    result.passes = passes_;
+    result.final_state = snapshot(last_.x);
+    result.profile = track_profile(result.final_state.lower);
+    return result;
+  }
+
+private:
+  /// Contact's centre on the lower body and share of the drive after some steps of a pass: press, roll, lift.
+  struct Moment
+  {
+    double x;
+    double drive;
+  };
+  [[nodiscard]] Moment moment(double steps) const
+  {
+    const double press = case_.load_steps;
+    const double roll = plan_.rolling_steps;
+    const double rolled = std::clamp(steps - press, 0.0, roll);
+    const double lifted = std::max(0.0, steps - press - roll) / press;
+    return {start_ + rolled * plan_.shift, std::min(steps / press, 1.0) - lifted};
+  }
+  [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
+  [[nodiscard]] Frame frame(double x) const { return lattice_.frame(x, share_ * x); }
+  [[nodiscard]] Snapshot snapshot(double x) const { return stepper_.snapshot(lattice_, frame(x), x, share_ * x); }
+
+  /// An imposed approach begins and ends where the surfaces touch, dents and bumps included.
+  [[nodiscard]] Drive drive(double share) const
+  {
+    const double zero = case_.drive.kind == Drive::Kind::load ? 0.0 : touch_;
+    return {case_.drive.kind, zero + (case_.drive.value - zero) * share};
+  }
+
+  void step()
+  {
+    const Frame before = frame(moment(step_in_pass_).x);
+    if (step_in_pass_ == 0)
+    {
+      track_.begin_pass(stepper_.pair().lower().state(), dissipation());
+      last_.approach = stepper_.clearance(before);
+      last_.F_n = last_.F_X = 0.0;
+      last_.x = start_;
+    }
+    if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
+      touch_ = std::min(stepper_.clearance(before), case_.drive.value);
+    const Moment to = moment(step_in_pass_ + 1);
+    const auto path = [&](double t)
+    {
+      const Moment m = moment(step_in_pass_ + t);
+      return Target{frame(m.x), drive(m.drive)};
+    };
+    const double cells = plan_.shift / plan_.contact.dx;
+    const double finest = step_in_pass_ < case_.load_steps ? 1.0 / 64 : std::min(1.0, 0.5 / cells);
+    record(stepper_.advance(path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to.x)), to.x);
+    if (++step_in_pass_ == steps_per_pass())
+    {
+      passes_.push_back(track_.end_pass(stepper_.pair(), dissipation()));
+      step_in_pass_ = 0;
+      ++pass_;
+    }
+    report(
+        observer_, last_, plan_.steps, [this, x = to.x] { return snapshot(x); },
+        [&]
+        {
+          Archive archive;
+          exchange(archive);
+          return archive.fields();
+        });
+  }
+
+  [[nodiscard]] double dissipation() const
+  {
+    return stepper_.pair().lower().state().dissipation + stepper_.pair().upper().state().dissipation;
+  }
+
+  void record(int evaluations, double x)
+  {
+    RollingRecord r;
+    stepper_.fill(r);
+    const Frame here = frame(x);
+    const Stepper::Depths& depths = stepper_.depths(here);
+    r.step = steps_++;
+    r.pass = pass_;
+    r.x = x;
+    r.approach = r.F_n > 0.0 ? stepper_.pair().approach() : stepper_.clearance(here);
+    r.F_X = rolling_resistance(plan_.contact, stepper_.pair().pressure(), depths.lower, depths.upper, share_);
+    r.iterations = evaluations;
+    r.work = last_.work + 0.5 * (r.F_n + last_.F_n) * (r.approach - last_.approach) +
+             0.5 * (r.F_X + last_.F_X) * (r.x - last_.x);
+    largest_work_ = std::max(largest_work_, r.work);
+    iterations_ += evaluations;
+    track_.add(r);
+    last_ = r;
+  }
+
+  void exchange(Archive& archive)
+  {
+    archive("stepper", stepper_);
+    archive("last", last_);
+    archive("track", track_);
+    archive.list("passes", passes_);
+    archive("largest_work", largest_work_);
+    archive("touch", touch_);
+    archive("iterations", iterations_);
+    archive("steps", steps_);
+    archive("pass", pass_);
+    archive("step_in_pass", step_in_pass_);
+  }
+
+  const RollingCase& case_;
+  const Observer<RollingRecord>& observer_;
+  RollingPlan plan_;
+  double share_; ///< distance on the upper body per distance on the lower one
+  double start_; ///< of the track [m]
+  Lattice lattice_;
+  Stepper stepper_;
+  TrackReader track_;
+  RollingRecord last_;
+  std::vector<RollingPass> passes_;
+  double largest_work_ = 0.0;
+  double touch_ = 0.0; ///< approach at which the surfaces touch where the drive comes up or goes down [m]
+  long iterations_ = 0;
+  int steps_ = 0, pass_ = 0, step_in_pass_ = 0;
+};
+
+/// Whether both bodies always have the same history: then one is solved and its residual displacement counts twice.
+bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
+{
+  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && rolling.lower.material == rolling.upper.material &&
+         rolling.lower.material.is_plastic() && std::holds_alternative<Smooth>(rolling.lower.texture) &&
+         std::holds_alternative<Smooth>(rolling.upper.texture) && plan.lower == plan.upper;
+}
+
+} // namespace
+
+RollingPlan plan(const RollingCase& rolling)
+{
+  if (!(rolling.drive.value > 0.0))
+    throw InputError("rolling needs a load or an approach > 0");
+  const Footprint f = footprint(rolling.lower, rolling.upper, rolling.drive);
+  RollingPlan plan;
+  plan.half_width_x = f.half_x;
+  plan.half_width_y = f.half_y;
+  plan.shift = rolling.shift.value_or(cell_sizes(rolling, f)[0]);
+  // An even number, so that the middle of the track is reached.
+  plan.rolling_steps = 2 * std::max(1, static_cast<int>(std::lround(0.5 * rolling.distance / plan.shift)));
+  const double track = 0.5 * plan.rolling_steps * plan.shift;
+  lay_out(rolling, f, track, upper_share(rolling) * track, plan);
+  plan.steps = rolling.passes * (plan.rolling_steps + 2 * rolling.load_steps);
+  plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
+  plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
+                                   rolling.solver.anderson_depth);
+  return plan;
+}
+
+RollingSummary run(const RollingCase& rolling, const Observer<RollingRecord>& observer,
+                   const Archive::Fields* checkpoint)
+{
+  return Rolling(rolling, observer).run(checkpoint);
+}
+
+} // namespace brinell::simulation

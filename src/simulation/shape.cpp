@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+struct Vector
+{
+  double x = 0.0, y = 0.0;
+};
+
+/// The point nearest to p of the regular polygon whose corners have the distance `radius` from the origin, the first one on
+/// the x axis.
+Vector nearest_in_polygon(Vector p, int corners, double radius)
+{
+  const double sector = 2.0 * std::numbers::pi / corners;
+  const double inradius = radius * std::cos(0.5 * sector);
+  const double turn = sector * (std::floor(std::atan2(p.y, p.x) / sector) + 0.5); // the middle of an edge
+  const double along = p.x * std::cos(turn) + p.y * std::sin(turn);
+  const double across = p.y * std::cos(turn) - p.x * std::sin(turn);
+  const double half_edge = inradius * std::tan(0.5 * sector);
+  if (along <= inradius)
+    return p;
+  const double side = std::clamp(across, -half_edge, half_edge);
+  return {inradius * std::cos(turn) - side * std::sin(turn), inradius * std::sin(turn) + side * std::cos(turn)};
+}
+
+Vector nearest_in_disc(Vector p, double radius)
+{
+  const double r = std::hypot(p.x, p.y);
+  const double scale = r > radius ? radius / r : 1.0;
+  return {p.x * scale, p.y * scale};
+}
+
+/// Height of a convex surface whose slopes fill the set G, rounded by a ball (a paraboloid) of radius R: the largest of
+/// g.x - R |g|^2/2 over g in G, taken at the point of G nearest to x/R; for R = 0 that is far away.
+template <typename Nearest>
+double rounded_height(double x, double y, double R, double far, const Nearest& nearest)
+{
+  const double scale = R > 0.0 ? 1.0 / R : far / std::max(std::hypot(x, y), 1e-300);
+  const Vector g = nearest(Vector{x * scale, y * scale});
+  return g.x * x + g.y * y - 0.5 * R * (g.x * g.x + g.y * g.y);
+}
+
+double height_of(const Plane&, double, double)
+{
+  return 0.0;
+}
+
+double height_of(const Paraboloid& p, double x, double y)
+{
+  return 0.5 * (x * x / p.radius_x + y * y / p.radius_y);
+}
+
+double height_of(const Roller& r, double x, double y)
+{
+  const double side = 0.5 * x * x / r.radius;
+  return std::abs(y) <= 0.5 * r.length * (1.0 + 1e-12) ? side : side + 2.0 * r.radius;
+}
+
+double height_of(const Cone& c, double x, double y)
+{
+  const double slope = 1.0 / std::tan(c.half_angle);
+  return rounded_height(x, y, c.tip_radius, 2.0 * slope, [&](Vector p) { return nearest_in_disc(p, slope); });
+}
+
+double height_of(const Pyramid& p, double x, double y)
+{
+  const double slope = 1.0 / std::tan(p.face_angle);
+  // The slopes of its faces are the corners. Without rounding: so far out that a corner is nearest.
+  return rounded_height(x, y, p.tip_radius, 1e9 * slope,
+                        [&](Vector v) { return nearest_in_polygon(v, p.faces, slope); });
+}
+
+double depth_of(const Smooth&, double, double)
+{
+  return 0.0;
+}
+
+double depth_of(const Dent& d, double x, double y)
+{
+  const double r = std::hypot(x - d.x, y - d.y) / d.radius;
+  return d.depth * std::pow(10.0, -10.0 * r * r) * std::cos(2.0 * std::numbers::pi * r);
+}
+
+double depth_of(const HeightMap& map, double x, double y)
+{
+  const double u = (x - map.x) / map.dx + 0.5 * (map.nx - 1);
+  const double v = (y - map.y) / map.dy + 0.5 * (map.ny - 1);
+  const auto i = static_cast<int>(std::floor(u));
+  const auto j = static_cast<int>(std::floor(v));
+  const auto at = [&](int column, int row)
+  {
+    const bool inside = column >= 0 && column < map.nx && row >= 0 && row < map.ny;
+    return inside ? map.heights[static_cast<std::size_t>(column + map.nx * row)] : 0.0;
+  };
+  const double s = u - i;
+  const double t = v - j;
+  return -((1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i + 1, j)) +
+           t * ((1.0 - s) * at(i, j + 1) + s * at(i + 1, j + 1)));
+}
+
+} // namespace
+
+double height(const Shape& shape, double x, double y)
+{
+  return std::visit([&](const auto& s) { return height_of(s, x, y); }, shape);
+}
+
+double depth(const Texture& texture, double x, double y)
+{
+  return std::visit([&](const auto& t) { return depth_of(t, x, y); }, texture);
+}
+
+} // namespace brinell::simulation

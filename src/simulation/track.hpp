@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/rolling.hpp"
+
+namespace brinell::simulation
+{
+
+/// Reads what each pass does to the middle of the track.
+class TrackReader
+{
+public:
+  /// @param distance  length of the track [m]
+  TrackReader(const VolumeGrid& lower, double distance);
+
+  /// @param dissipation  of both bodies so far [J]
+  void begin_pass(const elastoplastic::BodyState& lower, double dissipation);
+  void add(const RollingRecord& record);
+  [[nodiscard]] RollingPass end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const;
+
+  void exchange(Archive& archive);
+
+private:
+  VolumeGrid grid_;
+  double quarter_;                     ///< of the track [m]: its middle half counts for the means
+  std::vector<double> plastic_strain_; ///< under the middle before the pass
+  double dissipation_ = 0.0;           ///< before it [J]
+  double sum_resistance_ = 0.0, sum_pressure_ = 0.0;
+  int count_ = 0;
+};
+
+/// Under the middle of a body's grid.
+[[nodiscard]] TrackProfile track_profile(const BodySnapshot& body);
+
+} // namespace brinell::simulation

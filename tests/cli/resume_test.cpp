@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+/// A run that was stopped, however that came, goes on with --resume and ends as one that was not.
+namespace brinell::cli
+{
+
+namespace
+{
+
+constexpr const char* bodies = R"([lower]
+shape = {type = "flat"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3, hardening = {law = "linear", yield_stress = "1 GPa", modulus = "20 GPa", kinematic_moduli = ["20 GPa"]}}
+[upper]
+shape = {type = "sphere", radius = "1 mm"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
+[grid]
+resolution = 3
+)";
+
+std::string scenario_case(const std::string& scenario)
+{
+  if (scenario == "indentation")
+    return "scenario = \"indentation\"\n[indentation]\nload = [\"20 N\", 0]\nsteps = 12\ncycles = 2\n" +
+           std::string(bodies);
+  if (scenario == "rolling")
+    return "scenario = \"rolling\"\n[rolling]\nload = \"20 N\"\ndistance = \"0.3 mm\"\npasses = 2\nload_steps = 3\n" +
+           std::string(bodies);
+  std::string text = "scenario = \"tugging\"\n[tugging]\ninterference = 4\npasses = 2\n" + std::string(bodies);
+  const std::string flat = "type = \"flat\"";
+  return text.replace(text.find(flat), flat.size(), "type = \"sphere\", radius = \"1 mm\"");
+}
+
+class Resume : public Program, public testing::WithParamInterface<const char*>
+{
+protected:
+  void SetUp() override
+  {
+    Program::SetUp();
+    write("case.toml", scenario_case(GetParam()) + "[output]\nsnapshots = \"every 4\"\ncheckpoint_interval = 0\n");
+  }
+
+  [[nodiscard]] int rows(const char* directory) const
+  {
+    const std::string text = file_text(folder() / directory / "history.csv");
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n')) - 1;
+  }
+
+  /// Runs until there are some rows, then sends the signal.
+  [[nodiscard]] int stopped(int after, int signal) const
+  {
+    Process process = start({"run", "case.toml", "-q", "-o", "stopped"});
+    while (process.running() && rows("stopped") < after)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    process.signal(signal);
+    return process.wait().exit_code;
+  }
+
+  void expect_same_as_uninterrupted() const
+  {
+    ASSERT_EQ(run({"run", "case.toml", "-q", "-o", "whole"}).exit_code, 0);
+    for (const char* file : {"history.csv", "resolved.toml", "contact.xdmf", "lower.xdmf", "upper.xdmf"})
+      EXPECT_EQ(file_text(folder() / "stopped" / file), file_text(folder() / "whole" / file)) << file;
+    auto resumed = nlohmann::json::parse(file_text(folder() / "stopped" / "summary.json"));
+    auto whole = nlohmann::json::parse(file_text(folder() / "whole" / "summary.json"));
+    for (auto* summary : {&resumed, &whole})
+      (*summary)["run"].erase("wall_time_s");
+    EXPECT_EQ(resumed, whole);
+    EXPECT_FALSE(fs::exists(folder() / "stopped" / "checkpoint.h5"));
+    EXPECT_FALSE(fs::exists(folder() / "stopped" / "snapshots"));
+  }
+};
+
+TEST_P(Resume, AfterAnInterrupt)
+{
+  EXPECT_EQ(stopped(5, SIGINT), 130);
+  const Outcome resumed = run({"run", "case.toml", "-o", "stopped", "--resume"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_NE(resumed.err.find("going on after"), std::string::npos) << resumed.err;
+  expect_same_as_uninterrupted();
+}
+
+TEST_P(Resume, KilledAgainAndAgain)
+{
+  EXPECT_EQ(stopped(3, SIGKILL), 128 + SIGKILL);
+  for (const int more : {2, 7})
+  {
+    const int before = rows("stopped");
+    Process process = start({"run", "case.toml", "-q", "-o", "stopped", "--resume"});
+    while (process.running() && rows("stopped") < before + more)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    process.signal(SIGKILL);
+    EXPECT_EQ(process.wait().exit_code, 128 + SIGKILL);
+  }
+  EXPECT_EQ(run({"run", "case.toml", "-q", "-o", "stopped", "--resume"}).exit_code, 0);
+  expect_same_as_uninterrupted();
+}
+
+TEST_P(Resume, AfterAFullDisk)
+{
+  constexpr rlim_t too_small = 100000; // for a checkpoint; the history fits
+  EXPECT_EQ(stopped(5, SIGINT), 130);
+  Process full(folder(), {"run", "case.toml", "-q", "-o", "stopped", "--resume"}, too_small);
+  const Outcome outcome = full.wait();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("stopped"), std::string::npos) << outcome.err; // the file
+  EXPECT_FALSE(fs::exists(folder() / "stopped" / "summary.json"));
+  EXPECT_EQ(run({"run", "case.toml", "-q", "-o", "stopped", "--resume"}).exit_code, 0);
+  expect_same_as_uninterrupted();
+}
+
+TEST_P(Resume, OnlyTheSameCaseThatIsNotComplete)
+{
+  EXPECT_EQ(run({"run", "case.toml", "-o", "nowhere", "--resume"}).exit_code, 2);
+  EXPECT_FALSE(fs::exists(folder() / "nowhere"));
+  EXPECT_EQ(stopped(3, SIGINT), 130);
+  const Outcome other = run({"run", "case.toml", "-o", "stopped", "--resume", "--set", "grid.resolution=4"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("another case"), std::string::npos) << other.err;
+  EXPECT_EQ(run({"run", "case.toml", "-q", "-o", "stopped", "--resume"}).exit_code, 0);
+  const Outcome again = run({"run", "case.toml", "-o", "stopped", "--resume"});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.err.find("complete"), std::string::npos) << again.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, Resume, testing::Values("tugging", "indentation", "rolling"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+} // namespace
+
+} // namespace brinell::cli
