@@ -146,6 +146,20 @@ std::string grid_report(const simulation::Plan& plan)
                             plan.contact.ny, volume_text(plan.lower), volume_text(plan.upper));
 }
 
+/// A refusal of the grid names its key.
+template <typename ScenarioCase>
+auto planned(const ScenarioCase& scenario, const std::string& grid_source)
+{
+  try
+  {
+    return simulation::plan(scenario);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(fmt::format("{}: {}", grid_source, error.what()));
+  }
+}
+
 } // namespace
 
 double machine_memory()
@@ -165,18 +179,11 @@ ScenarioPlan plan_case(const Case& c, double available_memory)
       {
         if (const double cells = least_cells(scenario); !(cells < most_cells))
           throw InputError(fmt::format("{} makes at least {:.1e} cells; {}", c.grid_source, cells, advice));
-        try
-        {
-          const auto plan = simulation::plan(scenario);
-          if (plan.memory_bytes > available_memory)
-            throw InputError(fmt::format("needs {} of memory, this machine has {}; {}", size_text(plan.memory_bytes),
-                                         size_text(available_memory), advice));
-          return plan;
-        }
-        catch (const InputError& error)
-        {
-          throw InputError(fmt::format("{}: {}", c.grid_source, error.what()));
-        }
+        const auto plan = planned(scenario, c.grid_source);
+        if (plan.memory_bytes > available_memory)
+          throw InputError(fmt::format("{} needs {} of memory, this machine has {}; {}", c.grid_source,
+                                       size_text(plan.memory_bytes), size_text(available_memory), advice));
+        return plan;
       },
       c.scenario);
 }
