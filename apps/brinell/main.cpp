@@ -4,10 +4,12 @@
 #include "commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
 #include <functional>
 #include <new>
+#include <unistd.h>
 
 namespace brinell::app
 {
@@ -80,6 +82,15 @@ int guarded(const std::function<int()>& command)
   }
 }
 
+/// Threads that wait for each other actively make a run several times slower as soon as another program needs a core, and
+/// gain little on an idle machine. OpenMP reads its environment before main: the program starts itself again.
+void wait_passively(char** argv)
+{
+  constexpr const char* policy = "OMP_WAIT_POLICY";
+  if (std::getenv(policy) == nullptr && setenv(policy, "passive", 0) == 0)
+    execv("/proc/self/exe", argv); // comes back only if that is not possible: then as it is
+}
+
 int main_program(int argc, char** argv)
 {
   CLI::App app("brinell: elastic-plastic contact of bodies that are pressed, rolled or slid (semi-analytical method)",
@@ -132,5 +143,6 @@ int main_program(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  brinell::app::wait_passively(argv);
   return brinell::app::main_program(argc, argv);
 }

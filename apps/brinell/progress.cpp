@@ -50,11 +50,11 @@ void Progress::step(int step, int step_count, const std::string& where, int iter
                                        iterations == 1 ? "" : "s", duration_text(left));
   if (m_terminal)
   {
-    const auto filled = static_cast<std::size_t>(bar_width * done / total);
+    const auto filled = static_cast<std::size_t>(static_cast<long>(bar_width) * done / total);
     fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(filled, '#'), std::string(bar_width - filled, '.'), text);
     m_bar_is_shown = true;
   }
-  else if (const int tenths = 10 * done / total; tenths > m_tenths)
+  else if (const auto tenths = static_cast<int>(10L * done / total); tenths > m_tenths)
   {
     m_tenths = tenths;
     fmt::print(stderr, "{}\n", text);

@@ -56,34 +56,31 @@ void simulate(const ScenarioCase& scenario, const io::Case& c, io::ResultDirecto
     Archive archive(*results.checkpoint());
     archive("snapshot_choice", choice);
   }
-  Record last; // of a run that goes on after its last step: the columns are in the history
   auto checkpoint_time = start;
   simulation::Observer<Record> observer;
   observer.on_step = [&](const Record& record, int step_count)
   {
     results.add(io::columns(record));
     progress.step(record.step, step_count, step_text(c, record), record.iterations);
-    last = record;
   };
   observer.wants_snapshot = [&](const Record& record) { return choice(scenario, record); };
   observer.on_snapshot = [&](const Record& record, const simulation::Snapshot& snapshot)
   { results.add(record.step, io::columns(record), snapshot); };
   observer.wants_checkpoint = [&](const Record&)
   { return InterruptGuard::signal() != 0 || seconds_since(checkpoint_time) >= c.checkpoint_interval; };
-  observer.on_checkpoint = [&](const Record& record, const Archive::Fields& state)
+  observer.on_checkpoint = [&](const Record& record, Archive::Fields state)
   {
     Archive archive;
     archive("snapshot_choice", choice);
-    Archive::Fields fields = state;
-    fields.insert(archive.fields().begin(), archive.fields().end());
-    results.add_checkpoint(record.step, fields);
+    state.merge(std::move(archive).fields());
+    results.add_checkpoint(record.step, state);
     checkpoint_time = Clock::now();
     if (const int signal = InterruptGuard::signal())
       throw Interrupted{signal};
   };
   const auto summary = simulation::run(scenario, observer, results.checkpoint() ? &*results.checkpoint() : nullptr);
   const double seconds = seconds_since(start);
-  results.finish(summary.final_state, io::columns(last),
+  results.finish(summary.final_state, io::columns(summary.last),
                  io::summary_text(c, simulation::plan(scenario), summary,
                                   {.wall_time = seconds, .threads = omp_get_max_threads()}));
   if (quiet)
@@ -121,12 +118,7 @@ int run_command(const RunOptions& options)
     fmt::print(stderr, "brinell: interrupted; the finished steps are in {}, and --resume goes on\n", folder.string());
     return 128 + interrupted.signal;
   }
-  catch (const ConvergenceError&)
-  {
-    fmt::print(stderr, "brinell: the finished steps are in {}\n", folder.string());
-    throw;
-  }
-  catch (const InputError&) // the grid turned out too small
+  catch (const std::runtime_error&) // no convergence, the grid turned out too small, the disk is full
   {
     fmt::print(stderr, "brinell: the finished steps are in {}\n", folder.string());
     throw;

@@ -41,11 +41,12 @@ void measure(std::span<const double> pressure, std::span<const double> gap, Repo
 {
   report.gap_error = 0.0;
   report.penetration = 0.0;
+  const auto larger = [](double a, double b) { return b <= a ? a : b; }; // keeps a NaN
   for (std::size_t i = 0; i < gap.size(); ++i)
     if (pressure[i] > 0.0)
-      report.gap_error = std::max(report.gap_error, std::abs(gap[i]));
+      report.gap_error = larger(report.gap_error, std::abs(gap[i]));
     else
-      report.penetration = std::max(report.penetration, -gap[i]);
+      report.penetration = larger(report.penetration, -gap[i]);
 }
 
 /// Without load the surfaces just touch.
@@ -133,7 +134,8 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
     for (double& g : gap)
       g -= report.approach;
     measure(pressure, gap, report);
-    report.converged = report.gap_error <= tolerance && report.penetration <= tolerance;
+    report.converged =
+        report.gap_error <= tolerance && report.penetration <= tolerance && std::isfinite(report.approach);
     if (report.converged || report.iterations == max_iterations)
       return report;
 
@@ -154,7 +156,10 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
     if (load_given)
     {
       if (!touches(pressure)) // everything was cut: begin anew
+      {
         start(distance, drive, pressure);
+        conjugate = false;
+      }
       scale_to_load(drive.value, pressure);
     }
   }

@@ -2,6 +2,7 @@
 #include "brinell/elastoplastic/body.hpp"
 
 #include "brinell/constitutive/kinematic_return.hpp"
+#include "brinell/foundation/error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,10 +60,12 @@ void BodyState::exchange(Archive& archive)
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-           const constitutive::Material& material)
-    : grid_(grid), material_(material), half_space_(std::move(half_space)), layers_(grid_.nz), known_layers_(grid_.nz),
-      displacement_(grid_.surface.size(), 0.0)
+           const constitutive::Material& material, std::vector<double> texture)
+    : grid_(grid), material_(material), half_space_(std::move(half_space)), texture_(std::move(texture)),
+      layers_(grid_.nz), known_layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
 {
+  if (!texture_.empty() && texture_.size() != grid_.surface.size())
+    throw InternalError("Body: a texture needs one value per cell of the surface");
   const std::size_t n = grid_.size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
   state_.equivalent.assign(n, 0.0);
@@ -84,6 +87,10 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
 
 void Body::exchange(Archive& archive)
 {
+  std::vector<double> texture = texture_;
+  archive.list("texture", texture);
+  if (texture != texture_)
+    throw InputError("the texture of a surface is not that of the stored state");
   if (!is_plastic())
     return;
   archive("state", state_);
@@ -91,6 +98,7 @@ void Body::exchange(Archive& archive)
   archive("layers", layers_);
   archive("known_layers", known_layers_);
   displacement_ = state_.residual_displacement;
+  stress_ = state_.stress;
 }
 
 void Body::begin(int shift, double stiffness_share)

@@ -35,30 +35,29 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures)
     : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic)), contact_(compliance_),
-      lower_(lower, operators(lower, lower_material.elastic), lower_material),
+      lower_(lower, operators(lower, lower_material.elastic), lower_material, std::move(textures.lower)),
       upper_(upper,
              lower == upper && lower_material.elastic == upper_material.elastic
                  ? lower_.shared_half_space()
                  : operators(upper, upper_material.elastic),
-             upper_material),
-      scales_(scales), settings_(settings), twin_(twin), textures_(std::move(textures)), pressure_(contact.size(), 0.0),
-      gap_(contact.size(), 0.0), distance_(contact.size(), 0.0), lower_pressure_(lower.surface.size()),
-      upper_pressure_(upper.surface.size())
+             upper_material, std::move(textures.upper)),
+      scales_(scales), settings_(settings), twin_(twin), pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0),
+      distance_(contact.size(), 0.0), lower_pressure_(lower.surface.size()), upper_pressure_(upper.surface.size())
 {
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
     if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy)
       throw InternalError("CoupledContact: the three grids must have the same cells and rows");
   if (twin != Twin::none && !(lower == upper && lower_material == upper_material))
     throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
-  for (const auto& [texture, body] : {std::pair{&textures_.lower, &lower_}, {&textures_.upper, &upper_}})
-    if (!texture->empty() && texture->size() != body->grid().surface.size())
-      throw InternalError("CoupledContact: a texture needs one value per cell of its body's surface");
 }
 
 void CoupledContact::exchange(Archive& archive)
 {
   archive("lower", lower_);
-  archive("upper", upper_);
+  if (twin_ == Twin::none)
+    archive("upper", upper_);
+  else
+    upper_.adopt(lower_, twin_);
   for (const auto& [name, place] : {std::pair{"lower", &placement_.lower}, {"upper", &placement_.upper}})
   {
     archive(std::string(name) + ".column", place->column);
@@ -73,7 +72,7 @@ void CoupledContact::exchange(Archive& archive)
 void CoupledContact::add_depth(const Body& body, const Place& place, std::span<const double> displacement,
                                std::span<double> out) const
 {
-  const std::vector<double>& texture = &body == &lower_ ? textures_.lower : textures_.upper;
+  const std::vector<double>& texture = body.texture();
   const SurfaceGrid& from = body.grid().surface;
   const auto depth = [&](int column, int j)
   {
@@ -102,10 +101,11 @@ void CoupledContact::surface_depth(const Body& body, const Place& place, std::sp
   add_depth(body, place, body.state().residual_displacement, out);
 }
 
-void CoupledContact::spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const
+bool CoupledContact::spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const
 {
   const SurfaceGrid& to = body.grid().surface;
   out.assign(to.size(), 0.0);
+  bool all = true;
   const std::array<double, 4> weights = interpolation_weights(place.fraction);
   for (int j = 0; j < grid().ny; ++j)
     for (int i = 0; i < grid().nx; ++i)
@@ -116,7 +116,10 @@ void CoupledContact::spread_pressure(const Body& body, const Place& place, std::
         continue;
       const bool between = place.fraction != 0.0;
       if (column < (between ? 1 : 0) || column >= to.nx - (between ? 2 : 0))
-        throw InputError("the contact has reached the end of the material grid: enlarge it by grid.extent");
+      {
+        all = false;
+        continue;
+      }
       double* cell = out.data() + column + static_cast<std::ptrdiff_t>(to.nx) * j;
       if (between)
         for (int m = 0; m < 4; ++m)
@@ -124,6 +127,20 @@ void CoupledContact::spread_pressure(const Body& body, const Place& place, std::
       else
         *cell += p;
     }
+  return all;
+}
+
+bool CoupledContact::reaches_edge() const
+{
+  const SurfaceGrid& g = grid();
+  const auto pressed = [&](int i, int j) { return pressure_[static_cast<std::size_t>(i + g.nx * j)] > 0.0; };
+  for (int i = 0; i < g.nx; ++i)
+    if (pressed(i, 0) || pressed(i, g.ny - 1))
+      return true;
+  for (int j = 0; j < g.ny; ++j)
+    if (pressed(0, j) || pressed(g.nx - 1, j))
+      return true;
+  return false;
 }
 
 double CoupledContact::load() const
@@ -232,8 +249,9 @@ void CoupledContact::touch(std::span<const double> distance, const contact::Driv
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
   report.approach = contact.approach;
-  spread_pressure(lower_, placement.lower, lower_pressure_);
-  spread_pressure(upper_, placement.upper, upper_pressure_);
+  const bool on_lower = spread_pressure(lower_, placement.lower, lower_pressure_);
+  const bool on_upper = spread_pressure(upper_, placement.upper, upper_pressure_);
+  leaves_grid_ = !on_lower || !on_upper;
 }
 
 double CoupledContact::energy(double approach) const
@@ -312,6 +330,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     std::fill(pressure_.begin(), pressure_.end(), 0.0); // no guess for the next attempt: it may not be finite
     return report;
   }
+  if (leaves_grid_)
+    throw InputError("the contact has reached the end of the material grid: enlarge it by grid.extent");
   report.energy = energy(imposed_approach);
   lower_.commit(lower_pressure_);
   if (twins)

@@ -15,35 +15,11 @@ namespace
 {
 
 using contact::Drive;
-using simulation::Paraboloid;
-using simulation::Roller;
 using simulation::ShapedBody;
-
-/// Curvatures along x and y; none for tips.
-std::optional<std::array<double, 2>> curvature(const simulation::Shape& shape)
-{
-  if (std::holds_alternative<simulation::Plane>(shape))
-    return std::array{0.0, 0.0};
-  if (const auto* p = std::get_if<Paraboloid>(&shape))
-    return std::array{1.0 / p->radius_x, 1.0 / p->radius_y};
-  if (const auto* r = std::get_if<Roller>(&shape))
-    return std::array{1.0 / r->radius, 0.0};
-  return std::nullopt;
-}
-
-/// Sum of the curvatures of both bodies.
-std::optional<std::array<double, 2>> relative_curvature(const ShapedBody& lower, const ShapedBody& upper)
-{
-  const auto a = curvature(lower.shape);
-  const auto b = curvature(upper.shape);
-  if (!a || !b)
-    return std::nullopt;
-  return std::array{(*a)[0] + (*b)[0], (*a)[1] + (*b)[1]};
-}
 
 double smallest_radius(const ShapedBody& body)
 {
-  const auto k = curvature(body.shape);
+  const auto k = simulation::curvature(body.shape);
   const double largest = k ? std::max(std::abs((*k)[0]), std::abs((*k)[1])) : 0.0;
   return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
 }
@@ -59,7 +35,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
   std::optional<double> radius;
-  if (const auto k = relative_curvature(lower, upper); k && (*k)[0] > 0.0)
+  if (const auto k = simulation::relative_curvature(lower.shape, upper.shape); k && (*k)[0] > 0.0)
     if (std::abs((*k)[0] - (*k)[1]) < 1e-12 * (*k)[0])
       radius = 1.0 / (*k)[0];
   set_first_yield(lower.material, upper.material, radius, c);
@@ -106,11 +82,8 @@ double load_of_hertz_pressure(const CaseReader& reader, const Case& c, const sim
 {
   const std::string key = "rolling.hertz_pressure";
   const double pressure = reader.get<double>(key);
-  const auto k = relative_curvature(rolling.lower, rolling.upper);
-  double length = std::numeric_limits<double>::infinity();
-  for (const ShapedBody* body : {&rolling.lower, &rolling.upper})
-    if (const auto* roller = std::get_if<Roller>(&body->shape))
-      length = std::min(length, roller->length);
+  const auto k = simulation::relative_curvature(rolling.lower.shape, rolling.upper.shape);
+  const double length = simulation::roller_length(rolling.lower.shape, rolling.upper.shape);
   if (k && (*k)[0] > 0.0 && (*k)[1] == 0.0 && std::isfinite(length))
     return pressure * pressure * std::numbers::pi * length / ((*k)[0] * c.contact_modulus);
   if (k && (*k)[0] > 0.0 && (*k)[1] > 0.0)
@@ -150,10 +123,14 @@ auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenar
   {
     return std::optional(simulation::plan(scenario));
   }
+  catch (const GridError& error)
+  {
+    reader.problems.add(c.grid_source, error.what());
+    return std::optional<decltype(simulation::plan(scenario))>();
+  }
   catch (const InputError& error)
   {
-    const std::string what = error.what();
-    reader.problems.add(what.starts_with("grid") ? c.grid_source : reader.raw.file, what);
+    reader.problems.add(reader.raw.file, error.what());
     return std::optional<decltype(simulation::plan(scenario))>();
   }
 }

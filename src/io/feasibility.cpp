@@ -154,7 +154,7 @@ auto planned(const ScenarioCase& scenario, const std::string& grid_source)
   {
     return simulation::plan(scenario);
   }
-  catch (const InputError& error)
+  catch (const GridError& error)
   {
     throw InputError(fmt::format("{}: {}", grid_source, error.what()));
   }

@@ -87,7 +87,8 @@ std::vector<NamedNumber> columns(const simulation::IndentationRecord& r)
                                   {"contact_radius", r.contact_radius},
                                   {"max_pressure", r.max_pressure},
                                   {"mean_pressure", r.mean_pressure},
-                                  {"pile_up_lower", r.pile_up_lower}};
+                                  {"residual_depth", r.residual_depth},
+                                  {"pile_up", r.pile_up}};
   append(result, common_columns(r));
   return result;
 }
@@ -130,9 +131,9 @@ HistoryWriter::HistoryWriter(std::filesystem::path path, const std::string& head
     throw failure(m_path, "cannot be written");
 }
 
-void HistoryWriter::write_line(const std::string& line)
+void HistoryWriter::add(const std::string& row)
 {
-  if (std::fputs((line + '\n').c_str(), m_file.get()) < 0 || std::fflush(m_file.get()) != 0)
+  if (std::fputs((row + '\n').c_str(), m_file.get()) < 0 || std::fflush(m_file.get()) != 0)
     throw failure(m_path, "cannot be written");
 }
 

@@ -217,6 +217,7 @@ void ResultDirectory::finish(const simulation::Snapshot& final_state, const std:
   m_state->result.add_final(std::get<int>(last_columns.front().second), last_columns, final_state);
   m_state->result.merge();
   replace_file(m_state->path / "summary.json", summary);
+  m_state->result.remove_pieces();
   removed(m_state->path / checkpoint_file);
 }
 

@@ -208,6 +208,10 @@ void ResultFile::merge()
 {
   require_space();
   write_result(false);
+}
+
+void ResultFile::remove_pieces() const
+{
   std::error_code error; // pieces that stay behind do no harm
   fs::remove_all(m_folder / pieces_folder, error);
 }

@@ -25,6 +25,8 @@ public:
   /// The state after the last step.
   void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
   void merge();
+  /// The pieces go; only after that nothing is left to resume.
+  void remove_pieces() const;
 
 private:
   /// A stored state: its file in snapshots/ and its group in result.h5.

@@ -217,8 +217,8 @@ std::vector<Entry> texture_entries(const std::string& body)
       {.key = body + ".texture.file",
        .type = Type::text,
        .required = true,
-       .text = "Text file of heights in m, outwards positive: a line per row along x, rows along y, at most as many "
-               "numbers as the first; from the folder of the case.",
+       .text = "Text file of heights in m, outwards positive: a line per row along x, all of one length, one row "
+               "after the other along y; from the folder of the case.",
        .when = {type, {"height_map"}}},
       {.key = body + ".texture.spacing",
        .type = Type::numbers,

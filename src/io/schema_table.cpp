@@ -93,7 +93,8 @@ std::vector<Entry> solver_entries()
        .fallback = defaults.mirror,
        .text =
            "Two asperities that are alike stay mirror images of each other under exact kinematics, and bodies of one "
-           "material in pure rolling have the same strain: solve one of them. false: solve both (a check; the "
+           "material have the same strain in pure rolling and indentation: solve one of them. false: solve both (a "
+           "check; the "
            "results agree to the tolerances)."},
   };
 }

@@ -43,13 +43,17 @@ Pair pair_of(const ShapedBody& lower, const ShapedBody& upper)
   for (const ShapedBody* body : {&lower, &upper})
     if (body->material.is_plastic())
     {
-      const double yield = constitutive::initial_yield_stress(*body->material.hardening);
+      double softest = 1.0; // over depth
+      for (const double z : body->material.yield_factor.depth())
+        softest = std::min(softest, body->material.yield_factor.at(z, 1.0));
+      const double yield = softest * constitutive::initial_yield_stress(*body->material.hardening);
       const double C = reference::critical_pressure_ratio(body->material.elastic.poisson_ratio);
       pair.yield_pressure = std::min(pair.yield_pressure, C * yield);
       pair.yield_stress = std::min(pair.yield_stress, yield);
-      pair.flow_stress = std::min(pair.flow_stress,
-                                  std::visit([](const auto& law) { return law.yield_stress_at(representative_strain); },
-                                             *body->material.hardening));
+      pair.flow_stress =
+          std::min(pair.flow_stress,
+                   softest * std::visit([](const auto& law) { return law.yield_stress_at(representative_strain); },
+                                        *body->material.hardening));
     }
   return pair;
 }
@@ -115,6 +119,9 @@ Footprint of_roller(const Pair& pair, double radius, double length, const Drive&
   const double growth = growth_under_load(pair, peak * pi / 4.0);
   Footprint f;
   f.half_x = elastic * growth * growth; // only the width grows
+  if (drive.kind == Drive::Kind::approach)
+    f.half_x = std::min(f.half_x, 1.2 * std::sqrt(2.0 * radius * drive.value)); // geometry, with some pile-up
+  f.straight_y = true;
   f.half_y = 0.5 * length;
   f.approach = approach(load);
   f.first_yield_approach = f.approach / std::max(1.0, std::pow(peak / (1.1 * pair.yield_pressure), 2));
@@ -129,9 +136,11 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
   const double elastic_mean = 0.5 * pair.modulus * slope; // Sneddon
   const double share = elastic_mean / (constraint_factor * pair.flow_stress);
   const double mean_pressure = elastic_mean / std::sqrt(1.0 + share * share);
+  constexpr double sunk_in = 2.0 / pi; // contact radius times slope over approach: elastic, and fully plastic
   constexpr double piled_up = 1.15;
-  double a =
-      drive.kind == Drive::Kind::load ? std::sqrt(drive.value / (pi * mean_pressure)) : piled_up * drive.value / slope;
+  const double plastic = std::isfinite(share) ? share / std::sqrt(1.0 + share * share) : 1.0;
+  double a = drive.kind == Drive::Kind::load ? std::sqrt(drive.value / (pi * mean_pressure))
+                                             : (sunk_in + (piled_up - sunk_in) * plastic) * drive.value / slope;
   Footprint f;
   f.approach = drive.kind == Drive::Kind::load ? 0.5 * pi * a * slope : drive.value;
   f.first_yield_approach = 0.0;
@@ -146,16 +155,6 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
   f.half_y = reach_y * a;
   f.plastic_reach = plastic_reach(pair, a, slope);
   return f;
-}
-
-/// Curvature of a body along x and y, for those that have one.
-std::array<double, 2> curvatures(const Shape& shape)
-{
-  if (const auto* p = std::get_if<Paraboloid>(&shape))
-    return {1.0 / p->radius_x, 1.0 / p->radius_y};
-  if (const auto* r = std::get_if<Roller>(&shape))
-    return {1.0 / r->radius, 0.0};
-  return {0.0, 0.0};
 }
 
 Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, const Drive& drive)
@@ -173,14 +172,8 @@ Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, co
                     even ? corner * std::cos(pi / n) : corner, even ? corner * std::cos(pi / n) : corner, drive);
     }
   }
-  const auto a = curvatures(lower);
-  const auto b = curvatures(upper);
-  double length = std::numeric_limits<double>::infinity();
-  for (const Shape* shape : {&lower, &upper})
-    if (const auto* roller = std::get_if<Roller>(shape))
-      length = std::min(length, roller->length);
-  const double along_x = a[0] + b[0];
-  const double along_y = a[1] + b[1];
+  const auto [along_x, along_y] = relative_curvature(lower, upper).value();
+  const double length = roller_length(lower, upper);
   if (std::isfinite(length) && along_x > 0.0 && along_y == 0.0)
     return of_roller(pair, 1.0 / along_x, length, drive);
   if (!(along_x > 0.0) || !(along_y > 0.0))
@@ -223,6 +216,12 @@ double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
   return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
 }
 
+/// A copy of the state, as numbers, as a file in memory, and as that file's image.
+double checkpoint_bytes(const VolumeGrid& grid, bool solved)
+{
+  return solved ? 3.0 * 16.0 * sizeof(double) * static_cast<double>(grid.size()) : 0.0;
+}
+
 } // namespace
 
 Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
@@ -231,19 +230,33 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
   Footprint f = of_shapes(pair, lower.shape, upper.shape, drive);
   // Under a point contact the largest shear is at 0.48 a, under a line contact at 0.79 a.
   const double narrow = std::min(f.half_x, f.half_y) / std::max(f.half_x, f.half_y);
-  f.depth = std::max((2.9 - 1.05 * narrow) * std::min(f.half_x, f.half_y), 1.1 * f.plastic_reach);
+  f.depth = std::max((2.9 - 1.05 * narrow) * std::min(f.half_x, f.half_y), 1.3 * f.plastic_reach);
   return f;
+}
+
+bool alike(const ShapedBody& lower, const ShapedBody& upper)
+{
+  return lower.material == upper.material && lower.material.is_plastic() &&
+         std::holds_alternative<Smooth>(lower.texture) && std::holds_alternative<Smooth>(upper.texture);
 }
 
 std::array<double, 3> cell_sizes(const Numerics& numerics, const Footprint& f)
 {
   const double dx = f.half_x / numerics.resolution;
-  const double dy = dx * std::clamp(f.half_y / f.half_x, 0.25, 4.0);
+  double dy = dx * std::clamp(f.half_y / f.half_x, 0.25, 4.0);
+  if (f.straight_y) // the length is a whole number of cells, one of them in the middle
+    dy = 2.0 * f.half_y / (2.0 * std::round(f.half_y / dy - 0.5) + 1.0);
   const std::array<double, 3> spacing = numerics.spacing.value_or(std::array{dx, dy, 0.5 * std::min(dx, dy)});
+  if (const double rows = 2.0 * f.half_y / spacing[1];
+      f.straight_y && std::abs(std::remainder(rows - 1.0, 2.0)) > 1e-6 * rows)
+    throw GridError(
+        fmt::format("grid: the cylinder is {:.6g} cells of dy long; allowed: an odd whole number, so that its "
+                    "ends are those of cells",
+                    rows));
   constexpr double most_cells = 1e5;
   const double finest = *std::min_element(spacing.begin(), spacing.end());
   if (const double a = std::max(f.half_x, f.half_y); !(a / finest < most_cells))
-    throw InputError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, a));
+    throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, a));
   return spacing;
 }
 
@@ -252,11 +265,21 @@ int half_cells(double length, double cell)
   return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
 }
 
+int step_count(double steps)
+{
+  constexpr double most = 1e9;
+  if (!(steps <= most))
+    throw InputError(fmt::format("{:.1e} steps; allowed: up to {:.0e}", steps, most));
+  return static_cast<int>(steps);
+}
+
 double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth)
 {
+  const bool upper_is_solved = upper_is_plastic && plan.twin == elastoplastic::Twin::none;
   return body_bytes(plan.lower, anderson_depth, lower_is_plastic) +
-         body_bytes(plan.upper, anderson_depth, upper_is_plastic && plan.twin == elastoplastic::Twin::none) +
-         snapshot_bytes(plan.lower, plan.upper);
+         body_bytes(plan.upper, anderson_depth, upper_is_solved) +
+         std::max(snapshot_bytes(plan.lower, plan.upper),
+                  checkpoint_bytes(plan.lower, lower_is_plastic) + checkpoint_bytes(plan.upper, upper_is_solved));
 }
 
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
@@ -264,14 +287,15 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   const auto [dx, dy, dz] = cell_sizes(numerics, f);
   const double scale = numerics.extent;
   const double width = std::min(f.half_x, f.half_y); // of what surrounds the contact
-  const double half_y = scale * std::max(f.half_y + 0.5 * width, 1.1 * f.plastic_reach);
-  const double reach_x = scale * std::max(f.half_x + 0.5 * width, 1.1 * f.plastic_reach);
+  const double half_y = scale * std::max(f.half_y + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
+  const double reach_x = scale * std::max(f.half_x + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
   constexpr int margin = 4;          // cells: material pushed ahead
   constexpr double most_cells = 2e9; // beyond it indices would overflow; far beyond any machine
-  const double cells = 4.0 * (std::max(track_lower, track_upper) + reach_x) / dx * (half_y / dy) * (f.depth / dz);
+  const double cells =
+      4.0 * (std::max(track_lower, track_upper) + reach_x) / dx * (half_y / dy) * (scale * f.depth / dz);
   if (!(cells < most_cells))
-    throw InputError(fmt::format("grid: {:.1e} cells; allowed: fewer than {:.0e}, so larger cells or a shorter track",
-                                 cells, most_cells));
+    throw GridError(fmt::format("grid: {:.1e} cells; allowed: fewer than {:.0e}, so larger cells or a shorter track",
+                                cells, most_cells));
   plan.contact = {2 * half_cells(scale * 1.6 * f.half_x, dx) + 1, 2 * half_cells(half_y, dy) + 1, dx, dy};
   for (const auto& [grid, track] : {std::pair{&plan.lower, track_lower}, {&plan.upper, track_upper}})
   {
@@ -280,7 +304,8 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
     grid->nz = std::max(2, static_cast<int>(std::ceil(scale * f.depth / dz - 1e-9)));
     grid->dz = dz;
   }
-  plan.scales = {std::clamp(f.first_yield_approach, 1e-3 * f.approach, f.approach), f.approach};
+  // Not so small a change of displacement that the tolerance of the contact hides it.
+  plan.scales = {std::clamp(f.first_yield_approach, 1e-2 * f.approach, f.approach), f.approach};
 }
 
 } // namespace brinell::simulation

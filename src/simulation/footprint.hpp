@@ -11,6 +11,7 @@ namespace brinell::simulation
 struct Footprint
 {
   double half_x = 0.0, half_y = 0.0; ///< of the contact [m]
+  bool straight_y = false;           ///< a roller: the contact ends with it
   double plastic_reach = 0.0;        ///< radius of the plastic zone [m]
   double depth = 0.0;                ///< to which plastic strain is to be expected [m]
   double approach = 0.0;             ///< [m]
@@ -20,8 +21,14 @@ struct Footprint
 /// @throws InputError if the contact would not be finite.
 [[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive);
 
+/// Whether two half spaces under the same pressure keep the same strain: one plastic material, nothing on the surfaces.
+[[nodiscard]] bool alike(const ShapedBody& lower, const ShapedBody& upper);
+
 /// Cells from the contact's size, unless they are given.
 [[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const Footprint& footprint);
+
+/// A number of steps as a whole one. @throws InputError if there are far too many
+[[nodiscard]] int step_count(double steps);
 
 /// Half-width in whole cells around a central one that covers `length`.
 [[nodiscard]] int half_cells(double length, double cell);

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "indent.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace brinell::simulation
 {
 
-IndentReader::IndentReader(double x, int place, int cycle, double work)
+namespace
+{
+
+/// Loads that differ by less than this share of the largest one are the same load.
+constexpr double same_load = 1e-9;
+
+} // namespace
+
+IndentReader::IndentReader(double x, int place, int cycle, double touch) : approach_(1, touch), load_(1, 0.0)
 {
   indent_.x = x;
   indent_.place = place;
   indent_.cycle = cycle;
-  indent_.work = -work;
   indent_.final_approach = std::numeric_limits<double>::quiet_NaN();
-}
-
-void IndentReader::start(double approach, double load)
-{
-  approach_.assign(1, approach);
-  load_.assign(1, load);
 }
 
 double IndentReader::add(const IndentationRecord& r, double opening)
@@ -30,10 +33,10 @@ double IndentReader::add(const IndentationRecord& r, double opening)
   const double work = 0.5 * (r.F_n + load_.back()) * (approach - approach_.back());
   approach_.push_back(approach);
   load_.push_back(r.F_n);
-  if (r.F_n > indent_.max_load)
+  if (closed && r.F_n >= (1.0 - same_load) * indent_.max_load) // of several, the last one
   {
     peak_ = static_cast<int>(load_.size()) - 1;
-    indent_.max_load = r.F_n;
+    indent_.max_load = std::max(indent_.max_load, r.F_n);
     indent_.max_approach = r.approach;
     indent_.contact_area = r.contact_area;
     indent_.hardness = r.mean_pressure;
@@ -41,33 +44,38 @@ double IndentReader::add(const IndentationRecord& r, double opening)
   if (!closed && was_closed)
   {
     indent_.final_approach = opening;
-    indent_.residual_depth = r.max_residual_lower;
-    indent_.pile_up = r.pile_up_lower;
+    indent_.residual_depth = r.residual_depth;
+    indent_.pile_up = r.pile_up;
   }
   indent_.work += work;
   return work;
 }
 
+/// The next point under another load; -1 if there is none, or none under load.
+int IndentReader::neighbour(int point, int direction) const
+{
+  const double here = load_[static_cast<std::size_t>(point)];
+  for (int i = point + direction; i >= 0 && i < static_cast<int>(load_.size()); i += direction)
+  {
+    const double there = load_[static_cast<std::size_t>(i)];
+    if (std::abs(there - here) > same_load * indent_.max_load)
+      return there > 0.0 ? i : -1;
+  }
+  return -1;
+}
+
 /// dF/d approach at the largest load, of the parabola through it and the two points before or after it.
 double IndentReader::slope_at_peak(int direction) const
 {
-  const auto inside = [&](int i) { return i >= 0 && i < static_cast<int>(load_.size()); };
-  const int one = peak_ + direction;
-  const int two = one + direction;
-  if (!inside(one) || load_[static_cast<std::size_t>(one)] <= 0.0)
+  const int one = neighbour(peak_, direction);
+  if (one < 0)
     return 0.0;
-  const auto secant = [&](int a, int b)
-  {
-    const auto i = static_cast<std::size_t>(a);
-    const auto j = static_cast<std::size_t>(b);
-    return (load_[i] - load_[j]) / (approach_[i] - approach_[j]);
-  };
-  const double near = secant(peak_, one);
-  if (!inside(two) || load_[static_cast<std::size_t>(two)] <= 0.0)
-    return near;
-  const double far = secant(one, two);
   const auto at = [&](int i) { return approach_[static_cast<std::size_t>(i)]; };
-  return near + (near - far) / (at(peak_) - at(two)) * (at(peak_) - at(one));
+  const auto secant = [&](int i, int j)
+  { return (load_[static_cast<std::size_t>(i)] - load_[static_cast<std::size_t>(j)]) / (at(i) - at(j)); };
+  const double near = secant(peak_, one);
+  const int two = neighbour(one, direction);
+  return two < 0 ? near : near + (near - secant(one, two)) / (at(peak_) - at(two)) * (at(peak_) - at(one));
 }
 
 Indent IndentReader::result() const

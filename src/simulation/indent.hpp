@@ -11,11 +11,9 @@ class IndentReader
 {
 public:
   IndentReader() = default;
-  /// @param work  of the drive before this indent [J]
-  IndentReader(double x, int place, int cycle, double work);
+  /// @param touch  approach at which the surfaces touch: the curve begins there [m]
+  IndentReader(double x, int place, int cycle, double touch);
 
-  /// Where the curve begins.
-  void start(double approach, double load);
   /// Adds a step.
   /// @param opening  approach at which the surfaces touch, if they do not [m]
   /// @returns the work of the drive in the step (trapezoidal rule) [J]
@@ -26,6 +24,7 @@ public:
 
 private:
   [[nodiscard]] double slope_at_peak(int direction) const;
+  [[nodiscard]] int neighbour(int point, int direction) const;
 
   Indent indent_;
   std::vector<double> approach_, load_; ///< the curve

@@ -63,6 +63,7 @@ public:
     result.split_increments = stepper_.split_increments();
     take_totals(last_, largest_work_, result);
     result.indents = indents_;
+    result.last = last_;
     result.final_state = snapshot();
     return result;
   }
@@ -76,31 +77,26 @@ private:
   [[nodiscard]] Frame frame() const { return lattice_.frame(x(), 0.0); }
   [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(lattice_, frame(), x(), 0.0); }
 
-  /// Load or approach after some steps of one indent.
-  [[nodiscard]] double imposed(double steps) const
-  {
-    const auto entry =
-        std::min(static_cast<std::size_t>(steps) / static_cast<std::size_t>(case_.steps), case_.sequence.size() - 1);
-    const double from = entry == 0 ? 0.0 : case_.sequence[entry - 1].value;
-    const double share = (steps - static_cast<double>(entry) * case_.steps) / case_.steps;
-    return from + (case_.sequence[entry].value - from) * share;
-  }
-
   void step()
   {
     const int indent = done_ / steps_per_indent();
     const int in_indent = done_ % steps_per_indent();
+    const int in_entry = in_indent % case_.steps;
     const Frame here = frame();
+    const double touch = stepper_.clearance(here);
     if (in_indent == 0)
-    {
-      current_ = IndentReader(x(), indent / case_.cycles, indent % case_.cycles, last_.work);
-      // Contact begins where the surfaces touch, unless the last entry of the sequence has left them pressed.
-      current_.start(stepper_.touching() ? last_.approach : stepper_.clearance(here), last_.F_n);
-    }
-    const auto path = [&](double t) { return Target{here, {case_.sequence.front().kind, imposed(in_indent + t)}}; };
+      current_ = IndentReader(x(), indent / case_.cycles, indent % case_.cycles, touch);
+    if (in_entry == 0)
+      begin_entry(in_indent, touch);
+    if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
+      to_ = std::min(to_, lifted(touch));
+    const auto path = [&](double t) {
+      return Target{here, {case_.sequence.front().kind, from_ + (to_ - from_) * (in_entry + t) / case_.steps}};
+    };
     constexpr double finest = 1.0 / 64;
+    const Target target = path(1.0);
     const std::string where = fmt::format("step {}, {} = {:g} {}", done_, by_load() ? "load" : "approach",
-                                          imposed(in_indent + 1.0), by_load() ? "N" : "m");
+                                          target.drive.value, by_load() ? "N" : "m");
     const int evaluations = stepper_.advance(path, finest, where);
     record(indent, evaluations, here);
     if (in_indent + 1 == steps_per_indent())
@@ -113,8 +109,18 @@ private:
            {
              Archive archive;
              exchange(archive);
-             return archive.fields();
+             return std::move(archive).fields();
            });
+  }
+
+  /// An imposed approach of zero means no contact, dents and bumps included.
+  [[nodiscard]] double lifted(double touch) const { return by_load() ? 0.0 : std::min(0.0, touch); }
+
+  void begin_entry(int in_indent, double touch)
+  {
+    const double entry = case_.sequence[static_cast<std::size_t>(in_indent / case_.steps)].value;
+    from_ = in_indent == 0 ? lifted(touch) : to_;
+    to_ = entry == 0.0 ? lifted(touch) : entry;
   }
 
   [[nodiscard]] bool by_load() const { return case_.sequence.front().kind == Drive::Kind::load; }
@@ -130,8 +136,9 @@ private:
     r.approach = stepper_.pair().approach();
     r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
     r.mean_pressure = r.contact_area > 0.0 ? r.F_n / r.contact_area : 0.0;
-    const std::vector<double>& residual = stepper_.pair().lower().state().residual_displacement;
-    r.pile_up_lower = std::max(0.0, -*std::min_element(residual.begin(), residual.end()));
+    const auto [highest, deepest] = stepper_.residual_range(here);
+    r.residual_depth = deepest;
+    r.pile_up = -highest;
     r.iterations = evaluations;
     r.work = last_.work + current_.add(r, r.F_n > 0.0 ? 0.0 : stepper_.clearance(here));
     largest_work_ = std::max(largest_work_, r.work);
@@ -147,6 +154,8 @@ private:
     archive.list("indents", indents_);
     archive("largest_work", largest_work_);
     archive("iterations", iterations_);
+    archive("from", from_);
+    archive("to", to_);
     archive("done", done_);
   }
 
@@ -158,10 +167,18 @@ private:
   IndentationRecord last_;
   IndentReader current_;
   std::vector<Indent> indents_;
+  double from_ = 0.0, to_ = 0.0; ///< load or approach at the ends of the present entry of the sequence
   double largest_work_ = 0.0;
   long iterations_ = 0;
   int done_ = 0; ///< steps
 };
+
+/// Whether both bodies always have the same history.
+bool are_twins(const IndentationCase& indentation, const IndentationPlan& plan)
+{
+  return indentation.solver.mirror && indentation.places == std::vector{0.0} && plan.lower == plan.upper &&
+         alike(indentation.lower, indentation.upper);
+}
 
 } // namespace
 
@@ -174,8 +191,9 @@ IndentationPlan plan(const IndentationCase& indentation)
   IndentationPlan plan;
   lay_out(indentation, f, track, 0.0, plan);
   plan.contact_radius = f.half_x;
-  plan.steps = indentation.steps * static_cast<int>(indentation.sequence.size() * indentation.places.size()) *
-               indentation.cycles;
+  plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
+  plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
+                          static_cast<double>(indentation.sequence.size() * indentation.places.size()));
   plan.memory_bytes = memory_bytes(plan, indentation.lower.material.is_plastic(),
                                    indentation.upper.material.is_plastic(), indentation.solver.anderson_depth);
   return plan;

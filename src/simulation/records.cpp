@@ -65,7 +65,8 @@ void IndentationRecord::exchange(Archive& archive)
   archive("approach", approach);
   archive("contact_radius", contact_radius);
   archive("mean_pressure", mean_pressure);
-  archive("pile_up_lower", pile_up_lower);
+  archive("residual_depth", residual_depth);
+  archive("pile_up", pile_up);
 }
 
 void Indent::exchange(Archive& archive)

@@ -58,6 +58,7 @@ public:
     result.split_increments = stepper_.split_increments();
     take_totals(last_, largest_work_, result);
     result.passes = passes_;
+    result.last = last_;
     result.final_state = snapshot(last_.x);
     result.profile = track_profile(result.final_state.lower);
     return result;
@@ -102,13 +103,16 @@ private:
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
       touch_ = std::min(stepper_.clearance(before), case_.drive.value);
     const Moment to = moment(step_in_pass_ + 1);
+    if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
+      touch_ = std::min(touch_, stepper_.clearance(frame(to.x)));
     const auto path = [&](double t)
     {
       const Moment m = moment(step_in_pass_ + t);
       return Target{frame(m.x), drive(m.drive)};
     };
     const double cells = plan_.shift / plan_.contact.dx;
-    const double finest = step_in_pass_ < case_.load_steps ? 1.0 / 64 : std::min(1.0, 0.5 / cells);
+    const bool moves = step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
+    const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
     record(stepper_.advance(path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to.x)), to.x);
     if (++step_in_pass_ == steps_per_pass())
     {
@@ -122,7 +126,7 @@ private:
         {
           Archive archive;
           exchange(archive);
-          return archive.fields();
+          return std::move(archive).fields();
         });
   }
 
@@ -184,9 +188,8 @@ private:
 /// Whether both bodies always have the same history: then one is solved and its residual displacement counts twice.
 bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
 {
-  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && rolling.lower.material == rolling.upper.material &&
-         rolling.lower.material.is_plastic() && std::holds_alternative<Smooth>(rolling.lower.texture) &&
-         std::holds_alternative<Smooth>(rolling.upper.texture) && plan.lower == plan.upper;
+  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && plan.lower == plan.upper &&
+         alike(rolling.lower, rolling.upper);
 }
 
 } // namespace
@@ -201,10 +204,10 @@ RollingPlan plan(const RollingCase& rolling)
   plan.half_width_y = f.half_y;
   plan.shift = rolling.shift.value_or(cell_sizes(rolling, f)[0]);
   // An even number, so that the middle of the track is reached.
-  plan.rolling_steps = 2 * std::max(1, static_cast<int>(std::lround(0.5 * rolling.distance / plan.shift)));
+  plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift)));
   const double track = 0.5 * plan.rolling_steps * plan.shift;
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
-  plan.steps = rolling.passes * (plan.rolling_steps + 2 * rolling.load_steps);
+  plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps));
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
                                    rolling.solver.anderson_depth);

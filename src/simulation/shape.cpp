@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace brinell::simulation
@@ -44,7 +45,10 @@ Vector nearest_in_disc(Vector p, double radius)
 template <typename Nearest>
 double rounded_height(double x, double y, double R, double far, const Nearest& nearest)
 {
-  const double scale = R > 0.0 ? 1.0 / R : far / std::max(std::hypot(x, y), 1e-300);
+  const double r = std::hypot(x, y);
+  if (r == 0.0)
+    return 0.0;
+  const double scale = R > 0.0 ? 1.0 / R : far / r;
   const Vector g = nearest(Vector{x * scale, y * scale});
   return g.x * x + g.y * y - 0.5 * R * (g.x * g.x + g.y * g.y);
 }
@@ -94,6 +98,8 @@ double depth_of(const HeightMap& map, double x, double y)
 {
   const double u = (x - map.x) / map.dx + 0.5 * (map.nx - 1);
   const double v = (y - map.y) / map.dy + 0.5 * (map.ny - 1);
+  if (!(u > -1.0 && u < map.nx && v > -1.0 && v < map.ny))
+    return 0.0;
   const auto i = static_cast<int>(std::floor(u));
   const auto j = static_cast<int>(std::floor(v));
   const auto at = [&](int column, int row)
@@ -108,6 +114,35 @@ double depth_of(const HeightMap& map, double x, double y)
 }
 
 } // namespace
+
+std::optional<std::array<double, 2>> curvature(const Shape& shape)
+{
+  if (std::holds_alternative<Plane>(shape))
+    return std::array{0.0, 0.0};
+  if (const auto* p = std::get_if<Paraboloid>(&shape))
+    return std::array{1.0 / p->radius_x, 1.0 / p->radius_y};
+  if (const auto* r = std::get_if<Roller>(&shape))
+    return std::array{1.0 / r->radius, 0.0};
+  return std::nullopt;
+}
+
+std::optional<std::array<double, 2>> relative_curvature(const Shape& lower, const Shape& upper)
+{
+  const auto a = curvature(lower);
+  const auto b = curvature(upper);
+  if (!a || !b)
+    return std::nullopt;
+  return std::array{(*a)[0] + (*b)[0], (*a)[1] + (*b)[1]};
+}
+
+double roller_length(const Shape& lower, const Shape& upper)
+{
+  double length = std::numeric_limits<double>::infinity();
+  for (const Shape* shape : {&lower, &upper})
+    if (const auto* roller = std::get_if<Roller>(shape))
+      length = std::min(length, roller->length);
+  return length;
+}
 
 double height(const Shape& shape, double x, double y)
 {

@@ -103,6 +103,9 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
   }
   check_extent("lower", pair_.lower());
   check_extent("upper", pair_.upper());
+  if (pair_.reaches_edge())
+    throw InputError(
+        "the contact has reached the edge of its grid: enlarge it by grid.extent. All steps so far are kept");
   return evaluations_;
 }
 
@@ -184,6 +187,22 @@ const Stepper::Depths& Stepper::depths(const Frame& frame)
   pair_.surface_depth(pair_.lower(), frame.placement.lower, depths_.lower);
   pair_.surface_depth(pair_.upper(), frame.placement.upper, depths_.upper);
   return depths_;
+}
+
+std::pair<double, double> Stepper::residual_range(const Frame& frame) const
+{
+  const SurfaceGrid& s = pair_.lower().grid().surface;
+  const std::vector<double>& residual = pair_.lower().state().residual_displacement;
+  const int first = std::max(0, frame.placement.lower.column);
+  const int last = std::min(s.nx, frame.placement.lower.column + pair_.grid().nx);
+  std::pair<double, double> range{0.0, 0.0};
+  for (int j = 0; j < s.ny; ++j)
+    for (int i = first; i < last; ++i)
+    {
+      const double u = residual[static_cast<std::size_t>(i + s.nx * j)];
+      range = {std::min(range.first, u), std::max(range.second, u)};
+    }
+  return range;
 }
 
 bool Stepper::touching() const

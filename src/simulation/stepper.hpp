@@ -77,6 +77,8 @@ public:
     std::vector<double> lower, upper;
   };
   [[nodiscard]] const Depths& depths(const Frame& frame);
+  /// Smallest and largest residual displacement of the lower body under the contact grid, at most and at least 0 [m].
+  [[nodiscard]] std::pair<double, double> residual_range(const Frame& frame) const;
   [[nodiscard]] bool touching() const;
   [[nodiscard]] const elastoplastic::CoupledContact& pair() const { return pair_; }
   [[nodiscard]] int split_increments() const { return split_increments_; }

@@ -93,7 +93,7 @@ private:
         {
           Archive archive;
           exchange(archive);
-          return archive.fields();
+          return std::move(archive).fields();
         });
   }
 

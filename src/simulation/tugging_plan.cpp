@@ -113,7 +113,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   const auto [dx, dy, dz] = spacing;
   constexpr double most_cells = 1e5;
   if (const double finest = std::min({dx, dy, dz}); a / finest > most_cells)
-    throw InputError(fmt::format("grid: cells of {:g} m are too small for a contact radius of {:g} m", finest, a));
+    throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact radius of {:g} m", finest, a));
   const double scaled = a * tugging.extent * plastic_growth(tugging);
   plan.contact = {2 * half_cells(contact_extent_x * scaled, dx) + 1, 2 * half_cells(contact_extent_y * scaled, dy) + 1,
                   dx, dy};

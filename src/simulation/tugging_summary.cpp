@@ -64,6 +64,7 @@ TuggingSummary Summariser::result() const
 {
   TuggingSummary s = summary_;
   take_totals(last_, largest_work_, s);
+  s.last = last_;
   return s;
 }
 

@@ -45,14 +45,16 @@ class Body
 {
 public:
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid.
+  /// @param texture     depth that the surface had before the first load, into the body [m]; empty: smooth.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-       const constitutive::Material& material);
+       const constitutive::Material& material, std::vector<double> texture = {});
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
   /// nullptr if the body is rigid.
   [[nodiscard]] const std::shared_ptr<const halfspace::HalfSpace>& shared_half_space() const { return half_space_; }
   [[nodiscard]] const BodyState& state() const { return state_; }
+  [[nodiscard]] const std::vector<double>& texture() const { return texture_; }
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
 
   /// Starts an increment: the guess of q is the last one, carried along by `shift` cells in x with the contact.
@@ -72,6 +74,7 @@ public:
   void adopt(const Body& other, Twin twin);
 
   /// Everything that the next increment depends on.
+  /// @throws InputError if the stored texture is another one
   void exchange(Archive& archive);
 
   /// Biaxial stress xx = yy of each layer before the first load [Pa].
@@ -112,6 +115,7 @@ private:
   VolumeGrid grid_;
   constitutive::Material material_;
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
+  std::vector<double> texture_;
   halfspace::HalfSpace::Work work_;
   BodyState state_;
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers

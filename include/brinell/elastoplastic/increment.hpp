@@ -93,7 +93,10 @@ public:
   /// Depth of a body's surface under the contact grid: texture and residual displacement [m]; zero outside its grid.
   void surface_depth(const Body& body, const Place& place, std::span<double> out) const;
   /// The present pressure on the grid of a body's surface [Pa].
-  void spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const;
+  /// @returns whether all of it lies there; what does not is left out
+  bool spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const;
+  /// Whether pressure acts on the outermost cells of the contact grid.
+  [[nodiscard]] bool reaches_edge() const;
 
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);
@@ -111,7 +114,7 @@ private:
   Scales scales_;
   Settings settings_;
   Twin twin_;
-  Textures textures_;
+  bool leaves_grid_ = false; ///< pressure of the present trial lies beyond the end of a material grid
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

@@ -63,20 +63,40 @@ public:
     if (size > 0)
       (*this)(name, values);
   }
+  /// Of parts whose members all are numbers: one field per member.
   template <typename Part>
   void list(const std::string& name, std::vector<Part>& parts)
   {
     std::size_t size = parts.size();
     (*this)(name + ".size", size);
     parts.resize(size);
+    const std::string first = prefix_ + name + ".member.";
     for (std::size_t i = 0; i < size; ++i)
-      (*this)(name + "." + std::to_string(i), parts[i]);
+    {
+      Archive one(gives_ ? row(first, i) : Fields{});
+      one.gives_ = gives_;
+      parts[i].exchange(one);
+      if (!gives_)
+        for (const auto& [member, value] : one.fields_)
+          fields_[first + member].push_back(value.front());
+    }
   }
 
   [[nodiscard]] bool gives() const { return gives_; }
-  [[nodiscard]] const Fields& fields() const { return fields_; }
+  [[nodiscard]] const Fields& fields() const& { return fields_; }
+  [[nodiscard]] Fields fields() && { return std::move(fields_); }
 
 private:
+  /// The i-th number of each field whose name begins so.
+  [[nodiscard]] Fields row(const std::string& first, std::size_t i) const
+  {
+    Fields result;
+    for (auto field = fields_.lower_bound(first); field != fields_.end() && field->first.starts_with(first); ++field)
+      if (i < field->second.size())
+        result[field->first.substr(first.size())] = {field->second[i]};
+    return result;
+  }
+
   [[nodiscard]] const std::vector<double>& at(const std::string& name) const
   {
     const auto found = fields_.find(prefix_ + name);

@@ -14,6 +14,12 @@ class InputError : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// The grid, given or automatic, does not suit the case.
+class GridError : public InputError
+{
+  using InputError::InputError;
+};
+
 /// An increment did not reach its tolerance, also after splitting. The text carries the residuals in physical units.
 class ConvergenceError : public std::runtime_error
 {

@@ -39,11 +39,9 @@ public:
   HistoryWriter(std::filesystem::path path, const std::string& header, int kept);
 
   /// @throws IoError
-  void add(const std::string& row) { write_line(row); }
+  void add(const std::string& row);
 
 private:
-  void write_line(const std::string& line);
-
   struct Closer
   {
     void operator()(std::FILE* file) const { std::fclose(file); }

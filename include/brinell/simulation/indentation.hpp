@@ -37,7 +37,8 @@ struct IndentationRecord : StepRecord
   double approach = 0.0;       ///< depth of the indenter from first touch of the undeformed bodies [m]
   double contact_radius = 0.0; ///< of the circle with the contact area [m]
   double mean_pressure = 0.0;  ///< load over projected contact area [Pa]
-  double pile_up_lower = 0.0;  ///< largest height of the residual surface [m]
+  double residual_depth = 0.0; ///< largest residual displacement of the lower body at this place [m]
+  double pile_up = 0.0;        ///< largest height of its residual surface there [m]
 
   void exchange(Archive& archive);
 };
@@ -64,6 +65,7 @@ struct Indent
 struct IndentationSummary : RunTotals
 {
   std::vector<Indent> indents;
+  IndentationRecord last;
 };
 
 /// Grids, number of steps and memory of a case.

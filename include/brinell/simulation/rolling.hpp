@@ -70,6 +70,7 @@ struct RollingSummary : RunTotals
 {
   std::vector<RollingPass> passes;
   TrackProfile profile;
+  RollingRecord last;
 };
 
 /// Grids, number of steps and memory of a case.

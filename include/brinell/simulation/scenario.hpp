@@ -107,7 +107,7 @@ struct Observer
   std::function<void(const Record&, const Snapshot&)> on_snapshot;
   std::function<bool(const Record&)> wants_checkpoint;
   /// Everything that the rest of the run depends on: to be given to `run` later.
-  std::function<void(const Record&, const Archive::Fields&)> on_checkpoint;
+  std::function<void(const Record&, Archive::Fields)> on_checkpoint;
 };
 
 } // namespace brinell::simulation

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -52,6 +54,13 @@ using Shape = std::variant<Plane, Paraboloid, Roller, Cone, Pyramid>;
 
 /// Distance of the surface from the plane that touches it at its apex, at (x, y) from there [m].
 [[nodiscard]] double height(const Shape& shape, double x, double y);
+
+/// Curvature along x and y at the apex [1/m]; none for tips.
+[[nodiscard]] std::optional<std::array<double, 2>> curvature(const Shape& shape);
+/// Sum of those of two bodies.
+[[nodiscard]] std::optional<std::array<double, 2>> relative_curvature(const Shape& lower, const Shape& upper);
+/// Length of the shorter roller; infinite without one [m].
+[[nodiscard]] double roller_length(const Shape& lower, const Shape& upper);
 
 /// No texture.
 struct Smooth

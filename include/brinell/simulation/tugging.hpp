@@ -63,6 +63,7 @@ struct TuggingSummary : RunTotals
   double load_ratio_aligned = 0.0;             ///< F_X / F_Z at X = 0
   double load_ratio_end = 0.0;                 ///< F_X / F_Z at the end of the contact
   double work_to_alignment = 0.0;              ///< first pass, up to X = 0 [J]
+  TuggingRecord last;
 };
 
 /// Grids, number of steps and memory of a case.

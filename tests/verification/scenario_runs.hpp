@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/indentation.hpp"
+#include "brinell/simulation/rolling.hpp"
+#include "tugging_runs.hpp"
+
+#include <string>
+#include <vector>
+
+/// Runs of indentation and rolling with their history.
+namespace brinell::verification
+{
+
+struct IndentationRun
+{
+  std::vector<simulation::IndentationRecord> history;
+  simulation::IndentationSummary summary;
+};
+
+struct RollingRun
+{
+  std::vector<simulation::RollingRecord> history;
+  simulation::RollingSummary summary;
+};
+
+inline IndentationRun computed(const simulation::IndentationCase& indentation)
+{
+  IndentationRun run;
+  simulation::Observer<simulation::IndentationRecord> observer;
+  observer.on_step = [&](const simulation::IndentationRecord& r, int) { run.history.push_back(r); };
+  run.summary = simulation::run(indentation, observer);
+  return run;
+}
+
+inline RollingRun computed(const simulation::RollingCase& rolling)
+{
+  RollingRun run;
+  simulation::Observer<simulation::RollingRecord> observer;
+  observer.on_step = [&](const simulation::RollingRecord& r, int) { run.history.push_back(r); };
+  run.summary = simulation::run(rolling, observer);
+  return run;
+}
+
+inline contact::Drive load(double newton)
+{
+  return {contact::Drive::Kind::load, newton};
+}
+
+inline contact::Drive approach(double metre)
+{
+  return {contact::Drive::Kind::approach, metre};
+}
+
+inline simulation::Paraboloid ball(double radius)
+{
+  return {radius, radius};
+}
+
+/// Two spheres of 1 m of one material, pressed and lifted off; with `both` false the upper one is rigid and flat, so that
+/// the ratios to first yield stay the same.
+inline simulation::IndentationCase pressed_spheres(const constitutive::Material& material,
+                                                   std::vector<contact::Drive> sequence)
+{
+  simulation::IndentationCase c;
+  c.lower = {ball(1.0), material};
+  c.upper = {ball(1.0), material};
+  c.sequence = std::move(sequence);
+  return c;
+}
+
+/// A steel that hardens linearly, S_y / k = sqrt(3) with k = 1 GPa.
+inline constitutive::Material track_steel(double hardening = 0.0)
+{
+  constitutive::Material m{{200e9, 0.3}, {}};
+  const double yield = 1e9 * std::sqrt(3.0);
+  if (hardening > 0.0)
+    m.hardening = constitutive::LinearHardening{yield, hardening};
+  else
+    m.hardening = constitutive::PerfectPlasticity{yield};
+  return m;
+}
+
+/// An elastic ball of 10 mm on a flat of `material`, rolling under the load whose Hertz pressure that is [Pa].
+inline simulation::RollingCase ball_on_flat(const constitutive::Material& material, double hertz_pressure,
+                                            double distance)
+{
+  simulation::RollingCase c;
+  c.lower = {simulation::Plane{}, material};
+  c.upper = {ball(10e-3), {material.elastic, {}}};
+  const double modulus = contact_modulus(material.elastic, material.elastic);
+  const double radius = 10e-3;
+  const double pi = 3.14159265358979323846;
+  c.drive = load(std::pow(pi * hertz_pressure, 3) * radius * radius / (6.0 * modulus * modulus)); // Johnson, Eq. 4.24
+  c.distance = distance;
+  c.resolution = slow_build ? 3.0 : 6.0;
+  return c;
+}
+
+} // namespace brinell::verification
