@@ -89,7 +89,7 @@ std::vector<Entry> indentation_entries()
        .type = Type::integer,
        .range = between(1, 100000),
        .fallback = std::int64_t{defaults.steps},
-       .text = "Steps from one entry of the list to the next.",
+       .text = "Steps from one entry of the list to the next, of equal approach; of equal load^(2/3) if the load is imposed.",
        .when = indentation},
       {.key = "indentation.cycles",
        .type = Type::integer,

@@ -90,9 +90,8 @@ private:
       begin_entry(in_indent, touch);
     if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
       to_ = std::min(to_, lifted(touch));
-    const auto path = [&](double t) {
-      return Target{here, {case_.sequence.front().kind, from_ + (to_ - from_) * (in_entry + t) / case_.steps}};
-    };
+    const auto path = [&](double t)
+    { return Target{here, {case_.sequence.front().kind, imposed((in_entry + t) / case_.steps)}}; };
     constexpr double finest = 1.0 / 64;
     const Target target = path(1.0);
     const std::string where = fmt::format("step {}, {} = {:g} {}", done_, by_load() ? "load" : "approach",
@@ -115,6 +114,16 @@ private:
 
   /// An imposed approach of zero means no contact, dents and bumps included.
   [[nodiscard]] double lifted(double touch) const { return by_load() ? 0.0 : std::min(0.0, touch); }
+
+  /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the depth grows evenly: the first
+  /// step in load would be the longest by far.
+  [[nodiscard]] double imposed(double share) const
+  {
+    if (!by_load())
+      return from_ + (to_ - from_) * share;
+    const double from = std::pow(from_, 2.0 / 3.0);
+    return share == 1.0 ? to_ : std::pow(from + (std::pow(to_, 2.0 / 3.0) - from) * share, 1.5);
+  }
 
   void begin_entry(int in_indent, double touch)
   {
