@@ -6,11 +6,10 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 import pytest
-from matplotlib.axes import Axes
+from figure_parts import curve, legend_of, texts
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
-from brinell.plot import fields, paper, style
+from brinell.plot import cells, fields, paper, style
 from brinell.plot.history import run_history
 from brinell.results import History, Run, RunError, open_run
 
@@ -23,24 +22,6 @@ P_C, U_C, ALPHA_C, A_C, R = 3.460928e5, 30.65398, 2.214290e-4, 1.052209e-2, 0.5
 def runs(make_run: MakeRun) -> list[Run]:
     """In no order: the figures sort."""
     return [open_run(make_run(alpha)) for alpha in (4.0, 1.0, 9.0, 2.0)]
-
-
-def curve(ax: Axes, label: str) -> Line2D:
-    found = [line for line in ax.lines if line.get_label() == label]
-    assert len(found) == 1, f"{len(found)} curves {label!r} among {[line.get_label() for line in ax.lines]}"
-    return found[0]
-
-
-def texts(fig: Figure) -> list[str]:
-    """All visible text; drawing proves that every formula in it is valid."""
-    fig.canvas.draw()
-    return [t.get_text() for t in fig.findobj(matplotlib.text.Text) if t.get_text() and t.get_visible()]
-
-
-def legend_of(ax: Axes) -> list[str]:
-    legend = ax.get_legend()
-    assert legend is not None
-    return [text.get_text() for text in legend.get_texts()]
 
 
 @pytest.mark.parametrize(("draw", "column"), [(paper.fig11, "F_X"), (paper.fig12, "F_Z")])
@@ -140,6 +121,11 @@ def test_overview_has_all_panels(runs: list[Run]) -> None:
     texts(fig)
 
 
+def test_only_tugging_can_be_drawn_like_the_paper(make_rolling: MakeRun) -> None:
+    with pytest.raises(RunError, match="is of scenario 'rolling', this figure needs 'tugging'"):
+        paper.fig11([open_run(make_rolling())])
+
+
 def test_nothing_to_draw() -> None:
     with pytest.raises(ValueError, match="no run"):
         paper.fig11([])
@@ -189,12 +175,12 @@ def test_interpolated_pressure_keeps_its_peak(make_run: MakeRun) -> None:
 def test_edge_of_contact_is_found_within_a_fraction_of_a_cell(make_run: MakeRun) -> None:
     """The synthetic contact is a circle of radius a_c sqrt(alpha*), about 7 cells along x and 3 along y."""
     snapshot = open_run(make_run(9.0)).snapshot("aligned")
-    start, end = fields._contact_span(snapshot)
+    start, end = cells.contact_span(snapshot.contact)
     radius = 3.0 * A_C
     dx = snapshot.contact.x[1] - snapshot.contact.x[0]
     assert start == pytest.approx(-radius, abs=0.15 * dx)
     assert end == pytest.approx(radius, abs=0.15 * dx)
-    edge = fields.contact_edge(snapshot.contact)
+    edge = cells.contact_edge(snapshot.contact)
     np.testing.assert_array_equal(edge > 0.0, snapshot.contact.pressure > 0.0)
 
 
@@ -234,7 +220,7 @@ def test_section(make_run: MakeRun) -> None:
     for image, body in zip(strain.images, (snapshot.lower, snapshot.upper), strict=True):
         np.testing.assert_allclose(image.get_array(), 100.0 * body.equivalent_plastic_strain[:, middle])  # type: ignore[arg-type]
     contact = curve(stress, "contact")
-    np.testing.assert_allclose(np.asarray(contact.get_xdata()) * A_C, fields._contact_span(snapshot))
+    np.testing.assert_allclose(np.asarray(contact.get_xdata()) * A_C, cells.contact_span(snapshot.contact))
     assert stress.get_aspect() == 1.0
     written = texts(fig)
     assert any("$S_y$ = 912 MPa" in t for t in written)
@@ -244,8 +230,8 @@ def test_section(make_run: MakeRun) -> None:
 def test_section_between_two_rows_is_their_mean() -> None:
     y = np.array([-1.5, -0.5, 0.5, 1.5])
     values = np.arange(8.0).reshape(1, 4, 2)
-    np.testing.assert_allclose(fields._at_centre(y, values), [[3.0, 4.0]])
-    np.testing.assert_allclose(fields._at_centre(y[:3] + 0.5, values[:, :3]), [[2.0, 3.0]])
+    np.testing.assert_allclose(cells.at_centre(y, values), [[3.0, 4.0]])
+    np.testing.assert_allclose(cells.at_centre(y[:3] + 0.5, values[:, :3]), [[2.0, 3.0]])
 
 
 @pytest.mark.parametrize("draw", [fields.pressure_map, fields.residual_surfaces, fields.section])
@@ -282,6 +268,57 @@ def test_history_of_an_unfinished_run_is_in_si(make_run: MakeRun) -> None:
     written = texts(run_history(run))
     assert any(t == "$F_X$  [kN]" for t in written)
     assert any("[J]" in t or "[kJ]" in t for t in written)
+
+
+def test_section_of_a_flat_body_under_a_rigid_one(make_indentation: MakeRun) -> None:
+    """Only the lower body has fields; above it a strip while it is touched."""
+    run = open_run(make_indentation())
+    loaded = fields.section(run, run.snapshot("aligned"))
+    stress = loaded.axes[0]
+    assert len(stress.images) == 1
+    low, high = stress.get_ylim()
+    assert 0.0 < high < -0.2 * low
+    assert {"lower body", "upper body, rigid"} <= set(texts(loaded))
+    unloaded = fields.section(run, run.snapshot("final"))
+    assert unloaded.axes[0].get_ylim()[1] == 0.0
+    assert not any("rigid" in t for t in texts(unloaded))
+
+
+@pytest.mark.parametrize("draw", [fields.pressure_map, fields.residual_surfaces, fields.section])
+@pytest.mark.parametrize("options", [{}, {"yields": False}])
+def test_states_of_rolling(make_rolling: MakeRun, draw: Callable[..., Figure], options: dict) -> None:
+    run = open_run(make_rolling(**options))
+    written = texts(draw(run, run.snapshot("aligned")))
+    assert any("pass 1" in t and "$F_n$ = 3 MN" in t for t in written)
+
+
+@pytest.mark.parametrize("draw", [fields.residual_surfaces, fields.section])
+def test_only_bodies_that_have_changed_are_drawn(make_rolling: MakeRun, draw: Callable[..., Figure]) -> None:
+    run = open_run(make_rolling())
+    written = texts(draw(run, run.snapshot("final")))
+    assert "lower body" in written
+    assert "upper body" not in written
+
+
+@pytest.mark.parametrize(
+    ("scenario", "first", "second"),
+    [
+        ("indentation", "F_n", "approach"),
+        ("rolling", "F_X", "approach"),
+    ],
+)
+def test_history_of_the_other_scenarios(
+    make_indentation: MakeRun, make_rolling: MakeRun, scenario: str, first: str, second: str
+) -> None:
+    run = open_run({"indentation": make_indentation, "rolling": make_rolling}[scenario]())
+    fig = run_history(run)
+    for ax, column, scale in zip(fig.axes, (first, second), (P_C, ALPHA_C), strict=False):
+        drawn = [np.asarray(line.get_ydata()) for line in ax.lines if len(np.asarray(line.get_xdata())) > 2]
+        np.testing.assert_allclose(np.concatenate(drawn), run.history[column] / scale)
+    assert fig.axes[3].get_xlabel() == "step"
+    assert "dissipated, upper" not in legend_of(fig.axes[2])  # it is zero
+    assert [ax.get_title(loc="left")[:3] for ax in fig.axes] == ["(a)", "(b)", "(c)", "(d)", "(e)", "(f)"]
+    texts(fig)
 
 
 def test_figures_leave_the_callers_settings_alone(runs: list[Run]) -> None:

@@ -26,10 +26,10 @@ def test_version_is_that_of_the_repository() -> None:
 def test_history_holds_every_column_and_row(make_run: MakeRun) -> None:
     folder = make_run(9.0, steps=25)
     run = open_run(folder)
-    assert tuple(run.history) == HISTORY_COLUMNS
+    assert tuple(run.history) == HISTORY_COLUMNS["tugging"]
     table = np.loadtxt(folder / "history.csv", delimiter=",", skiprows=1)
     assert run.history.steps == 25
-    for i, name in enumerate(HISTORY_COLUMNS):
+    for i, name in enumerate(HISTORY_COLUMNS["tugging"]):
         np.testing.assert_array_equal(run.history[name], table[:, i])
 
 
@@ -38,8 +38,8 @@ def test_columns_are_those_of_the_specification() -> None:
     if not specification.is_file():
         pytest.skip("not in the repository")
     text = specification.read_text(encoding="utf-8")
-    missing = [name for name in HISTORY_COLUMNS if f"`{name}`" not in text]
-    assert not missing
+    names = {name for columns in HISTORY_COLUMNS.values() for name in columns}
+    assert not [name for name in sorted(names) if f"`{name}`" not in text]
 
 
 def test_scales_come_from_the_summary(make_run: MakeRun) -> None:
@@ -52,7 +52,7 @@ def test_scales_come_from_the_summary(make_run: MakeRun) -> None:
     assert run.normalised_interference == pytest.approx(4.0)
 
 
-def test_passes_are_split_where_x_jumps_back(make_run: MakeRun) -> None:
+def test_passes_are_split(make_run: MakeRun) -> None:
     run = open_run(make_run(4.0, passes=3, steps=11))
     passes = run.history.passes()
     assert [one.steps for one in passes] == [11, 11, 11]
@@ -73,7 +73,8 @@ def test_snapshot_holds_the_stored_fields(make_run: MakeRun, which: int | str) -
     name = "final" if which == "final" else f"steps/{12 if which == 'aligned' else which:06d}"
     with h5py.File(folder / "result.h5") as file:
         group = file[name]
-        assert group.attrs["X"] == snapshot.X
+        assert snapshot.row["X"] == group.attrs["X"]
+        assert snapshot.step == group.attrs["step"]
         assert snapshot.is_final == (which == "final")
         np.testing.assert_array_equal(snapshot.contact.pressure, group["contact/pressure"])
         np.testing.assert_array_equal(snapshot.contact.gap, group["contact/gap"])
@@ -109,6 +110,111 @@ def test_aligned_is_searched_in_the_first_pass_only(make_run: MakeRun) -> None:
         file["steps/000037"].attrs["step"] = 37
         file["steps/000012"].attrs["X"] = 0.001
     assert open_run(folder).snapshot("aligned").step == 12
+
+
+# --- Indentation and rolling ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scenario", ["tugging", "indentation", "rolling"])
+def test_scenario_is_told_by_the_columns(
+    make_run: MakeRun, make_indentation: MakeRun, make_rolling: MakeRun, scenario: str
+) -> None:
+    make = {"tugging": make_run, "indentation": make_indentation, "rolling": make_rolling}[scenario]
+    run = open_run(make(finished=False), allow_unfinished=True)
+    assert run.scenario == scenario
+    assert tuple(run.history) == HISTORY_COLUMNS[scenario]  # type: ignore[index]
+    snapshot = run.snapshot("aligned")
+    assert snapshot.scenario == scenario
+    # Attributes of a stored step are its row of the history.
+    assert dict(snapshot.row) == {name: column[snapshot.step] for name, column in run.history.items()}
+
+
+def test_a_later_program_may_add_columns(make_rolling: MakeRun) -> None:
+    path = make_rolling() / "history.csv"
+    header, *rows = path.read_text().splitlines()
+    path.write_text("\n".join([f"{header},temperature", *(f"{row},300" for row in rows)]) + "\n")
+    history = open_run(path.parent).history
+    assert history.scenario == "rolling"
+    assert np.all(history["temperature"] == 300.0)
+    assert np.all(history.passes()[1]["temperature"] == 300.0)
+
+
+def test_indents(make_indentation: MakeRun) -> None:
+    run = open_run(make_indentation(cycles=2, places=(-0.1, 0.1)))
+    assert [(one.place, one.cycle, one.x) for one in run.indents] == [
+        (0, 0, -0.1),
+        (0, 1, -0.1),
+        (1, 0, 0.1),
+        (1, 1, 0.1),
+    ]
+    assert all(type(one.place) is int for one in run.indents)
+    one = run.indents[0]
+    assert (one.max_load, one.hardness) == (3e6, 2.5e9)
+    assert one.final_approach == pytest.approx(0.6 * one.max_approach)
+    assert np.isnan(run.indents[1].final_approach)  # null: the contact does not open
+    assert len(run.history.passes()) == 4
+    assert [rows["x"][0] for rows in run.history.split("place")] == [-0.1, 0.1]
+
+
+def test_rolling_passes_and_profile(make_rolling: MakeRun) -> None:
+    run = open_run(make_rolling(passes=2))
+    assert [one.rut_depth for one in run.passes] == pytest.approx([5e-5, 7.5e-5])
+    assert run.passes[1].resistance == 25.0
+    assert run.passes[1].track_plastic_increment == pytest.approx(0.0015)
+    assert run.profile.depth.shape == run.profile.residual_xx.shape == (12,)
+    assert run.profile.residual_yy[0] < 0.0
+    with pytest.raises(RunError, match="no entry indents"):
+        _ = run.indents
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"passes": [{}]}, r"passes\[0\]: no rut_depth that can be read"),
+        ({"passes": 3}, "passes is not a list"),
+        ({"profile": {"depth_m": "deep"}}, "profile: no depth that can be read"),
+        ({"scenario": "indentation"}, "is of scenario 'indentation', but history.csv of 'rolling'"),
+    ],
+)
+def test_damaged_lists_of_the_summary(make_rolling: MakeRun, change: dict, message: str) -> None:
+    path = make_rolling() / "summary.json"
+    path.write_text(json.dumps(json.loads(path.read_text()) | change))
+
+    def read() -> None:
+        run = open_run(path.parent)
+        _ = run.passes, run.profile
+
+    with pytest.raises(RunError, match=message):
+        read()
+
+
+def test_rigid_body_has_no_fields(make_indentation: MakeRun) -> None:
+    snapshot = open_run(make_indentation()).snapshot("aligned", tensors=True)
+    assert snapshot.upper.is_rigid
+    assert snapshot.upper.x.size == snapshot.upper.equivalent_plastic_strain.size == 0
+    assert snapshot.upper.von_mises_stress is None
+    assert snapshot.upper.stress == {}
+    assert not snapshot.lower.is_rigid
+
+
+def test_aligned_of_an_indentation_is_its_first_largest_load(make_indentation: MakeRun) -> None:
+    run = open_run(make_indentation(cycles=2, steps=8))
+    assert run.stored_steps() == [7, 15, 23, 31]
+    snapshot = run.snapshot("aligned")
+    assert (snapshot.step, snapshot.pass_) == (7, 0)
+    assert snapshot.in_contact
+
+
+def test_aligned_of_rolling_is_the_middle_of_the_first_pass(make_rolling: MakeRun) -> None:
+    snapshot = open_run(make_rolling()).snapshot("aligned")
+    assert (snapshot.pass_, snapshot.row["x"]) == (0, pytest.approx(0.0))
+
+
+def test_values_of_the_case(make_indentation: MakeRun) -> None:
+    run = open_run(make_indentation(upper="vickers"))
+    assert run.case("upper", "shape", "type") == "vickers"
+    assert run.case("upper", "shape", "type", "further") is None
+    assert not run.has_critical_values
 
 
 # --- Stopped runs -----------------------------------------------------------------------------------------------------
@@ -172,11 +278,11 @@ def test_empty_folder(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda t: t.replace("step,X", "X,step", 1), r"history\.csv:1: the header"),
+        (lambda t: t.replace("F_X", "F_x"), r"history\.csv:1: the header .* tugging without F_X, F_X_macro"),
         (lambda t: "", r"history\.csv:1: the header"),
         (lambda t: t.splitlines()[0] + "\n", "no finished step"),
         (lambda t: t.replace("\n3,", "\nthree,"), r"history\.csv:5: could not convert"),
-        (lambda t: t.replace("\n3,", "\n3,4,"), r"history\.csv:5: 21 values, expected 20"),
+        (lambda t: t.replace("\n3,", "\n3,4,"), r"history\.csv:5: 23 values, expected 22"),
         (lambda t: t.replace("\n3,", "\nnan,"), r"history\.csv:5: step = nan is not a finite number"),
     ],
 )
@@ -224,7 +330,7 @@ def test_elastic_pair_has_no_critical_values(make_run: MakeRun) -> None:
     summary["critical"] = dict.fromkeys(summary["critical"])
     path.write_text(json.dumps(summary))
     run = open_run(folder)
-    assert run.is_elastic
+    assert not run.has_critical_values
     with pytest.raises(RunError, match="both bodies are elastic"):
         _ = run.critical
 

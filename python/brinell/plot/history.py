@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -11,110 +15,186 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.scales import Scale, Scales
-from brinell.results import History, Run
+from brinell.results import History, Run, Scenario
 
 __all__ = ["run_history"]
 
+_LOWER: Mapping[str, Any] = {"color": style.LOWER}
+_UPPER: Mapping[str, Any] = {"color": style.UPPER, "linestyle": (0, (4, 2))}  # often equal to the lower: both must show
+_ASIDE: Mapping[str, Any] = {"color": style.REFERENCE, "linestyle": ":", "linewidth": 1.4}
 
-def _course(passes: list[History]) -> list[NDArray[np.float64]]:
-    """Abscissa of each pass [m]: X; if there are several passes, the distance slid since the start of the first."""
-    if len(passes) == 1:
-        return [passes[0]["X"]]
-    course = []
+
+@dataclass(frozen=True, eq=False)
+class _Course:
+    """The passes of a run over a common abscissa."""
+
+    passes: list[History]
+    x: list[NDArray[np.float64]]
+    """By pass, over its scale."""
+    label: str
+    scales: Scales
+
+    @property
+    def several(self) -> bool:
+        return len(self.passes) > 1
+
+    def largest(self, *names: str) -> float:
+        """Of some columns [SI]."""
+        return max(float(np.max(np.abs(one[name]))) for one in self.passes for name in names)
+
+    def draw(self, ax: Axes, name: str, scale: Scale, label: str, look: Mapping[str, Any]) -> None:
+        """One quantity over all passes, the line broken between two; nothing if it is zero throughout."""
+        if self.largest(name) == 0.0:
+            return
+        for index, (x, one) in enumerate(zip(self.x, self.passes, strict=True)):
+            ax.plot(x, one[name] / scale.size, label=label if index == 0 else "_", **look)
+
+
+def _course(run: Run) -> _Course:
+    passes = run.history.passes()
+    scales = Scales(run)
+    if run.scenario != "tugging":  # the contact may rest in one place for many steps
+        return _Course(passes, [one["step"] for one in passes], "step", scales)
+    slid = _distance_slid(passes) if len(passes) > 1 else [passes[0]["X"]]
+    scale = scales.radius(max(float(np.max(np.abs(x))) for x in slid))
+    name, symbol = ("distance slid", "s") if len(passes) > 1 else ("sliding coordinate", "X")
+    return _Course(passes, [x / scale.size for x in slid], scale.label(name, symbol), scales)
+
+
+def _distance_slid(passes: list[History]) -> list[NDArray[np.float64]]:
+    """Since the start of the first pass [m]."""
+    result = []
     offset = 0.0
     for one in passes:
         slid = one["X"] - one["X"][0]
-        course.append(offset + slid)
+        result.append(offset + slid)
         offset += slid[-1]
-    return course
+    return result
+
+
+def _headroom(ax: Axes, factor: float) -> None:
+    """Room for a legend above the curves."""
+    ax.set_ylim(top=factor * ax.get_ylim()[1])
+
+
+def _legend(ax: Axes, **place: Any) -> None:
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend(**place)
+
+
+def _tangential_force_and_slopes(ax: Axes, course: _Course) -> None:
+    force = course.scales.force(course.largest("F_X"))
+    course.draw(ax, "F_X", force, "with pile-up", _LOWER)
+    course.draw(ax, "F_X_macro", force, "without", _ASIDE)
+    ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
+    ax.set_title("tangential force")
+    ax.set_ylabel(force.label("", "F_X"))
+    _headroom(ax, 1.2)
+    _legend(ax, loc="upper right", ncol=2)
+
+
+def _force_across_and_slopes(ax: Axes, course: _Course) -> None:
+    force = course.scales.force(course.largest("F_Z"))
+    course.draw(ax, "F_Z", force, "with pile-up", _LOWER)
+    course.draw(ax, "F_Z_macro", force, "without", _ASIDE)
+    ax.set_title("normal force")
+    ax.set_ylabel(force.label("", "F_Z"))
+    ax.set_ylim(bottom=0.0)
+
+
+def _tangential_force(ax: Axes, course: _Course) -> None:
+    force = course.scales.force(course.largest("F_X"))
+    course.draw(ax, "F_X", force, "resistance", _LOWER)
+    ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
+    ax.set_title("resistance to rolling")
+    ax.set_ylabel(force.label("", "F_X"))
+
+
+def _normal_force(ax: Axes, course: _Course) -> None:
+    force = course.scales.force(course.largest("F_n"))
+    course.draw(ax, "F_n", force, "load", _LOWER)
+    ax.set_title("normal force")
+    ax.set_ylabel(force.label("", "F_n"))
+    ax.set_ylim(bottom=0.0)
+
+
+def _approach(ax: Axes, course: _Course) -> None:
+    depth = course.scales.displacement(course.largest("approach"))
+    course.draw(ax, "approach", depth, "approach", _LOWER)
+    ax.set_title("approach")
+    ax.set_ylabel(depth.label("", r"\delta"))
+    if all(np.all(one["approach"] >= 0.0) for one in course.passes):
+        ax.set_ylim(bottom=0.0)
+
+
+def _energy(ax: Axes, course: _Course) -> None:
+    energy = course.scales.energy(course.largest("work", "dissipation_lower", "dissipation_upper"))
+    course.draw(ax, "work", energy, "work", {"color": "black"})
+    course.draw(ax, "dissipation_lower", energy, "dissipated, lower", _LOWER)
+    course.draw(ax, "dissipation_upper", energy, "dissipated, upper", _UPPER)
+    course.draw(ax, "energy_residual", energy, "locked in", {"color": style.LOCKED_IN})
+    course.draw(ax, "energy_elastic", energy, "recoverable", _ASIDE)
+    ax.set_title("energy since the start")
+    ax.set_ylabel(energy.label("", "U"))
+    ax.set_ylim(bottom=min(0.0, ax.get_ylim()[0]))
+    _headroom(ax, 1.4)
+    _legend(ax, loc="upper left", ncol=2)
+
+
+def _pressure(ax: Axes, course: _Course) -> None:
+    pressure = course.scales.pressure(course.largest("max_pressure"))
+    course.draw(ax, "max_pressure", pressure, "largest pressure", _LOWER)
+    ax.set_title("largest pressure")
+    ax.set_ylabel(pressure.label("", r"p_{\max}"))
+    ax.set_ylim(bottom=0.0)
+
+
+def _residual_depth(ax: Axes, course: _Course) -> None:
+    depth = course.scales.displacement(course.largest("max_residual_lower", "max_residual_upper"))
+    course.draw(ax, "max_residual_lower", depth, "lower body", _LOWER)
+    course.draw(ax, "max_residual_upper", depth, "upper body", _UPPER)
+    ax.set_title("residual depth")
+    ax.set_ylabel(depth.label("", r"u^r_{\max}"))
+    ax.set_ylim(bottom=0.0)
+    _headroom(ax, 1.2)
+    _legend(ax, loc="upper left", ncol=2)
+
+
+def _cost(ax: Axes, course: _Course) -> None:
+    for x, one in zip(course.x, course.passes, strict=True):
+        ax.plot(x, one["iterations"], linestyle="none", marker="o", color=style.LOWER)
+    ax.set_title("cost")
+    ax.set_ylabel("evaluations per step")
+    ax.yaxis.set_major_locator(MaxNLocator(integer=True))
+    ax.set_ylim(bottom=0.0)
+
+
+_Panel = Callable[[Axes, _Course], None]
+_COMMON: tuple[_Panel, ...] = (_energy, _pressure, _residual_depth, _cost)
+_PANELS: Mapping[Scenario, tuple[_Panel, ...]] = {
+    "tugging": (_tangential_force_and_slopes, _force_across_and_slopes, *_COMMON),
+    "indentation": (_normal_force, _approach, *_COMMON),
+    "rolling": (_tangential_force, _approach, *_COMMON),
+}
 
 
 @style.figure
 def run_history(run: Run) -> Figure:
-    """Six panels over the sliding coordinate, or over the distance slid if there are several passes.
+    """Six panels over the steps; of a tugging over the sliding coordinate, or the distance slid in several passes.
 
     Works for a run that has not finished: the axes are then in SI.
     """
-    passes = run.history.passes()
-    scales = Scales(run)
-    course = _course(passes)
-    several = len(passes) > 1
-    x_scale = scales.radius(max(float(np.max(np.abs(x))) for x in course))
-    x_label = x_scale.label("distance slid" if several else "sliding coordinate", "s" if several else "X")
-
+    course = _course(run)
     fig = style.new_figure(12.0, 6.6)
-    panels = fig.subplots(2, 3, sharex=True)
-
-    def curve(ax: Axes, name: str, scale: Scale, label: str, **look: object) -> None:
-        """One quantity over all passes, the line broken between two."""
-        for index, (x, one) in enumerate(zip(course, passes, strict=True)):
-            ax.plot(x / x_scale.size, one[name] / scale.size, label=label if index == 0 else "_", **look)  # type: ignore[arg-type]
-
-    def largest(*names: str) -> float:
-        return max(float(np.max(np.abs(run.history[name]))) for name in names)
-
-    lower = {"color": style.LOWER}
-    upper = {"color": style.UPPER, "linestyle": (0, (4, 2))}  # often equal to the lower body: both must show
-    reference = {"color": style.REFERENCE, "linestyle": ":", "linewidth": 1.4}
-
-    force = scales.force(largest("F_X"))
-    ax = panels[0, 0]
-    curve(ax, "F_X", force, "with pile-up", color=style.LOWER)
-    curve(ax, "F_X_macro", force, "without", **reference)
-    ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
-    ax.set_title("(a)  tangential force")
-    ax.set_ylabel(force.label("", "F_X"))
-    ax.set_ylim(top=1.2 * ax.get_ylim()[1])  # room for the legend
-    ax.legend(loc="upper right", ncol=2)
-
-    force = scales.force(largest("F_Z"))
-    ax = panels[0, 1]
-    curve(ax, "F_Z", force, "with pile-up", color=style.LOWER)
-    curve(ax, "F_Z_macro", force, "without", **reference)
-    ax.set_title("(b)  normal force")
-    ax.set_ylabel(force.label("", "F_Z"))
-
-    energy = scales.energy(largest("work", "dissipation_lower", "dissipation_upper"))
-    ax = panels[0, 2]
-    curve(ax, "work", energy, "work of $F_X$", color="black")
-    curve(ax, "dissipation_lower", energy, "dissipated, lower", **lower)
-    curve(ax, "dissipation_upper", energy, "dissipated, upper", **upper)
-    curve(ax, "energy_residual", energy, "locked in", color="#009E73")
-    ax.set_title("(c)  energy since the start")
-    ax.set_ylabel(energy.label("", "U"))
-    ax.set_ylim(top=1.3 * ax.get_ylim()[1])
-    ax.legend(loc="upper left", ncol=2)
-
-    pressure = scales.pressure(largest("max_pressure"))
-    ax = panels[1, 0]
-    curve(ax, "max_pressure", pressure, "largest pressure", color=style.LOWER)
-    ax.set_title("(d)  largest pressure")
-    ax.set_ylabel(pressure.label("", r"p_{\max}"))
-
-    depth = scales.displacement(largest("max_residual_lower", "max_residual_upper"))
-    ax = panels[1, 1]
-    curve(ax, "max_residual_lower", depth, "lower body", **lower)
-    curve(ax, "max_residual_upper", depth, "upper body", **upper)
-    ax.set_title("(e)  residual depth")
-    ax.set_ylabel(depth.label("", r"u^r_{\max}"))
-    ax.set_ylim(top=1.2 * ax.get_ylim()[1])
-    ax.legend(loc="upper left", ncol=2)
-
-    ax = panels[1, 2]
-    for x, one in zip(course, passes, strict=True):
-        ax.plot(x / x_scale.size, one["iterations"], linestyle="none", marker="o", color=style.LOWER)
-    ax.set_title("(f)  cost")
-    ax.set_ylabel("evaluations per step")
-    ax.yaxis.set_major_locator(MaxNLocator(integer=True))
-
-    for index, ax in np.ndenumerate(panels):
-        if index not in ((0, 0),):
-            ax.set_ylim(bottom=min(0.0, ax.get_ylim()[0]) if index == (0, 2) else 0.0)
-        for x in course[1:]:
-            ax.axvline(x[0] / x_scale.size, color="0.8", linewidth=0.8, zorder=0.5)
-        if not several:
+    axes = fig.subplots(2, 3, sharex=True)
+    for ax, draw, letter in zip(axes.flat, _PANELS[run.scenario], "abcdef", strict=True):
+        draw(ax, course)
+        ax.set_title(f"({letter})  {ax.get_title(loc='left')}")
+        for x in course.x[1:]:
+            ax.axvline(x[0], color="0.8", linewidth=0.8, zorder=0.5)
+        if run.scenario == "tugging" and not course.several:
             ax.axvline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
-    for ax in panels[1]:
+    for ax in axes[1]:
         ax.xaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))
-        ax.set_xlabel(x_label)
+        ax.set_xlabel(course.label)
     return fig

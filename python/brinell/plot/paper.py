@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from brinell import reference
 from brinell.plot import style
+from brinell.plot.overlay import require_scenario
 from brinell.results import History, Run, RunError
 
 __all__ = ["FIGURES", "PAPER_LOAD_RATIO", "fig11", "fig12", "fig13", "fig14", "fig15", "overview"]
@@ -47,8 +48,7 @@ class _Curve:
 
 def _curves(runs: Sequence[Run]) -> list[_Curve]:
     """Sorts by interference, labels and colours; runs of equal interference also get the name of their folder."""
-    if not runs:
-        raise ValueError("no run to draw")
+    require_scenario(runs, "tugging")
     ordered = sorted(runs, key=lambda run: run.normalised_interference)
     labels = [style.number(run.normalised_interference) for run in ordered]
     labels = [

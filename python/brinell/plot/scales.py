@@ -2,7 +2,7 @@
 """What a quantity is divided by before it is drawn, and how its axis says so.
 
 A complete run with a body that yields is drawn over its values at first yield, which the label gives in SI. Where these
-do not exist (an elastic pair, a run that has not finished) the axis is in SI.
+do not exist (an elastic pair, a pyramid, a run that has not finished) the axis is in SI.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from brinell.plot import style
 from brinell.results import Run
 
-__all__ = ["Scale", "Scales"]
+__all__ = ["Scale", "Scales", "si"]
 
 
 @dataclass(frozen=True)
@@ -43,8 +43,8 @@ class Scale:
         return f"{head}${symbol}/{self.symbol}${note}"
 
 
-def _si(largest: float, unit: str) -> Scale:
-    """SI with the prefix that suits the largest value."""
+def si(largest: float, unit: str) -> Scale:
+    """SI with the prefix that suits the largest value [SI]."""
     for size, prefix in style.PREFIXES:
         if abs(largest) >= size:
             return Scale(size, "", f"{prefix}{unit}")
@@ -55,8 +55,8 @@ class Scales:
     """Scales of one run; each takes the largest value to be drawn [SI], which only matters for SI axes."""
 
     def __init__(self, run: Run):
-        self._critical = run.critical if run.complete and not run.is_elastic else None
-        self._radius = run.equivalent_radius if run.complete else None
+        self._critical = run.critical if run.complete and run.has_critical_values else None
+        self._radius = run.equivalent_radius if run.complete and run.scenario == "tugging" else None
 
     @property
     def normalised(self) -> bool:
@@ -64,32 +64,32 @@ class Scales:
         return self._critical is not None
 
     def radius(self, largest: float) -> Scale:
-        """Of the sliding coordinate: the equivalent radius R."""
-        return Scale(self._radius, "R", "m") if self._radius is not None else _si(largest, "m")
+        """Of the sliding coordinate of a tugging: the equivalent radius R."""
+        return Scale(self._radius, "R", "m") if self._radius is not None else si(largest, "m")
 
     def length(self, largest: float) -> Scale:
         """Of lengths along the surface and depths under it: a_c."""
-        return Scale(self._critical.contact_radius, "a_c", "m") if self._critical else _si(largest, "m")
+        return Scale(self._critical.contact_radius, "a_c", "m") if self._critical else si(largest, "m")
 
     def displacement(self, largest: float) -> Scale:
         """Of displacements: alpha_c."""
-        return Scale(self._critical.interference, r"\alpha_c", "m") if self._critical else _si(largest, "m")
+        return Scale(self._critical.interference, r"\alpha_c", "m") if self._critical else si(largest, "m")
 
     def pressure(self, largest: float) -> Scale:
         """Of contact pressures: the peak pressure at first yield, p0_c."""
-        return Scale(self._critical.peak_pressure, r"p_{0,c}", "Pa") if self._critical else _si(largest, "Pa")
+        return Scale(self._critical.peak_pressure, r"p_{0,c}", "Pa") if self._critical else si(largest, "Pa")
 
     def stress(self, largest: float) -> Scale:
         """Of stresses: the yield stress S_y."""
-        return Scale(self._critical.yield_stress, "S_y", "Pa") if self._critical else _si(largest, "Pa")
+        return Scale(self._critical.yield_stress, "S_y", "Pa") if self._critical else si(largest, "Pa")
 
     def force(self, largest: float) -> Scale:
         """Of forces: P_c."""
-        return Scale(self._critical.load, "P_c", "N") if self._critical else _si(largest, "N")
+        return Scale(self._critical.load, "P_c", "N") if self._critical else si(largest, "N")
 
     def energy(self, largest: float) -> Scale:
         """Of energies: U_c."""
-        return Scale(self._critical.energy, "U_c", "J") if self._critical else _si(largest, "J")
+        return Scale(self._critical.energy, "U_c", "J") if self._critical else si(largest, "J")
 
     def area(self, largest: float) -> Scale:
         """Of contact areas: A_c = pi a_c^2."""

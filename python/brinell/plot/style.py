@@ -18,8 +18,10 @@ from matplotlib.colors import Colormap, to_hex
 from matplotlib.figure import Figure
 
 __all__ = [
+    "CATEGORIES",
     "CONTACT_LINE",
     "FORMATS",
+    "LOCKED_IN",
     "LOWER",
     "MINUS",
     "PREFIXES",
@@ -39,6 +41,8 @@ __all__ = [
 
 LOWER = "#0072B2"  # Okabe-Ito blue
 UPPER = "#D55E00"  # Okabe-Ito vermilion
+LOCKED_IN = "#009E73"  # Okabe-Ito green
+CATEGORIES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe-Ito without yellow and black
 REFERENCE = "#666666"  # closed-form curves, asymptotes, zero lines
 CONTACT_LINE = "#000000"
 

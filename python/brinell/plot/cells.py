@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cell values on regular grids as pictures: where cells end, the plane y = 0, the edge of contact between cells."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import Normalize
+from matplotlib.image import AxesImage
+from numpy.typing import NDArray
+
+from brinell.results import ContactFields
+
+__all__ = ["at_centre", "contact_edge", "contact_span", "draw_cells", "extent", "refined"]
+
+FloatArray = NDArray[np.float64]
+
+
+def contact_edge(contact: ContactFields) -> FloatArray:
+    """A function whose zero line is the edge of contact, positive inside [-], array [y][x].
+
+    Near the edge the pressure grows with the square root of the distance and the gap with its power 3/2, so that p^2
+    and gap^(2/3) are linear there and linear interpolation finds the edge within a fraction of a cell.
+    """
+    touching = contact.pressure > 0.0
+    if not np.any(touching):
+        return np.full_like(contact.pressure, -1.0)
+    inside = np.where(touching, contact.pressure / contact.pressure.max(), 0.0) ** 2
+    outside = np.where(touching, 0.0, np.clip(contact.gap, 0.0, None)) ** (2.0 / 3.0)
+    # Equal slopes on both sides: compare the first cells beyond the edge with the last ones before it.
+    rim = np.zeros_like(touching)
+    rim[:, 1:] |= touching[:, 1:] != touching[:, :-1]
+    rim[:, :-1] |= touching[:, 1:] != touching[:, :-1]
+    rim[1:, :] |= touching[1:, :] != touching[:-1, :]
+    rim[:-1, :] |= touching[1:, :] != touching[:-1, :]
+    first, last = outside[rim & ~touching], inside[rim & touching]
+    slope = float(last.mean() / first.mean()) if first.size and first.mean() > 0.0 else 1.0
+    return inside - slope * outside
+
+
+def contact_span(contact: ContactFields) -> tuple[float, float]:
+    """Where the contact begins and ends on y = 0, x' [m]."""
+    edge = at_centre(contact.y, contact_edge(contact))
+    inside = np.flatnonzero(edge > 0.0)
+    if inside.size == 0:
+        return 0.0, 0.0
+
+    def crossing(i: int, j: int) -> float:
+        if not 0 <= j < len(edge):
+            return float(contact.x[i])
+        t = edge[i] / (edge[i] - edge[j])
+        return float(contact.x[i] + t * (contact.x[j] - contact.x[i]))
+
+    first, last = int(inside[0]), int(inside[-1])
+    return crossing(first, first - 1), crossing(last, last + 1)
+
+
+def refined(values: FloatArray, factor: int) -> FloatArray:
+    """Cell values [y][x], linear between centres, on cells `factor` times smaller; constant beyond the rim."""
+
+    def along(array: FloatArray, count: int) -> FloatArray:  # last axis
+        position = np.clip((np.arange(count * factor) + 0.5) / factor - 0.5, 0.0, count - 1.0)
+        left = np.minimum(position.astype(int), max(count - 2, 0))
+        t = position - left
+        right = np.minimum(left + 1, count - 1)
+        mixed: FloatArray = array[..., left] * (1.0 - t) + array[..., right] * t
+        return mixed
+
+    ny, nx = values.shape
+    return np.ascontiguousarray(along(along(values, nx).T, ny).T)
+
+
+def extent(x: FloatArray, y: FloatArray, scale: float) -> tuple[float, float, float, float]:
+    """Outer cell edges for imshow, over the scale."""
+    half_x = 0.5 * (x[1] - x[0]) if len(x) > 1 else 0.5
+    half_y = 0.5 * (y[1] - y[0]) if len(y) > 1 else 0.5
+    return (
+        float(x[0] - half_x) / scale,
+        float(x[-1] + half_x) / scale,
+        float(y[0] - half_y) / scale,
+        float(y[-1] + half_y) / scale,
+    )
+
+
+def at_centre(y: FloatArray, values: FloatArray) -> FloatArray:
+    """Values on the plane y = 0 of an array [..., y, x]: one row of cells, or the mean of the two beside the plane."""
+    distance = np.abs(y)
+    rows = np.flatnonzero(np.isclose(distance, distance.min(), rtol=0.0, atol=1e-6 * (abs(y[-1] - y[0]) + 1e-30)))
+    return np.asarray(values[..., rows, :].mean(axis=-2), dtype=np.float64)
+
+
+def draw_cells(
+    ax: Axes,
+    x: FloatArray,
+    y: FloatArray,
+    values: FloatArray,
+    scale: float,
+    *,
+    cmap: str,
+    norm: Normalize,
+    interpolation: str,
+) -> AxesImage:
+    """Cell values on a regular grid, to scale; `y` may run down (depth)."""
+    return ax.imshow(
+        values,
+        origin="lower",
+        extent=extent(x, y, scale),
+        aspect="equal",
+        cmap=cmap,
+        norm=norm,
+        interpolation=interpolation,
+        interpolation_stage="data",
+    )

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Several results in one figure: a colour, a dash and a name for each, and a legend beside the axes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
+
+from brinell.plot import style
+from brinell.results import Run, RunError, Scenario
+
+__all__ = ["Entry", "Look", "entries", "largest", "legend_beside", "looks", "require_scenario", "zero_line"]
+
+Look = dict[str, Any]
+"""How a curve is drawn and named: keywords of `Axes.plot`."""
+
+# Each curve has a dash of its own beside its colour: equal results, which lie on each other, must both show.
+_DASHES: tuple[Any, ...] = ("-", (0, (4, 2)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5)))
+
+
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """One result and how its curves look."""
+
+    run: Run
+    label: str
+    look: Look
+
+
+def require_scenario(runs: Sequence[Run], scenario: Scenario) -> None:
+    """Checks what a figure is given.
+
+    Raises:
+        RunError: a run is of another scenario.
+        ValueError: there is no run.
+    """
+    if not runs:
+        raise ValueError("no run to draw")
+    for run in runs:
+        if run.scenario != scenario:
+            raise RunError(f"{run.path}: is of scenario {run.scenario!r}, this figure needs {scenario!r}")
+
+
+def entries(runs: Sequence[Run], scenario: Scenario) -> list[Entry]:
+    """The results in the order given; each keeps its look in all figures.
+
+    Raises:
+        RunError: a run is of another scenario.
+        ValueError: there is no run.
+    """
+    require_scenario(runs, scenario)
+    labels = _labels(runs)
+    return [Entry(*each) for each in zip(runs, labels, looks(labels), strict=True)]
+
+
+def looks(labels: Sequence[str]) -> list[Look]:
+    """Looks that can be told apart in colour and in grey."""
+    return [
+        {
+            "label": label,
+            "color": style.CATEGORIES[i % len(style.CATEGORIES)],
+            "linestyle": _DASHES[i % len(_DASHES)],
+        }
+        for i, label in enumerate(labels)
+    ]
+
+
+def _labels(runs: Sequence[Run]) -> list[str]:
+    """Titles if they tell the runs apart, else folders, else whole paths."""
+    for labels in ([run.title for run in runs], [run.path.name for run in runs]):
+        if all(labels) and len(set(labels)) == len(runs):
+            return labels
+    return [str(run.path) for run in runs]
+
+
+def legend_beside(ax: Axes, handles: Sequence[Look], title: str | None = None) -> None:
+    """A legend to the right of axes, where it covers no data; none for a single curve without a title."""
+    if len(handles) < 2 and title is None:
+        return
+    ax.legend(
+        handles=[Line2D([], [], **look) for look in handles],
+        title=title,
+        alignment="left",
+        loc="upper left",
+        bbox_to_anchor=(1.02, 1.0),
+        borderaxespad=0.0,
+    )
+
+
+def largest(arrays: Iterable[ArrayLike]) -> float:
+    """Largest magnitude, 0 if there is nothing."""
+    return max((float(np.abs(a).max(initial=0.0)) for a in map(np.asarray, arrays)), default=0.0)
+
+
+def zero_line(ax: Axes) -> None:
+    """The level 0, behind the curves."""
+    ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every picture of a state needs: a line that says which one it is, and the bodies that it shows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from brinell.plot import style
+from brinell.plot.scales import Scales
+from brinell.results import BodyFields, Run, Snapshot
+
+__all__ = ["Side", "both_sides", "sides", "state_title"]
+
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """One of the two bodies, and how it is drawn."""
+
+    name: str
+    body: BodyFields
+    colour: str
+    dash: Any
+    up: float
+    """Direction of its depth on a sheet with the surfaces in the middle: -1 or 1."""
+
+
+def both_sides(snapshot: Snapshot) -> list[Side]:
+    """Both bodies, the lower one first."""
+    return [
+        Side("lower body", snapshot.lower, style.LOWER, "-", -1.0),
+        Side("upper body", snapshot.upper, style.UPPER, (0, (4, 2)), 1.0),
+    ]
+
+
+def sides(snapshot: Snapshot) -> list[Side]:
+    """The bodies that deform: a rigid one has no fields."""
+    return [side for side in both_sides(snapshot) if not side.body.is_rigid]
+
+
+def state_title(run: Run, snapshot: Snapshot) -> str:
+    """One line that says which state is drawn."""
+    parts = ["final state" if snapshot.is_final else f"step {snapshot.step}"]
+    if snapshot.scenario == "tugging":
+        parts += _course_of_tugging(run, snapshot)
+    elif not snapshot.is_final:
+        parts += _drive(snapshot)
+    return ",  ".join(parts)
+
+
+def _course_of_tugging(run: Run, snapshot: Snapshot) -> list[str]:
+    X = snapshot.row["X"]
+    scales = Scales(run)
+    position = scales.radius(abs(X) or 1.0)
+    parts = [rf"$\alpha^*$ = {style.number(run.normalised_interference)}"] if scales.normalised else []
+    if position.symbol:
+        return [*parts, f"$X/{position.symbol}$ = {style.number(X / position.size)}"]
+    return [*parts, f"$X$ = {_length(X)}"]
+
+
+def _drive(snapshot: Snapshot) -> list[str]:
+    """Pass, place and load of an indentation or a rolling."""
+    return [
+        f"pass {snapshot.pass_ + 1}",
+        f"$x$ = {_length(snapshot.row['x'])}",
+        f"$F_n$ = {style.quantity(snapshot.row['F_n'], 'N') if snapshot.in_contact else 0}",
+    ]
+
+
+def _length(value: float) -> str:
+    return style.quantity(value, "m") if value else "0"

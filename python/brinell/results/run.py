@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A result folder: its history, its summary, and the way to its fields."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from brinell.results.errors import FORMAT_VERSION, RunError
+from brinell.results.history import History, read_history
+from brinell.results.scenarios import Indent, RollingPass, Scenario, TrackProfile, parsed
+from brinell.results.snapshots import ResultFile, Snapshot
+
+__all__ = ["CriticalValues", "Run", "open_run"]
+
+
+@dataclass(frozen=True, eq=False)
+class CriticalValues:
+    """First yield of the normal contact of the two bodies (Green 2005)."""
+
+    C: float
+    """Peak pressure over yield stress [-]."""
+    interference: float
+    """alpha_c [m]."""
+    load: float
+    """P_c [N]."""
+    energy: float
+    """U_c [J]."""
+    contact_radius: float
+    """a_c [m]."""
+    peak_pressure: float
+    """p0_c = C S_y [Pa]."""
+
+    @property
+    def yield_stress(self) -> float:
+        """S_y of the body that yields first [Pa]."""
+        return self.peak_pressure / self.C
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One result folder. Made by `open_run`."""
+
+    path: Path
+    history: History
+    summary: dict[str, Any] | None
+    """Content of summary.json; None if the run has not finished."""
+
+    @property
+    def complete(self) -> bool:
+        """Whether the run reached its end."""
+        return self.summary is not None
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was computed."""
+        return self.history.scenario
+
+    @property
+    def title(self) -> str:
+        """From the case; empty if it has none or the run has not finished."""
+        return str(self.summary.get("title", "")) if self.summary is not None else ""
+
+    def _value(self, *keys: str) -> Any:
+        """An entry of the summary."""
+        if self.summary is None:
+            raise _unfinished(self.path, self.history.steps)
+        entry: Any = self.summary
+        for key in keys:
+            if not isinstance(entry, Mapping) or key not in entry:
+                raise RunError(f"{self.path / 'summary.json'}: no entry {'.'.join(keys)}")
+            entry = entry[key]
+        return entry
+
+    def _number(self, *keys: str) -> float:
+        value = self._value(*keys)
+        if value is None or isinstance(value, bool) or not isinstance(value, int | float) or not np.isfinite(value):
+            raise RunError(f"{self.path / 'summary.json'}: {'.'.join(keys)} = {value!r} is not a number")
+        return float(value)
+
+    def case(self, *keys: str) -> Any:
+        """A value of the case as computed, SI; None if it does not apply there.
+
+        `run.case("upper", "shape", "radius")` is upper.shape.radius of the case file.
+        """
+        entry = self._value("case")
+        for key in keys:
+            entry = entry.get(key) if isinstance(entry, Mapping) else None
+        return entry
+
+    @property
+    def has_critical_values(self) -> bool:
+        """Whether there is a first yield in closed form: of round bodies of which one can yield."""
+        return self._value("critical", "load_N") is not None
+
+    @cached_property
+    def critical(self) -> CriticalValues:
+        """Values at first yield, the scales of dimensionless results."""
+        if not self.has_critical_values:
+            raise RunError(
+                f"{self.path}: no critical values to normalise with: both bodies are elastic, or they are not round"
+            )
+        return CriticalValues(
+            C=self._number("critical", "C"),
+            interference=self._number("critical", "interference_m"),
+            load=self._number("critical", "load_N"),
+            energy=self._number("critical", "energy_J"),
+            contact_radius=self._number("critical", "contact_radius_m"),
+            peak_pressure=self._number("critical", "peak_pressure_Pa"),
+        )
+
+    @property
+    def lower_radius(self) -> float:
+        """R1 of a tugging [m]."""
+        return self._number("geometry", "lower_radius_m")
+
+    @property
+    def upper_radius(self) -> float:
+        """R2 of a tugging [m]."""
+        return self._number("geometry", "upper_radius_m")
+
+    @property
+    def equivalent_radius(self) -> float:
+        """R = 1 / (1/R1 + 1/R2) of round bodies [m]."""
+        return self._number("geometry", "equivalent_radius_m")
+
+    @property
+    def interference(self) -> float:
+        """Rigid-body interference of a tugging at alignment [m]."""
+        return self._number("geometry", "interference_m")
+
+    @property
+    def normalised_interference(self) -> float:
+        """alpha* = alpha / alpha_c of a tugging [-]."""
+        return self.interference / self.critical.interference
+
+    @cached_property
+    def indents(self) -> list[Indent]:
+        """Of an indentation, in the order of time: place by place, cycle by cycle."""
+        return [parsed(Indent, entry, self._place(f"indents[{i}]")) for i, entry in enumerate(self._list("indents"))]
+
+    @cached_property
+    def passes(self) -> list[RollingPass]:
+        """Of a rolling, in the order of time."""
+        return [parsed(RollingPass, entry, self._place(f"passes[{i}]")) for i, entry in enumerate(self._list("passes"))]
+
+    @cached_property
+    def profile(self) -> TrackProfile:
+        """What rolling has left in the depth under the middle of the track."""
+        return parsed(TrackProfile, self._value("profile"), self._place("profile"))
+
+    def _list(self, key: str) -> list[Any]:
+        value = self._value(key)
+        if not isinstance(value, list):
+            raise RunError(f"{self._place(key)} is not a list")
+        return value
+
+    def _place(self, key: str) -> str:
+        return f"{self.path / 'summary.json'}: {key}"
+
+    def stored_steps(self) -> list[int]:
+        """Numbers of the steps whose fields are stored, in order; the final state comes beside them."""
+        with ResultFile(self.path, self.scenario) as file:
+            return file.stored_steps()
+
+    def snapshot(self, which: int | Literal["aligned", "final"] = "aligned", *, tensors: bool = False) -> Snapshot:
+        """Fields at one step.
+
+        Args:
+            which: number of a stored step; "aligned", the stored step of the first pass nearest to the middle (X = 0 or
+                x = 0), in an indentation the one under the largest load; or "final", the state after the last step,
+                over the entire track.
+            tensors: also read all components of plastic strain and stress.
+
+        Raises:
+            RunError: there is no such step, or the file is damaged.
+        """
+        with ResultFile(self.path, self.scenario) as file:
+            return file.snapshot(which, tensors=tensors)
+
+
+def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
+    """Opens a result folder: reads the history and the summary; fields are read when asked for.
+
+    Args:
+        path: the folder that `brinell run -o` wrote.
+        allow_unfinished: also accept a run that is still going or was stopped; its summary is then None.
+
+    Raises:
+        RunError: no such folder, a file is missing or damaged, or the run has not finished.
+    """
+    path = Path(path)
+    if not path.is_dir():
+        raise RunError(f"{path}: no such folder" if not path.exists() else f"{path}: not a folder")
+    history = read_history(path)
+    summary_path = path / "summary.json"
+    if not summary_path.is_file():
+        if not allow_unfinished:
+            raise _unfinished(path, history.steps)
+        return Run(path, history, None)
+    return Run(path, history, _read_summary(summary_path, history.scenario))
+
+
+def _unfinished(path: Path, steps: int) -> RunError:
+    return RunError(f"{path}: no summary.json, the run has not finished ({steps} steps in history.csv)")
+
+
+def _read_summary(path: Path, scenario: Scenario) -> dict[str, Any]:
+    try:
+        summary = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError) as error:
+        raise RunError(f"{path}: cannot be read ({error})") from error
+    except json.JSONDecodeError as error:
+        raise RunError(f"{path}:{error.lineno}: not valid JSON ({error.msg})") from error
+    if not isinstance(summary, dict) or summary.get("format") != "brinell-summary":
+        raise RunError(f"{path}: not a summary of brinell")
+    if summary.get("format_version") != FORMAT_VERSION:
+        version = summary.get("format_version")
+        raise RunError(f"{path}: format version {version}, this program reads version {FORMAT_VERSION}")
+    if summary.get("scenario") != scenario:
+        raise RunError(f"{path}: is of scenario {summary.get('scenario')!r}, but history.csv of {scenario!r}")
+    return summary

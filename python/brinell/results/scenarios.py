@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What differs between the scenarios: the columns of their history, and what their summary lists.
+
+All numbers are SI.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, fields
+from types import MappingProxyType
+from typing import Any, Literal, TypeVar, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brinell.results.errors import RunError
+
+__all__ = [
+    "HISTORY_COLUMNS",
+    "Indent",
+    "RollingPass",
+    "Scenario",
+    "TrackProfile",
+    "distance_from_middle",
+    "parsed",
+    "scenario_of",
+]
+
+FloatArray = NDArray[np.float64]
+
+Scenario = Literal["tugging", "indentation", "rolling"]
+"""Names of the scenarios, as in the case file."""
+
+_CONTACT_OF_SPHERES = ("X", "theta", "interference", "contact_area", "max_pressure")
+_FORCES_OF_TUGGING = ("F_n", "F_X", "F_Y", "F_Z", "F_X_macro", "F_Z_macro")
+_INDENT = ("place", "x", "approach", "F_n", "contact_area", "contact_radius")
+_HARDNESS = ("max_pressure", "mean_pressure", "pile_up_lower")
+_ROLLING = ("x", "approach", "F_n", "F_X", "contact_area", "max_pressure")
+_ENERGIES = ("work", "dissipation_lower", "dissipation_upper", "energy_residual", "energy_elastic")
+_DEFORMATION = ("max_residual_lower", "max_residual_upper", "max_equivalent_plastic_strain", "iterations")
+
+HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(
+    {
+        "tugging": ("step", "pass", *_CONTACT_OF_SPHERES, *_FORCES_OF_TUGGING, *_ENERGIES, *_DEFORMATION),
+        "indentation": ("step", "pass", *_INDENT, *_HARDNESS, *_ENERGIES, *_DEFORMATION),
+        "rolling": ("step", "pass", *_ROLLING, *_ENERGIES, *_DEFORMATION),
+    }
+)
+"""Columns that history.csv must have in each scenario, in order; a file may have more."""
+
+# Smallest for the state that "aligned" stands for. In an indentation the stored steps are the ends of the list of
+# loads: the unloaded ones have nothing to show.
+_DISTANCES: Mapping[Scenario, Callable[[Mapping[str, float]], float]] = {
+    "tugging": lambda row: abs(row["X"]),
+    "indentation": lambda row: -row["F_n"],
+    "rolling": lambda row: abs(row["x"]),
+}
+
+
+def scenario_of(columns: Iterable[str]) -> Scenario:
+    """The scenario that a history with these columns belongs to.
+
+    Raises:
+        RunError: none has all of its columns; the text names the likeliest one and what it lacks.
+    """
+    present = set(columns)
+    missing = {name: [c for c in HISTORY_COLUMNS[name] if c not in present] for name in get_args(Scenario)}
+    likeliest: Scenario = min(missing, key=lambda name: len(missing[name]))
+    if missing[likeliest]:
+        raise RunError(f"the header is not that of a history (of {likeliest} without {', '.join(missing[likeliest])})")
+    return likeliest
+
+
+def distance_from_middle(scenario: Scenario, row: Mapping[str, float]) -> float:
+    """How far a step is from the one that "aligned" stands for: smallest for the nearest.
+
+    Args:
+        scenario: of the run.
+        row: the step's row of the history.
+    """
+    return _DISTANCES[scenario](row)
+
+
+@dataclass(frozen=True)
+class Indent:
+    """One loading and unloading at one place: read at the largest load, and where the contact opens."""
+
+    place: int
+    """Index into the places of the case."""
+    cycle: int
+    """Of the loads at this place; counts from 0."""
+    x: float
+    """Where the indenter's apex is on the lower body [m]."""
+    max_load: float
+    """[N]."""
+    max_approach: float
+    """Depth of the indenter at that load, from first touch of the undeformed bodies [m]."""
+    contact_area: float
+    """Projected, at that load [m^2]."""
+    hardness: float
+    """Largest load over that area [Pa]."""
+    loading_stiffness: float
+    """Slope of load over approach on the way to the largest load [N/m]."""
+    unloading_stiffness: float
+    """Slope on the way back from it [N/m]; 0 without unloading."""
+    final_approach: float
+    """Approach at which the contact opens [m]; NaN if it does not."""
+    residual_depth: float
+    """Largest residual displacement of the lower body then, into the body positive [m]."""
+    pile_up: float
+    """Largest height of its residual surface then, outwards positive [m]."""
+    work: float
+    """Net work of the drive in this indent [J]."""
+
+
+@dataclass(frozen=True)
+class RollingPass:
+    """What one pass has left, under the middle of the track."""
+
+    rut_depth: float
+    """Residual displacement of the lower body at x = y = 0, into the body positive [m]."""
+    shoulder_height: float
+    """Largest height of its residual surface in the section x = 0, outwards positive [m]."""
+    max_equivalent_plastic_strain: float
+    """Largest over both bodies [-]."""
+    track_plastic_strain: float
+    """Largest equivalent plastic strain of the lower body under x = y = 0 [-]."""
+    track_plastic_increment: float
+    """Largest growth of it in this pass [-]."""
+    dissipation: float
+    """Plastic work in both bodies in this pass [J]."""
+    resistance: float
+    """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
+    max_pressure: float
+    """Mean over the same of the largest pressure [Pa]."""
+
+
+@dataclass(frozen=True, eq=False)
+class TrackProfile:
+    """Under x = y = 0 of the lower body after the last pass, unloaded; one value per layer of cells."""
+
+    depth: FloatArray
+    """Of the layers' centres, > 0 [m]."""
+    residual_xx: FloatArray
+    """Residual stress along the motion, positive in tension [Pa]."""
+    residual_yy: FloatArray
+    """Residual stress across it, positive in tension [Pa]."""
+    equivalent_plastic_strain: FloatArray
+    """[-]."""
+
+
+_T = TypeVar("_T", Indent, RollingPass, TrackProfile)
+
+
+def parsed(kind: type[_T], entry: Any, where: str) -> _T:
+    """An object of summary.json as one of the classes above, whose names are the keys without their unit.
+
+    Args:
+        kind: the class.
+        entry: the object; null stands for NaN.
+        where: file and key, for the message.
+
+    Raises:
+        RunError: a key is missing, or its value is not of the right kind.
+    """
+    values = {}
+    for one in fields(kind):
+        try:
+            key = next(one.name + unit for unit in _UNITS if one.name + unit in entry)
+            values[one.name] = _READERS[str(one.type)](entry[key])
+        except (StopIteration, TypeError, ValueError) as error:
+            raise RunError(f"{where}: no {one.name} that can be read") from error
+    return kind(**values)
+
+
+_UNITS = ("", "_m", "_m2", "_N", "_N_per_m", "_J", "_Pa")
+"""What keys of the summary end with."""
+
+_READERS: Mapping[str, Callable[[Any], Any]] = {
+    "int": int,
+    "float": lambda value: float("nan") if value is None else float(value),
+    "FloatArray": lambda value: np.array(value, dtype=np.float64),
+}
