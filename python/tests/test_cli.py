@@ -66,7 +66,44 @@ def test_history(make_run: MakeRun, tmp_path: Path) -> None:
     assert names(tmp_path / "out") == ["history.png"]
 
 
-@pytest.mark.parametrize("command", ["paper", "fields", "history"])
+def test_indentation(make_indentation: MakeRun, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folders = [str(make_indentation(load, name=f"load{load:g}")) for load in (2e6, 3e6)]
+    assert main(["indentation", *folders, "-o", str(tmp_path / "out"), "--format", "pdf"]) == 0
+    assert names(tmp_path / "out") == ["contact-pressure.pdf", "imprint.pdf", "load-depth.pdf"]
+    assert len(capsys.readouterr().out.splitlines()) == 3
+
+
+def test_figures_that_would_be_empty_are_left_out(make_indentation: MakeRun, tmp_path: Path) -> None:
+    assert main(["indentation", str(make_indentation(yields=False)), "-o", str(tmp_path / "out")]) == 0
+    assert names(tmp_path / "out") == ["contact-pressure.png", "load-depth.png"]
+
+
+def test_rolling(make_rolling: MakeRun, tmp_path: Path) -> None:
+    assert main(["rolling", str(make_rolling()), "-o", str(tmp_path / "out")]) == 0
+    assert names(tmp_path / "out") == ["along-track.png", "depth-profiles.png", "passes.png", "track-profile.png"]
+
+
+def test_run_of_another_scenario(make_run: MakeRun, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = make_run()
+    assert main(["rolling", str(folder), "-o", str(tmp_path / "out")]) == 2
+    assert capsys.readouterr().err == (
+        f"brinell-plot: error: {folder}: is of scenario 'tugging', this figure needs 'rolling'\n"
+    )
+
+
+def test_fields_under_a_rigid_indenter(make_indentation: MakeRun) -> None:
+    folder = make_indentation()
+    assert main(["fields", str(folder), "--step", "aligned", "--step", "final"]) == 0
+    assert names(folder / "figures") == [
+        "aligned-pressure.png",
+        "aligned-residual-surfaces.png",
+        "aligned-section.png",
+        "final-residual-surfaces.png",
+        "final-section.png",
+    ]
+
+
+@pytest.mark.parametrize("command", ["paper", "indentation", "rolling", "fields", "history"])
 def test_bad_folder(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([command, str(tmp_path / "nowhere"), "-o", str(tmp_path / "out")]) == 2
     printed = capsys.readouterr()

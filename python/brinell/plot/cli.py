@@ -9,15 +9,33 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import matplotlib
+from matplotlib.figure import Figure
 
-from brinell.plot import style
-from brinell.results import RunError, Snapshot, open_run
+from brinell.plot import fields, history, indentation, paper, rolling, style
+from brinell.results import Run, RunError, Snapshot, open_run
 
 __all__ = ["main"]
+
+
+_OF_SEVERAL_RUNS: Mapping[str, tuple[str, Mapping[str, Callable[[Sequence[Run]], Figure | None]]]] = {
+    "paper": (
+        "Figs. 11 to 15 of Boucly, Nelias, Green (2006) and an overview, from one run per interference.",
+        paper.FIGURES,
+    ),
+    "indentation": (
+        "Load over depth, imprint and contact pressure of one indentation or several.",
+        indentation.FIGURES,
+    ),
+    "rolling": (
+        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it.",
+        rolling.FIGURES,
+    ),
+}
+"""Commands that take several runs: what they draw, and their figures by file name."""
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -35,28 +53,29 @@ def _parser() -> argparse.ArgumentParser:
         )
         return sub
 
-    paper = command(
-        "paper",
-        "Figs. 11 to 15 of Boucly, Nelias, Green (2006) and an overview, from one run per interference.",
-    )
-    paper.add_argument("runs", nargs="+", type=Path, metavar="RUN_DIR", help="result folders, in any order")
-    paper.add_argument("-o", "--output", type=Path, default=Path("figures"), metavar="DIR", help="default: figures")
+    for name, (text, _) in _OF_SEVERAL_RUNS.items():
+        several = command(name, text)
+        several.add_argument("runs", nargs="+", type=Path, metavar="RUN_DIR", help="result folders")
+        several.add_argument(
+            "-o", "--output", type=Path, default=Path("figures"), metavar="DIR", help="default: figures"
+        )
 
-    fields = command("fields", "Contact pressure, residual surfaces, stress and plastic strain of one state.")
-    fields.add_argument("run", type=Path, metavar="RUN_DIR", help="result folder, may be of a run not yet finished")
-    fields.add_argument(
+    state = command("fields", "Contact pressure, residual surfaces, stress and plastic strain of one state.")
+    state.add_argument("run", type=Path, metavar="RUN_DIR", help="result folder, may be of a run not yet finished")
+    state.add_argument(
         "--step",
         action="append",
         type=_step,
         metavar="N|aligned|final",
-        help="a stored step, the one nearest to alignment (default), or the final state; may be given several times",
+        help="a stored step; aligned (default): the one in the middle of the first pass, or under the largest load of "
+        "the first indent; or the final state; may be given several times",
     )
-    fields.add_argument("--cells", action="store_true", help="one colour per cell instead of interpolation")
-    fields.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: RUN_DIR/figures")
+    state.add_argument("--cells", action="store_true", help="one colour per cell instead of interpolation")
+    state.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: RUN_DIR/figures")
 
-    history = command("history", "Forces, energies, deformation and cost of one run over the sliding coordinate.")
-    history.add_argument("run", type=Path, metavar="RUN_DIR", help="result folder, may be of a run not yet finished")
-    history.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: RUN_DIR/figures")
+    course = command("history", "Forces, energies, deformation and cost of one run, step by step.")
+    course.add_argument("run", type=Path, metavar="RUN_DIR", help="result folder, may be of a run not yet finished")
+    course.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: RUN_DIR/figures")
     return parser
 
 
@@ -76,19 +95,17 @@ def _step(text: str) -> int | str:
     raise argparse.ArgumentTypeError(f"{text!r} is neither a step number nor 'aligned' nor 'final'")
 
 
-def _draw_paper(arguments: argparse.Namespace) -> list[Path]:
-    from brinell.plot import paper
-
+def _draw_several_runs(arguments: argparse.Namespace) -> list[Path]:
     runs = [open_run(path) for path in arguments.runs]
     written = []
-    for name, draw in paper.FIGURES.items():
-        written += style.save(draw(runs), arguments.output, name, arguments.format)
+    for name, draw in _OF_SEVERAL_RUNS[arguments.command][1].items():
+        figure = draw(runs)
+        if figure is not None:
+            written += style.save(figure, arguments.output, name, arguments.format)
     return written
 
 
 def _draw_fields(arguments: argparse.Namespace) -> list[Path]:
-    from brinell.plot import fields
-
     run = open_run(arguments.run, allow_unfinished=True)
     folder = arguments.output or arguments.run / "figures"
     written = []
@@ -105,8 +122,6 @@ def _draw_fields(arguments: argparse.Namespace) -> list[Path]:
 
 
 def _draw_history(arguments: argparse.Namespace) -> list[Path]:
-    from brinell.plot import history
-
     run = open_run(arguments.run, allow_unfinished=True)
     return style.save(
         history.run_history(run), arguments.output or arguments.run / "figures", "history", arguments.format
@@ -124,7 +139,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     arguments = _parser().parse_args(argv)
     matplotlib.use("Agg")
-    draw = {"paper": _draw_paper, "fields": _draw_fields, "history": _draw_history}[arguments.command]
+    draw = {"fields": _draw_fields, "history": _draw_history}.get(arguments.command, _draw_several_runs)
     try:
         for path in draw(arguments):
             print(path)

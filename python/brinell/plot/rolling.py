@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rolling: what each pass leaves, residual stress and strain in depth, the track across, and the forces along it.
+
+SI with prefixes throughout. Heights are out of the lower body: shoulders positive. F_X is the resistance: positive
+where the drive must push. Stresses are positive in tension.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from brinell.plot import style
+from brinell.plot.cells import at_centre
+from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, zero_line
+from brinell.plot.scales import Scale, si
+from brinell.results import BodyFields, History, Run
+
+__all__ = ["FIGURES", "along_track", "depth_profiles", "pass_by_pass", "track_profile"]
+
+FloatArray = NDArray[np.float64]
+
+_PERCENT = Scale(0.01, "", "%")
+
+
+def _of_passes(run: Run, name: str) -> FloatArray:
+    return np.array([getattr(one, name) for one in run.passes])
+
+
+_QUANTITIES: tuple[tuple[str, str, str, str], ...] = (
+    ("rut_depth", "rut depth", r"u^r_0", "m"),
+    ("shoulder_height", "height of the shoulders", r"-u^r_\mathrm{min}", "m"),
+    ("resistance", "mean resistance", "F_X", "N"),
+    ("track_plastic_strain", "plastic strain under the track", r"\varepsilon^p_\mathrm{eq}", "%"),
+    ("track_plastic_increment", "its growth per pass", r"\Delta\varepsilon^p_\mathrm{eq}", "%"),
+    ("dissipation", "dissipation per pass", "W^p", "J"),
+)
+"""Attribute of RollingPass, title, symbol, unit."""
+
+_FALLING = ("track_plastic_increment", "dissipation")  # towards shakedown: over decades
+
+
+@style.figure
+def pass_by_pass(runs: Sequence[Run]) -> Figure:
+    """Pass by pass: rut, shoulders, resistance, plastic strain under the middle of the track, its growth, dissipation.
+
+    Growth and dissipation have a logarithmic axis if they fall by more than a factor of a hundred.
+    """
+    shown = entries(runs, "rolling")
+    fig = style.new_figure(11.0, 5.6)
+    axes = fig.subplots(2, 3, sharex=True)
+    for ax, quantity, letter in zip(axes.flat, _QUANTITIES, "abcdef", strict=True):
+        _draw_by_pass(ax, shown, *quantity)
+        ax.set_title(f"({letter})  {quantity[1]}")
+    for ax in axes[1]:
+        ax.set_xlabel("pass")
+        ax.xaxis.set_major_locator(MaxNLocator(integer=True, nbins=6))
+    most = max(len(entry.run.passes) for entry in shown)
+    axes[0, 0].set_xlim(0.5, most + 0.5)
+    legend_beside(axes[0, 2], [{**entry.look, "marker": "o"} for entry in shown])
+    return fig
+
+
+def _draw_by_pass(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: str, unit: str) -> None:
+    values = [_of_passes(entry.run, name) for entry in shown]
+    scale = _PERCENT if unit == "%" else si(largest(values), unit)
+    for entry, value in zip(shown, values, strict=True):
+        ax.plot(np.arange(1, len(value) + 1), value / scale.size, **entry.look, marker="o", clip_on=False)
+    ax.set_ylabel(scale.label("", symbol))
+    smallest = min(float(value.min()) for value in values)
+    if name in _FALLING and 0.0 < 100.0 * smallest < largest(values):
+        ax.set_yscale("log")
+    elif smallest >= 0.0:
+        ax.set_ylim(0.0, 1.08 * largest(values) / scale.size or 1.0)
+    else:
+        zero_line(ax)
+
+
+@style.figure
+def depth_profiles(runs: Sequence[Run]) -> Figure:
+    """Residual stresses xx and yy and equivalent plastic strain over the depth under the middle of the track."""
+    shown = entries(runs, "rolling")
+    depth = si(largest(e.run.profile.depth for e in shown), "m")
+    stress = si(largest(s for e in shown for s in (e.run.profile.residual_xx, e.run.profile.residual_yy)), "Pa")
+    fig = style.new_figure(11.0, 3.3)
+    panels = fig.subplots(1, 3, sharex=True)
+    panels[1].sharey(panels[0])
+    quantities: tuple[tuple[str, str, str, Scale], ...] = (
+        ("residual_xx", "residual stress along the motion", r"\sigma^r_{xx}", stress),
+        ("residual_yy", "residual stress across it", r"\sigma^r_{yy}", stress),
+        ("equivalent_plastic_strain", "equivalent plastic strain", r"\varepsilon^p_\mathrm{eq}", _PERCENT),
+    )
+    for ax, (name, title, symbol, scale), letter in zip(panels, quantities, "abc", strict=True):
+        zero_line(ax)
+        for entry in shown:
+            one = entry.run.profile
+            ax.plot(one.depth / depth.size, getattr(one, name) / scale.size, **entry.look, marker="o", markersize=2.5)
+        ax.set_title(f"({letter})  {title}")
+        ax.set_xlabel(depth.label("depth", "z"))
+        ax.set_ylabel(scale.label("", symbol))
+    panels[0].set_xlim(left=0.0)
+    panels[2].set_ylim(bottom=0.0)
+    legend_beside(panels[2], [entry.look for entry in shown])
+    return fig
+
+
+def _across(body: BodyFields) -> FloatArray:
+    """Height of the residual surface over y at x = 0 [m]."""
+    return at_centre(body.x, -body.residual_displacement.T)
+
+
+@style.figure
+def track_profile(runs: Sequence[Run]) -> Figure | None:
+    """Residual surface of the lower body across the track at x = 0, after the last pass.
+
+    None if no lower body has yielded.
+    """
+    bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
+    deformed = [(entry, body) for entry, body in bodies if np.any(body.residual_displacement)]
+    if not deformed:
+        return None
+    height = si(largest(_across(body) for _, body in deformed), "m")
+    width = si(largest(body.y for _, body in deformed), "m")
+    fig = style.new_figure(5.6, 3.3)
+    ax = fig.subplots()
+    zero_line(ax)
+    shown = [{**entry.look, "label": _after_passes(entry)} for entry, _ in deformed]
+    for look, (_, body) in zip(shown, deformed, strict=True):
+        ax.plot(body.y / width.size, _across(body) / height.size, **look, marker="o", markersize=2.5)
+    ax.set_xlabel(width.label("across the track", "y"))
+    ax.set_ylabel(height.label("height", "-u^r"))
+    ax.margins(x=0.0)
+    legend_beside(ax, shown)
+    return fig
+
+
+def _after_passes(entry: Entry) -> str:
+    count = len(entry.run.passes)
+    return f"{entry.label}, {count} {'pass' if count == 1 else 'passes'}"
+
+
+def _rolled(one: History) -> History:
+    """The part of a pass between pressing on and lifting off."""
+    moving = np.flatnonzero(np.diff(one["x"]))
+    return one.part(slice(int(moving[0]), int(moving[-1]) + 2)) if moving.size else one
+
+
+def _along(shown: Sequence[Entry]) -> list[tuple[History, Look]]:
+    """Passes and their looks: all of a single run; first (solid) and last (dotted) of several runs."""
+    if len(shown) == 1:
+        parts = shown[0].run.history.passes()
+        colours = style.family_colours(len(parts))
+        return [
+            (_rolled(part), {"label": str(number), "color": colour})
+            for number, (part, colour) in enumerate(zip(parts, colours, strict=True), start=1)
+        ]
+    result: list[tuple[History, Look]] = []
+    for entry in shown:
+        parts = entry.run.history.passes()
+        for number, dash in {1: "-", len(parts): ":" if len(parts) > 1 else "-"}.items():
+            look = {"label": f"{entry.label}, pass {number}", "color": entry.look["color"], "linestyle": dash}
+            result.append((_rolled(parts[number - 1]), look))
+    return result
+
+
+def _some(handles: Sequence[Look], most: int = 8) -> list[Look]:
+    """At most so many of a family, evenly spaced, with its first and last member."""
+    chosen = np.unique(np.linspace(0, len(handles) - 1, min(most, len(handles))).round().astype(int))
+    return [handles[i] for i in chosen]
+
+
+@style.figure
+def along_track(runs: Sequence[Run]) -> Figure:
+    """Resistance F_X and approach along the track, pass by pass; the load where the approach is imposed.
+
+    A single run shows all passes; of several runs the first and the last are drawn.
+    """
+    shown = entries(runs, "rolling")
+    lines = _along(shown)
+    imposed = all(entry.run.case("rolling", "approach") is not None for entry in shown)
+    follows = ("F_n", "load", "F_n", "N") if imposed else ("approach", "approach", r"\delta", "m")
+    length = si(largest(one["x"] for one, _ in lines), "m")
+    fig = style.new_figure(6.6, 5.4)
+    axes = fig.subplots(2, 1, sharex=True)
+    for ax, (column, name, symbol, unit) in zip(axes, (("F_X", "resistance", "F_X", "N"), follows), strict=True):
+        scale = si(largest([one[column] for one, _ in lines]), unit)
+        for one, look in lines:
+            ax.plot(one["x"] / length.size, one[column] / scale.size, **look)
+        ax.set_ylabel(scale.label(name, symbol))
+    zero_line(axes[0])
+    axes[1].set_xlabel(length.label("place of the contact", "x"))
+    axes[1].margins(x=0.02)
+    handles = [look for _, look in lines]
+    if len(shown) == 1:
+        legend_beside(axes[0], _some(handles), title="pass")
+    else:
+        legend_beside(axes[0], handles)
+    return fig
+
+
+FIGURES: dict[str, Callable[[Sequence[Run]], Figure | None]] = {
+    "passes": pass_by_pass,
+    "depth-profiles": depth_profiles,
+    "track-profile": track_profile,
+    "along-track": along_track,
+}
+"""What the command `rolling` writes: file name and function; None: the runs have nothing to draw there."""
