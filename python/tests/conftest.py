@@ -43,7 +43,7 @@ HEADERS = {
         "step,pass,X,theta,interference,contact_area,max_pressure,F_n,F_X,F_Y,F_Z,F_X_macro,F_Z_macro," + ENERGIES
     ),
     "indentation": (
-        "step,pass,place,x,approach,F_n,contact_area,contact_radius,max_pressure,mean_pressure,pile_up_lower,"
+        "step,pass,place,x,approach,F_n,contact_area,contact_radius,max_pressure,mean_pressure,residual_depth,pile_up,"
         + ENERGIES
     ),
     "rolling": "step,pass,x,approach,F_n,F_X,contact_area,max_pressure," + ENERGIES,
@@ -312,7 +312,8 @@ def indentation_rows(load: float, cycles: int, places: tuple[float, ...], steps:
                     "contact_radius": np.sqrt(area / np.pi),
                     "max_pressure": 3e9 * share,
                     "mean_pressure": 2.5e9 * share,
-                    "pile_up_lower": 0.05 * deepest,
+                    "residual_depth": 0.6 * deepest,
+                    "pile_up": 0.05 * deepest,
                 }
             )
     return rows
@@ -336,7 +337,7 @@ def indents_of(rows: list[dict[str, float]]) -> list[dict[str, Any]]:
                 "unloading_stiffness_N_per_m": 4.0 * top["F_n"] / top["approach"],
                 "final_approach_m": None if index else 0.6 * top["approach"],
                 "residual_depth_m": top["max_residual_lower"],
-                "pile_up_m": top["pile_up_lower"],
+                "pile_up_m": top["pile_up"],
                 "work_J": top["work"],
             }
         )

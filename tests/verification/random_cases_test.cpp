@@ -154,12 +154,14 @@ void random_bodies(Draw& draw, Scenario& c, bool tips)
 }
 
 /// Load at which the peak pressure of a ball of that size would be 0.5 to 3 times that of first yield, 0.7 to 15 times its
-/// approach.
+/// approach; small beside the bodies.
 template <typename Scenario>
 double random_load(Draw& draw, const Scenario& c, double R)
 {
   const auto critical = first_yield(c.lower.material, c.upper.material, R);
-  return critical.load * std::pow(draw.power_of_ten(-0.3, 0.5), 3);
+  const double modulus = contact_modulus(c.lower.material.elastic, c.upper.material.elastic);
+  const double largest = 4.0 / 3.0 * modulus * R * R * std::pow(0.2, 3); // contact radius of 0.2 R, if it stays elastic
+  return std::min(largest, critical.load * std::pow(draw.power_of_ten(-0.3, 0.5), 3));
 }
 
 double size_of(const simulation::Shape& shape)
@@ -245,6 +247,7 @@ struct Outcome
     catch (const InputError& error) // contact or plastic zone have outgrown the grid: it says so
     {
       EXPECT_NE(std::string(error.what()).find("grid.extent"), std::string::npos) << error.what();
+      std::printf("  refused: %s\n", error.what());
       ++refused;
     }
   }
@@ -276,17 +279,17 @@ void sweep(const std::string& scenario, unsigned count, const Make& make)
 
 TEST(RandomCases, TuggingConvergesOrIsRefused)
 {
-  sweep("tugging", slow_build ? 10 : 200, random_tugging);
+  sweep("tugging", slow_build ? 10 : 100, random_tugging);
 }
 
 TEST(RandomCases, IndentationConvergesOrIsRefused)
 {
-  sweep("indentation", slow_build ? 10 : 120, random_indentation);
+  sweep("indentation", slow_build ? 10 : 80, random_indentation);
 }
 
 TEST(RandomCases, RollingConvergesOrIsRefused)
 {
-  sweep("rolling", slow_build ? 10 : 120, random_rolling);
+  sweep("rolling", slow_build ? 10 : 60, random_rolling);
 }
 
 } // namespace
