@@ -13,8 +13,8 @@
 #include <vector>
 
 /// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and
-/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there, and the line in
-/// src/io/case_build.cpp that puts its value where it belongs.
+/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/schema_*.cpp), and
+/// the line in src/io/case_*.cpp that puts its value where it belongs.
 namespace brinell::io
 {
 

@@ -220,5 +220,71 @@ TEST(ElasticContactTest, SaysWhenItHasNotConverged)
   EXPECT_GT(std::max(s.report.gap_error, s.report.penetration), 1e-12);
 }
 
+/// The same paraboloid under a load.
+Solution under_load(const SurfaceGrid& grid, double modulus, double load, double tolerance, double scale = 1.0)
+{
+  const halfspace::SurfaceCompliance compliance(grid, modulus);
+  ElasticContact contact(compliance);
+  Solution s{{}, std::vector<double>(grid.size()), std::vector<double>(grid.size())};
+  std::vector<double> distance = paraboloid(grid, 0.0);
+  for (double& d : distance)
+    d *= scale;
+  s.report = contact.solve(distance, {Drive::Kind::load, load}, tolerance, 1000, s.pressure, s.gap);
+  return s;
+}
+
+TEST(LoadDrivenTest, FindsTheApproachThatGivesTheLoad)
+{
+  const SurfaceGrid g{31, 27, 0.012, 0.014};
+  const double approach = 0.01, tolerance = 1e-12 * approach;
+  const Solution given = solution(g, 2.0, paraboloid(g, approach), tolerance);
+  const double load = sum(given.pressure) * g.cell_area();
+  const Solution found = under_load(g, 2.0, load, tolerance);
+  expect_complementary(found, tolerance);
+  EXPECT_NEAR(found.report.approach, approach, 1e-9 * approach);
+  EXPECT_NEAR(sum(found.pressure) * g.cell_area(), load, 1e-12 * load);
+  for (std::size_t i = 0; i < g.size(); ++i)
+    EXPECT_NEAR(found.pressure[i], given.pressure[i], 1e-8 * largest(given.pressure));
+}
+
+TEST(LoadDrivenTest, NoLoadIsTheFirstTouch)
+{
+  const SurfaceGrid g{9, 9, 0.1, 0.1};
+  const halfspace::SurfaceCompliance compliance(g, 1.0);
+  ElasticContact contact(compliance);
+  std::vector<double> pressure(g.size(), 3.0), gap(g.size());
+  const Report report = contact.solve(paraboloid(g, 0.25), {Drive::Kind::load, 0.0}, 1e-12, 100, pressure, gap);
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.approach, -0.25);
+  EXPECT_EQ(largest(pressure), 0.0);
+  EXPECT_EQ(*std::min_element(gap.begin(), gap.end()), 0.0);
+}
+
+TEST(LoadDrivenTest, AFlatPunchAndANearlyFlatOne)
+{
+  // Everything touches from the start, or nearly so: no cell to begin with is better than another.
+  const SurfaceGrid g{15, 15, 0.1, 0.1};
+  for (const double scale : {0.0, 1e-9})
+  {
+    const Solution s = under_load(g, 1.0, 1.0, 1e-12, scale);
+    expect_complementary(s, 1e-12);
+    EXPECT_NEAR(sum(s.pressure) * g.cell_area(), 1.0, 1e-12);
+  }
+}
+
+TEST(LoadDrivenTest, ANumberThatIsNoneIsNotAConvergedOne)
+{
+  const SurfaceGrid g{5, 5, 0.1, 0.1};
+  const halfspace::SurfaceCompliance compliance(g, 1.0);
+  ElasticContact contact(compliance);
+  std::vector<double> distance = paraboloid(g, 0.0);
+  distance[7] = std::nan("");
+  for (const Drive& drive : {Drive{Drive::Kind::load, 1.0}, Drive{Drive::Kind::approach, 0.02}})
+  {
+    std::vector<double> pressure(g.size(), 0.0), gap(g.size());
+    EXPECT_FALSE(contact.solve(distance, drive, 1e-9, 50, pressure, gap).converged);
+  }
+}
+
 } // namespace
 } // namespace brinell::contact

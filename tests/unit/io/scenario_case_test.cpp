@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+/// Case files of indentation and rolling.
+namespace brinell::io
+{
+
+namespace
+{
+
+constexpr const char* bodies = R"(
+[lower]
+shape = {type = "flat"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3, hardening = {law = "perfect", yield_stress = "1 GPa"}}
+[upper]
+shape = {type = "sphere", radius = "2 mm"}
+material = {rigid = true}
+)";
+
+std::string indentation(const std::string& keys)
+{
+  return "scenario = \"indentation\"\n[indentation]\n" + keys + bodies;
+}
+
+std::string rolling(const std::string& keys)
+{
+  return "scenario = \"rolling\"\n[rolling]\n" + keys + bodies;
+}
+
+template <typename ScenarioCase>
+ScenarioCase read(const std::string& text, const std::vector<std::string>& overrides = {},
+                  const std::filesystem::path& file = "sample.toml")
+{
+  return std::get<ScenarioCase>(parse_case(text, file, overrides).scenario);
+}
+
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {})
+{
+  try
+  {
+    (void)parse_case(text, "sample.toml", overrides);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+using simulation::IndentationCase;
+using simulation::RollingCase;
+
+TEST(ScenarioCase, IndentationByLoadAndByApproach)
+{
+  const auto c = read<IndentationCase>(indentation("load = [\"3 N\", \"500 mN\", 0]\nplaces = [\"-1 mm\", 0.001]\n"));
+  ASSERT_EQ(c.sequence.size(), 3u);
+  EXPECT_EQ(c.sequence[1], (contact::Drive{contact::Drive::Kind::load, 0.5}));
+  EXPECT_EQ(c.places, (std::vector{-0.001, 0.001}));
+  EXPECT_TRUE(c.upper.material.elastic.is_rigid());
+  EXPECT_EQ(c.lower.shape, simulation::Shape(simulation::Plane{}));
+  EXPECT_EQ(c.upper.shape, simulation::Shape(simulation::Paraboloid{2e-3, 2e-3}));
+  const auto d = read<IndentationCase>(indentation("approach = [\"3 um\"]\n"));
+  EXPECT_EQ(d.sequence[0], (contact::Drive{contact::Drive::Kind::approach, 3e-6}));
+}
+
+TEST(ScenarioCase, InUnitsOfFirstYield)
+{
+  const Case c = parse_case(indentation("normalised = true\nload = [20, 0]\n"), "sample.toml");
+  ASSERT_TRUE(c.first_yield);
+  EXPECT_EQ(std::get<IndentationCase>(c.scenario).sequence[0].value, 20.0 * c.first_yield->critical.load);
+  EXPECT_NE(refusal(indentation("normalised = true\nload = [20, 0]\n"), {"upper.shape={type=\"vickers\"}"})
+                .find("sample.toml:4: indentation.load = [20, 0] is in units of first yield"),
+            std::string::npos);
+}
+
+TEST(ScenarioCase, ShapesAndTextures)
+{
+  const auto shaped = [](const std::string& shape)
+  { return read<IndentationCase>(indentation("load = [1]\n"), {"upper.shape=" + shape}).upper.shape; };
+  EXPECT_EQ(shaped("{type=\"ellipsoid\", radius_x=1, radius_y=\"2 m\"}"),
+            simulation::Shape(simulation::Paraboloid{1.0, 2.0}));
+  EXPECT_EQ(shaped("{type=\"cylinder\", radius=1e-3, length=2e-3}"), simulation::Shape(simulation::Roller{1e-3, 2e-3}));
+  EXPECT_NEAR(std::get<simulation::Cone>(shaped("{type=\"cone\", half_angle=60, tip_radius=1e-6}")).half_angle,
+              std::acos(0.5), 1e-12);
+  EXPECT_EQ(std::get<simulation::Pyramid>(shaped("{type=\"berkovich\"}")).faces, 3);
+  const auto bump = read<RollingCase>(rolling("load = 5\ndistance = 1e-4\n"),
+                                      {"lower.texture={type=\"bump\", height=\"1 um\", radius=\"40 um\", x=2e-5}"})
+                        .lower.texture;
+  EXPECT_EQ(bump, simulation::Texture(simulation::Dent{2e-5, 0.0, -1e-6, 40e-6}));
+}
+
+TEST(ScenarioCase, HeightMapsComeFromAFile)
+{
+  const sample::TemporaryFolder folder;
+  std::ofstream(folder.path() / "map.csv") << "# nm\n1e-9, 2e-9, 3e-9\r\n\n4e-9; 5e-9\t6e-9\n";
+  const auto read_map = [&](const std::string& spacing)
+  {
+    return read<RollingCase>(rolling("load = 5\ndistance = 1e-4\n"),
+                             {"lower.texture={type=\"height_map\", file=\"map.csv\", spacing=" + spacing + "}"},
+                             folder.path() / "case.toml")
+        .lower.texture;
+  };
+  const auto map = std::get<simulation::HeightMap>(read_map("[\"1 um\", \"2 um\"]"));
+  EXPECT_EQ(map.nx, 3);
+  EXPECT_EQ(map.ny, 2);
+  EXPECT_EQ(map.dy, 2e-6);
+  EXPECT_EQ(map.heights, (std::vector{1e-9, 2e-9, 3e-9, 4e-9, 5e-9, 6e-9}));
+  EXPECT_THROW((void)read_map("[1e-6]"), InputError);
+  std::ofstream(folder.path() / "map.csv") << "1 2\n3\n";
+  EXPECT_THROW((void)read_map("[1e-6, 1e-6]"), InputError);
+}
+
+TEST(ScenarioCase, HertzPressureIsALoad)
+{
+  // p0 = (6 P E'^2 / (pi^3 R^2))^(1/3) for balls, (P E' / (pi R L))^(1/2) for rollers.
+  const double modulus = 200e9 / 0.91;
+  const auto ball = read<RollingCase>(rolling("hertz_pressure = \"3 GPa\"\ndistance = 1e-4\n"));
+  EXPECT_NEAR(std::cbrt(6.0 * ball.drive.value * modulus * modulus / (std::pow(3.14159265358979, 3) * 4e-6)), 3e9, 1e3);
+  const auto roller = read<RollingCase>(rolling("hertz_pressure = \"3 GPa\"\ndistance = 1e-4\n"),
+                                        {"upper.shape={type=\"cylinder\", radius=2e-3, length=1e-3}"});
+  EXPECT_NEAR(std::sqrt(roller.drive.value * modulus / (3.14159265358979 * 2e-6)), 3e9, 1e3);
+}
+
+TEST(ScenarioCase, SaysWhatIsMissingOrTooMuch)
+{
+  const std::pair<std::string, const char*> refusals[] = {
+      {refusal(indentation("")), "needs one of indentation.load and indentation.approach"},
+      {refusal(indentation("load = [1, 0]\napproach = [1, 0]\n")), "cannot stand together"},
+      {refusal(indentation("load = [0, 0]\n")), "never presses the bodies together"},
+      {refusal(indentation("load = [-1]\n")), "out of range"},
+      {refusal(indentation("load = [\"1 um\"]\n")), "is a length"},
+      {refusal(indentation("load = [1]\ncycles = 2\n")), "must end with 0"},
+      {refusal(indentation("load = [1]\n"), {"lower.material={rigid=true}"}), "no body that deforms"},
+      {refusal(indentation("load = [1]\n"), {"upper.material={rigid=true, young_modulus=2e11}"}),
+       "applies only with upper.material.rigid = false"},
+      {refusal(indentation("load = [1]\n"), {"upper.shape={type=\"flat\"}"}), "do not touch in a point"},
+      {refusal(indentation("load = [1]\n"), {"tugging.passes=2"}), "applies only with scenario"},
+      {refusal(rolling("distance = 1e-4\n")), "none of rolling.load"},
+      {refusal(rolling("distance = 1e-4\nload = 1\napproach = 1e-6\n")), "more than one of rolling.load"},
+      {refusal(rolling("load = 1\n")), "rolling.distance is missing"},
+      {refusal(rolling("distance = 1e3\nload = 1\n")), "cells"},
+      {refusal(rolling("distance = 1e-4\nload = 1\nslide_to_roll = -2\n")), "out of range"},
+      {refusal(rolling("distance = 1e-4\nhertz_pressure = 1e9\n"), {"upper.shape={type=\"cone\", half_angle=70}"}),
+       "has no meaning for these shapes"},
+  };
+  for (const auto& [text, expected] : refusals)
+    EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n  in: " << text;
+}
+
+TEST(ScenarioCase, ResolvedTextReadsBackTheSame)
+{
+  for (const std::string& text :
+       {indentation("load = [\"3 N\", 0]\n"), indentation("normalised = true\napproach = [4, 0]\n"),
+        rolling("hertz_pressure = \"2 GPa\"\ndistance = \"1 mm\"\nslide_to_roll = 0.1\n")})
+  {
+    const Case c = parse_case(text, "sample.toml");
+    const Case again = parse_case(resolved_text(c.values), "again.toml");
+    EXPECT_EQ(again.values.all(), c.values.all());
+  }
+}
+
+} // namespace
+
+} // namespace brinell::io

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/indent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+IndentationRecord at(double approach, double load)
+{
+  IndentationRecord r;
+  r.approach = approach;
+  r.F_n = load;
+  r.mean_pressure = 2.0 * load;
+  r.residual_depth = 0.1;
+  return r;
+}
+
+/// Loads along P = 3 h^2, unloads along P = 12 (h - 0.5)^2 from h = 1.
+Indent parabola(const std::vector<double>& loading, const std::vector<double>& unloading)
+{
+  IndentReader reader(0.25, 1, 2, 0.0);
+  for (const double h : loading)
+    (void)reader.add(at(h, 3.0 * h * h), 0.0);
+  for (const double h : unloading)
+    (void)reader.add(at(h, 12.0 * (h - 0.5) * (h - 0.5)), 0.5);
+  return reader.result();
+}
+
+TEST(IndentTest, StiffnessIsTheSlopeAtThePeak)
+{
+  const Indent i = parabola({0.25, 0.5, 0.75, 1.0}, {0.9, 0.7, 0.5});
+  EXPECT_DOUBLE_EQ(i.max_load, 3.0);
+  EXPECT_DOUBLE_EQ(i.max_approach, 1.0);
+  EXPECT_DOUBLE_EQ(i.hardness, 6.0);
+  EXPECT_NEAR(i.loading_stiffness, 6.0, 1e-12);    // exact for a parabola
+  EXPECT_NEAR(i.unloading_stiffness, 12.0, 1e-12); // uneven steps
+  EXPECT_DOUBLE_EQ(i.final_approach, 0.5);
+  EXPECT_DOUBLE_EQ(i.residual_depth, 0.1);
+  EXPECT_EQ(i.place, 1);
+  EXPECT_EQ(i.cycle, 2);
+}
+
+TEST(IndentTest, AHeldLoadIsOneLoad)
+{
+  // Rounding must not decide which step is the peak, nor divide by nothing.
+  const double ulp = 1.0 + 4e-16;
+  IndentReader reader(0.0, 0, 0, 0.0);
+  for (const double h : {0.5, 0.75})
+    (void)reader.add(at(h, 3.0 * h * h), 0.0);
+  for (const double noise : {ulp, 1.0, 1.0 / ulp})
+    (void)reader.add(at(1.0, 3.0 * noise), 0.0);
+  for (const double h : {0.9, 0.8})
+    (void)reader.add(at(h, 12.0 * (h - 0.5) * (h - 0.5)), 0.5);
+  const Indent i = reader.result();
+  EXPECT_NEAR(i.loading_stiffness, 6.0, 1e-9);
+  EXPECT_NEAR(i.unloading_stiffness, 12.0, 1e-9);
+}
+
+TEST(IndentTest, WithoutUnloadingThereIsNoStiffnessOfIt)
+{
+  const Indent i = parabola({0.5, 1.0}, {});
+  EXPECT_EQ(i.unloading_stiffness, 0.0);
+  EXPECT_TRUE(std::isnan(i.final_approach));
+}
+
+TEST(IndentTest, WorkIsTheAreaOfTheLoop)
+{
+  std::vector<double> loading;
+  std::vector<double> unloading;
+  constexpr int n = 200;
+  for (int i = 1; i <= n; ++i)
+  {
+    loading.push_back(static_cast<double>(i) / n);
+    unloading.push_back(1.0 - 0.5 * i / n);
+  }
+  EXPECT_NEAR(parabola(loading, unloading).work, 1.0 - 0.5, 2.0 / (n * n));
+}
+
+} // namespace
+} // namespace brinell::simulation
