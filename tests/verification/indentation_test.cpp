@@ -244,6 +244,23 @@ TEST(Indentation, UnloadingStiffnessIsThatOfTheContactArea)
                      "theory: similarity; area known to a part of the rim");
 }
 
+TEST(Indentation, OneLargeStepConverges)
+{
+  // From nothing to 25 times first yield in one increment, and back in one.
+  IndentationCase c = pressed_spheres(perfect_material(), {approach(25.0 * critical().interference), approach(0.0)});
+  c.steps = 1;
+  c.resolution = 4.0;
+  const IndentationRun large = computed(c);
+  c.steps = 16;
+  const IndentationRun small = computed(c);
+  test::expect_close("load after one step / after sixteen",
+                     large.summary.indents[0].max_load / small.summary.indents[0].max_load, 1.0, 0.08,
+                     "theory: the return along the path is of second order in the step");
+  test::expect_within("evaluations of the two steps", static_cast<double>(large.summary.iterations), 2.0, 120.0,
+                      "bound: those allowed, without a split");
+  EXPECT_EQ(large.summary.split_increments, 0);
+}
+
 TEST(Indentation, UnitsDoNotMatter)
 {
   // In micrometres instead of metres: every length 1e6 times as large, stress in N/um^2. What follows is the same number.

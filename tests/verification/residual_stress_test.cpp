@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 /// The stress that a pass leaves behind is in equilibrium with nothing: no force over any plane, none on the surface.
@@ -205,6 +206,47 @@ TEST(ResidualStress, ObeysTheYieldConditionAndIsMirrorSymmetric)
   test::expect_close("asymmetry in y / yield stress", asymmetry / yield_stress, 0.0, 1e-4,
                      "exact: symmetry, to the tolerance of the iteration");
   test::expect_close("trace of the plastic strain", trace_of_strain, 0.0, 1e-15, "exact: incompressible");
+}
+
+TEST(ResidualStress, AWidePatchOfUniformStrainIsAHeldLayer)
+{
+  // A layer of uniform plastic strain, much wider than thick: its stress in the middle is that of a plate which is kept from
+  // straining in its plane, sigma_xx = -E/(1 - nu^2) (eps_xx + nu eps_yy), nothing acts on its faces, and beneath it nothing. The
+  // edges act as line forces sigma t at half the width on both sides; a pair of long ones gives 8/pi t/W (Flamant).
+  const double thickness = 1.0;
+  std::vector<double> errors;
+  const std::vector<int> widths{41, 81};
+  for (const int n : widths)
+  {
+    const VolumeGrid grid{{n, n, 1.0, 1.0}, 6, 0.5 * thickness};
+    std::vector<double> strain(Deviator::size * grid.size(), 0.0);
+    constexpr std::array<double, Deviator::size> applied{1e-3, -0.4e-3, 0.0, 0.0, 0.5e-3};
+    for (std::size_t c = 0; c < Deviator::size; ++c)
+      for (std::size_t i = 0; i < 2 * grid.surface.size(); ++i) // two of the layers
+        strain[c * grid.size() + i] = applied[c];
+    const halfspace::HalfSpace half_space(grid, elastic);
+    const test::StressField stress(half_space, {}, strain);
+    const double E = elastic.young_modulus;
+    const double nu = elastic.poisson_ratio;
+    const double plate = -E / (1.0 - nu * nu);
+    const SymTensor held{plate * (applied[0] + nu * applied[1]),
+                         plate * (applied[1] + nu * applied[0]),
+                         0.0,
+                         0.0,
+                         0.0,
+                         -E / (1.0 + nu) * applied[4]};
+    double error = 0.0;
+    for (int k = 0; k < grid.nz; ++k)
+      for (std::size_t c = 0; c < 6; ++c)
+      {
+        const double expected = k < 2 ? held[c] : 0.0;
+        error = std::max(error, std::abs(stress.at(test::cell_index(grid, n / 2, n / 2, k))[c] - expected));
+      }
+    errors.push_back(error / std::abs(held[0]));
+    test::expect_close("held layer, width / thickness = " + std::to_string(n), errors.back(), 0.0,
+                       8.0 / (std::numbers::pi * n), "analytic: plate held in its plane; edges");
+  }
+  test::expect_close("error, twice as wide / as wide", errors[1] / errors[0], 0.5, 0.1, "theory: thickness over width");
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/sym_tensor.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
 
@@ -191,6 +192,30 @@ TEST(Rolling, EnergyBalances)
   }
 }
 
+TEST(Rolling, UnitsDoNotMatter)
+{
+  // Lengths in micrometres instead of metres, stress in N/um^2.
+  const auto scaled = [](double u)
+  {
+    RollingCase c = ball_on_flat(track_steel(), 4.0 * k, 0.6e-3);
+    c.lower.material = {{200e9 / (u * u), 0.3}, constitutive::LinearHardening{1.7e9 / (u * u), 10e9 / (u * u)}};
+    c.upper = {ball(10e-3 * u), {c.lower.material.elastic, {}}};
+    c.distance *= u;
+    c.resolution = 3.0;
+    c.solver.yield_tolerance = 1e-12; // the number of iterations must not hang on rounding
+    c.solver.displacement_tolerance = 1e-12;
+    c.solver.contact_tolerance = 1e-14;
+    c.solver.max_iterations = 300;
+    return computed(c).summary;
+  };
+  const auto metre = scaled(1.0);
+  const auto micrometre = scaled(1e6);
+  test::expect_close("rut, m / um", metre.passes[0].rut_depth / (1e-6 * micrometre.passes[0].rut_depth), 1.0, 1e-10,
+                     "exact: dimension; rounding");
+  test::expect_close("resistance, m / um", metre.passes[0].resistance / micrometre.passes[0].resistance, 1.0, 1e-10,
+                     "exact: dimension; rounding");
+}
+
 TEST(Rolling, SlidingCarriesEachBodyByItsOwnShift)
 {
   // Slide-to-roll ratio 2/3: the contact moves twice as far on the lower body as on the upper one. Both are elastic but for one
@@ -279,9 +304,13 @@ TEST(Rolling, LongRollerIsPlaneStrain)
   const simulation::BodySnapshot& body = state.lower;
   const SurfaceGrid& s = body.grid.surface;
   double largest = 0.0;
+  double von_mises_stress = 0.0;
   for (int layer = 0; layer < body.grid.nz; ++layer)
   {
     const auto n = static_cast<std::size_t>((s.nx - 1) / 2 + s.nx * ((s.ny - 1) / 2 + s.ny * layer));
+    const auto stress = [&](std::size_t component) { return body.stress[component][n]; };
+    von_mises_stress = std::max(von_mises_stress,
+                                von_mises(SymTensor{stress(0), stress(1), stress(2), stress(3), stress(4), stress(5)}));
     const double z = (layer + 0.5) * body.grid.dz / half_width;
     const double root = std::sqrt(1.0 + z * z);
     const double exact_x = -peak * ((1.0 + 2.0 * z * z) / root - 2.0 * z);
@@ -289,6 +318,8 @@ TEST(Rolling, LongRollerIsPlaneStrain)
     largest = std::max({largest, std::abs(body.stress[0][n] - exact_x), std::abs(body.stress[2][n] - exact_z),
                         std::abs(body.stress[1][n] - 0.3 * (exact_x + exact_z))});
   }
+  test::expect_close("largest von Mises stress / pressure", von_mises_stress / peak, 0.5577, 0.01,
+                     "literature: first yield of a line contact at p0 = 1.79 S_y for nu = 0.3 (Johnson 1985)");
   test::expect_close("stress under the middle: largest difference / pressure", largest / peak, 0.0, 0.02,
                      "analytic: plane strain (Johnson 1985, Eq. 4.46); cell average and finite length");
 }
