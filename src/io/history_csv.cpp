@@ -63,6 +63,7 @@ std::vector<NamedNumber> columns(const simulation::TuggingRecord& r)
                                   {"X", r.X},
                                   {"theta", r.theta},
                                   {"interference", r.interference},
+                                  {"height", r.height},
                                   {"contact_area", r.contact_area},
                                   {"max_pressure", r.max_pressure},
                                   {"F_n", r.F_n},

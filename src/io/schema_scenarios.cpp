@@ -18,17 +18,33 @@ std::vector<Entry> tugging_entries()
       {.key = "tugging.normalised",
        .type = Type::boolean,
        .fallback = true,
-       .text =
-           "Whether interference is given in critical interferences alpha_c, at which the first point yields; needs a "
-           "body that can yield.",
+       .text = "Whether the interference is given in critical interferences alpha_c, at which the first point yields, "
+               "and the "
+               "load in critical loads P_c; needs a body that can yield.",
        .when = tugging},
       {.key = "tugging.interference",
        .type = Type::number,
        .dimension = dimension::length,
        .range = above(0.0),
-       .required = true,
-       .text = "Largest overlap of the undeformed spheres, reached when their centres are aligned.",
+       .unset = "tugging.load",
+       .text = "Largest overlap of the undeformed spheres, reached when their centres are aligned; the height of the "
+               "centres "
+               "is constant.",
        .when = tugging,
+       .excludes = "tugging.load",
+       .pure_if = "tugging.normalised"},
+      {.key = "tugging.load",
+       .type = Type::number,
+       .dimension = dimension::force,
+       .range = above(0.0),
+       .unset = "tugging.interference",
+       .text = "Instead of the interference: a normal force that is kept while the upper sphere rides over the lower "
+               "one; in "
+               "critical loads P_c if normalised. It comes up in the first eighth of a pass and goes down in the last. "
+               "Exact "
+               "kinematics only.",
+       .when = tugging,
+       .excludes = "tugging.interference",
        .pure_if = "tugging.normalised"},
       {.key = "tugging.shift",
        .type = Type::number,
@@ -89,7 +105,8 @@ std::vector<Entry> indentation_entries()
        .type = Type::integer,
        .range = between(1, 100000),
        .fallback = std::int64_t{defaults.steps},
-       .text = "Steps from one entry of the list to the next, of equal approach; of equal load^(2/3) if the load is imposed.",
+       .text = "Steps from one entry of the list to the next, of equal approach; of equal load^(2/3) if the load is "
+               "imposed.",
        .when = indentation},
       {.key = "indentation.cycles",
        .type = Type::integer,

@@ -294,9 +294,10 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   const double cells =
       4.0 * (std::max(track_lower, track_upper) + reach_x) / dx * (half_y / dy) * (scale * f.depth / dz);
   if (!(cells < most_cells))
-    throw GridError(fmt::format("grid: {:.1e} cells for a contact of {:.3g} x {:.3g} m with a plastic zone of {:.3g} m; "
-                                "allowed: fewer than {:.0e}, so larger cells or a shorter track",
-                                cells, 2.0 * f.half_x, 2.0 * f.half_y, f.plastic_reach, most_cells));
+    throw GridError(
+        fmt::format("grid: {:.1e} cells for a contact of {:.3g} x {:.3g} m with a plastic zone of {:.3g} m; "
+                    "allowed: fewer than {:.0e}, so larger cells or a shorter track",
+                    cells, 2.0 * f.half_x, 2.0 * f.half_y, f.plastic_reach, most_cells));
   plan.contact = {2 * half_cells(scale * 1.6 * f.half_x, dx) + 1, 2 * half_cells(half_y, dy) + 1, dx, dy};
   for (const auto& [grid, track] : {std::pair{&plan.lower, track_lower}, {&plan.upper, track_upper}})
   {

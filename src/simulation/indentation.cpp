@@ -50,11 +50,7 @@ public:
 
   IndentationSummary run(const Archive::Fields* checkpoint)
   {
-    if (checkpoint)
-    {
-      Archive archive(*checkpoint);
-      exchange(archive);
-    }
+    resume(*this, checkpoint);
     while (done_ < plan_.steps)
       step();
     IndentationSummary result;
@@ -66,6 +62,20 @@ public:
     result.last = last_;
     result.final_state = snapshot();
     return result;
+  }
+
+  /// Everything that the rest of the run depends on.
+  void exchange(Archive& archive)
+  {
+    archive("stepper", stepper_);
+    archive("last", last_);
+    archive("current", current_);
+    archive.list("indents", indents_);
+    archive("largest_work", largest_work_);
+    archive("iterations", iterations_);
+    archive("from", from_);
+    archive("to", to_);
+    archive("done", done_);
   }
 
 private:
@@ -90,8 +100,9 @@ private:
       begin_entry(in_indent, touch);
     if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
       to_ = std::min(to_, lifted(touch));
-    const auto path = [&](double t)
-    { return Target{here, {case_.sequence.front().kind, imposed((in_entry + t) / case_.steps)}}; };
+    const auto path = [&](double t) {
+      return Target{here, {case_.sequence.front().kind, imposed((in_entry + t) / case_.steps)}};
+    };
     constexpr double finest = 1.0 / 64;
     const Target target = path(1.0);
     const std::string where = fmt::format("step {}, {} = {:g} {}", done_, by_load() ? "load" : "approach",
@@ -103,13 +114,7 @@ private:
     // The snapshot of this step lies where the step was.
     const auto snap = [this, here, x = x()] { return stepper_.snapshot(lattice_, here, x, 0.0); };
     ++done_;
-    report(observer_, last_, plan_.steps, snap,
-           [&]
-           {
-             Archive archive;
-             exchange(archive);
-             return std::move(archive).fields();
-           });
+    report(observer_, last_, plan_.steps, *this, snap);
   }
 
   /// An imposed approach of zero means no contact, dents and bumps included.
@@ -153,19 +158,6 @@ private:
     largest_work_ = std::max(largest_work_, r.work);
     iterations_ += evaluations;
     last_ = r;
-  }
-
-  void exchange(Archive& archive)
-  {
-    archive("stepper", stepper_);
-    archive("last", last_);
-    archive("current", current_);
-    archive.list("indents", indents_);
-    archive("largest_work", largest_work_);
-    archive("iterations", iterations_);
-    archive("from", from_);
-    archive("to", to_);
-    archive("done", done_);
   }
 
   const IndentationCase& case_;

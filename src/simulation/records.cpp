@@ -48,6 +48,7 @@ void TuggingRecord::exchange(Archive& archive)
   archive("X", X);
   archive("theta", theta);
   archive("interference", interference);
+  archive("height", height);
   archive("F_X", F_X);
   archive("F_Y", F_Y);
   archive("F_Z", F_Z);

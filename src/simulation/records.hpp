@@ -10,17 +10,30 @@ namespace brinell::simulation
 /// @param largest_work  reached in the run [J]
 void take_totals(const StepRecord& last, double largest_work, RunTotals& totals);
 
+/// Takes up a run where a checkpoint of it was made, if there is one.
+template <typename Run>
+void resume(Run& run, const Archive::Fields* checkpoint)
+{
+  if (!checkpoint)
+    return;
+  Archive archive(*checkpoint);
+  run.exchange(archive);
+}
+
 /// Tells the observer of a finished step.
-/// @param save  makes a checkpoint; @param snap makes a snapshot: both only if wanted
-template <typename Record, typename Save, typename Snap>
-void report(const Observer<Record>& observer, const Record& record, int step_count, const Snap& snap, const Save& save)
+/// @param snap  makes a snapshot, if it is wanted
+template <typename Record, typename Run, typename Snap>
+void report(const Observer<Record>& observer, const Record& record, int step_count, Run& run, const Snap& snap)
 {
   if (observer.on_step)
     observer.on_step(record, step_count);
   if (observer.wants_snapshot && observer.on_snapshot && observer.wants_snapshot(record))
     observer.on_snapshot(record, snap());
-  if (observer.wants_checkpoint && observer.on_checkpoint && observer.wants_checkpoint(record))
-    observer.on_checkpoint(record, save());
+  if (!observer.wants_checkpoint || !observer.on_checkpoint || !observer.wants_checkpoint(record))
+    return;
+  Archive archive;
+  run.exchange(archive);
+  observer.on_checkpoint(record, std::move(archive).fields());
 }
 
 } // namespace brinell::simulation

@@ -45,11 +45,7 @@ public:
 
   RollingSummary run(const Archive::Fields* checkpoint)
   {
-    if (checkpoint)
-    {
-      Archive archive(*checkpoint);
-      exchange(archive);
-    }
+    resume(*this, checkpoint);
     while (pass_ < case_.passes)
       step();
     RollingSummary result;
@@ -62,6 +58,21 @@ public:
     result.final_state = snapshot(last_.x);
     result.profile = track_profile(result.final_state.lower);
     return result;
+  }
+
+  /// Everything that the rest of the run depends on.
+  void exchange(Archive& archive)
+  {
+    archive("stepper", stepper_);
+    archive("last", last_);
+    archive("track", track_);
+    archive.list("passes", passes_);
+    archive("largest_work", largest_work_);
+    archive("touch", touch_);
+    archive("iterations", iterations_);
+    archive("steps", steps_);
+    archive("pass", pass_);
+    archive("step_in_pass", step_in_pass_);
   }
 
 private:
@@ -120,14 +131,7 @@ private:
       step_in_pass_ = 0;
       ++pass_;
     }
-    report(
-        observer_, last_, plan_.steps, [this, x = to.x] { return snapshot(x); },
-        [&]
-        {
-          Archive archive;
-          exchange(archive);
-          return std::move(archive).fields();
-        });
+    report(observer_, last_, plan_.steps, *this, [this, x = to.x] { return snapshot(x); });
   }
 
   [[nodiscard]] double dissipation() const
@@ -153,20 +157,6 @@ private:
     iterations_ += evaluations;
     track_.add(r);
     last_ = r;
-  }
-
-  void exchange(Archive& archive)
-  {
-    archive("stepper", stepper_);
-    archive("last", last_);
-    archive("track", track_);
-    archive.list("passes", passes_);
-    archive("largest_work", largest_work_);
-    archive("touch", touch_);
-    archive("iterations", iterations_);
-    archive("steps", steps_);
-    archive("pass", pass_);
-    archive("step_in_pass", step_in_pass_);
   }
 
   const RollingCase& case_;

@@ -35,11 +35,7 @@ public:
 
   TuggingSummary run(const Archive::Fields* checkpoint)
   {
-    if (checkpoint)
-    {
-      Archive archive(*checkpoint);
-      exchange(archive);
-    }
+    resume(*this, checkpoint);
     while (pass_ < case_.passes)
       step();
     TuggingSummary result = summary_.result();
@@ -48,12 +44,29 @@ public:
     return result;
   }
 
+  /// Everything that the rest of the run depends on.
+  void exchange(Archive& archive)
+  {
+    archive("stepper", stepper_);
+    archive("summary", summary_);
+    archive("position", position_);
+    archive("pass", pass_);
+    archive("step_in_pass", step_in_pass_);
+    archive("steps_in_pass", steps_in_pass_);
+    archive("extra_steps", extra_steps_);
+  }
+
 private:
   [[nodiscard]] Frame frame(const Position& p) const { return lattice_.frame(p.arc_lower, p.arc_upper); }
 
-  [[nodiscard]] Target target(const Position& p) const
+  /// @param steps  of the pass that are done there
+  [[nodiscard]] Target target(const Position& p, double steps) const
   {
-    return {frame(p), {contact::Drive::Kind::approach, p.interference}};
+    if (!case_.load)
+      return {frame(p), {contact::Drive::Kind::approach, p.interference}};
+    const double ramp = std::max(1.0, steps_in_pass_ / 8.0);
+    const double share = std::clamp(std::min(steps, steps_in_pass_ - steps) / ramp, 0.0, 1.0);
+    return {frame(p), {contact::Drive::Kind::load, share * *case_.load}};
   }
 
   [[nodiscard]] Snapshot snapshot() const
@@ -72,7 +85,8 @@ private:
     const auto path = [&](double t)
     {
       const double columns = t * cells_;
-      return target(first || t == 1.0 ? to : passing_.within_step(position_, whole ? std::round(columns) : columns));
+      return target(first || t == 1.0 ? to : passing_.within_step(position_, whole ? std::round(columns) : columns),
+                    step_in_pass_ - 1.0 + t);
     };
     const int evaluations =
         stepper_.advance(path, first ? 1.0 : 1.0 / cells_, fmt::format("pass {}, X = {:g} m", pass_ + 1, to.X));
@@ -87,14 +101,7 @@ private:
     }
     else
       ++step_in_pass_;
-    report(
-        observer_, summary_.last(), step_count, [&] { return snapshot(); },
-        [&]
-        {
-          Archive archive;
-          exchange(archive);
-          return std::move(archive).fields();
-        });
+    report(observer_, summary_.last(), step_count, *this, [&] { return snapshot(); });
   }
 
   /// Far enough back that the surfaces, with what earlier passes left on them, do not touch yet.
@@ -104,7 +111,7 @@ private:
     for (int before = extra_steps_;; ++before)
     {
       const Position p = passing_.start(before);
-      if (stepper_.clearance(frame(p)) >= p.interference || before > extra_steps_ + most)
+      if (case_.load || stepper_.clearance(frame(p)) >= p.interference || before > extra_steps_ + most)
         return p;
     }
   }
@@ -121,9 +128,10 @@ private:
     stepper_.fill(r);
     r.step = summary_.steps();
     r.pass = pass_;
-    r.X = p.X;
+    r.interference = case_.load ? stepper_.pair().approach() : p.interference;
     r.theta = p.theta;
-    r.interference = p.interference;
+    r.X = case_.load ? (sum - r.interference) * std::sin(p.theta) : p.X;
+    r.height = case_.load ? (sum - r.interference) * std::cos(p.theta) : passing_.separation();
     r.F_X = forces.F_X;
     r.F_Y = forces.F_Y;
     r.F_Z = forces.F_Z;
@@ -133,17 +141,6 @@ private:
     r.F_X_upper = forces.F_X_upper;
     r.iterations = evaluations;
     summary_.add(r); // sets the work
-  }
-
-  void exchange(Archive& archive)
-  {
-    archive("stepper", stepper_);
-    archive("summary", summary_);
-    archive("position", position_);
-    archive("pass", pass_);
-    archive("step_in_pass", step_in_pass_);
-    archive("steps_in_pass", steps_in_pass_);
-    archive("extra_steps", extra_steps_);
   }
 
   const TuggingCase& case_;

@@ -26,9 +26,10 @@ constexpr int track_margin = 4; ///< cells: material pushed ahead
 double plastic_growth(const TuggingCase& tugging)
 {
   constexpr double covered = 9.0;
-  // Of two bodies that are not alike, the weaker one takes most of the plastic strain: as if pressed twice as far.
-  const double ratio =
-      tugging.interference / yield_interference(tugging) * (tugging.lower == tugging.upper ? 1.0 : 2.0);
+  // Of two bodies that are not alike, the weaker one takes most of the plastic strain; under a load plasticity adds to the
+  // approach, and the whole track bears it: as if pressed twice as far.
+  const bool more = !(tugging.lower == tugging.upper) || tugging.load;
+  const double ratio = tugging.interference / yield_interference(tugging) * (more ? 2.0 : 1.0);
   return std::pow(std::max(1.0, ratio / covered), 0.4);
 }
 
@@ -43,11 +44,13 @@ double track_half_length(const TuggingCase& tugging, double radius, double angle
   const double sum = tugging.lower.radius + tugging.upper.radius;
   const double separation = sum - tugging.interference;
   double farthest = 0.0;
-  constexpr int samples = 200;
+  constexpr double samples = 200.0;
   for (int i = 0; i <= samples; ++i)
   {
     const double theta = angle_at_touch * i / samples;
-    const double interference = std::max(0.0, sum - separation / std::cos(theta));
+    // Under a load as much as it has come up: it does in a quarter of this way.
+    const double interference = tugging.load ? tugging.interference * std::min(1.0, 4.0 * (samples - i) / samples)
+                                             : std::max(0.0, sum - separation / std::cos(theta));
     farthest = std::max(farthest,
                         radius * theta + scale * track_extent * std::sqrt(equivalent_radius(tugging) * interference));
   }

@@ -14,7 +14,8 @@ void Summariser::add(TuggingRecord record)
   const bool continues = record.step > 0 && record.pass == last_.pass;
   record.work = last_.work;
   if (continues)
-    record.work += 0.5 * (record.F_X + last_.F_X) * (record.X - last_.X);
+    record.work += 0.5 * (record.F_X + last_.F_X) * (record.X - last_.X) -
+                   0.5 * (record.F_Z + last_.F_Z) * (record.height - last_.height);
   ++summary_.steps;
   summary_.iterations += record.iterations;
   if (record.F_X > summary_.peak_F_X)

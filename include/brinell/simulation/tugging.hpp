@@ -28,7 +28,11 @@ struct TuggingCase : Numerics
 
   Asperity lower;
   Asperity upper;
-  double interference = 0.0;   ///< largest rigid-body interference, reached at alignment [m], > 0
+  double interference = 0.0; ///< largest rigid-body interference, reached at alignment [m], > 0
+  /// Instead of the constant height that this interference means: a normal force in the plane of contact that is kept [N]; it
+  /// comes up in the first eighth of a pass and goes down in the last one. The interference then is an estimate of the
+  /// approach, from which the length of the pass and the grids follow.
+  std::optional<double> load;
   std::optional<double> shift; ///< arc moved on each body per step (mean of both) [m]; default: one cell dx
   Kinematics kinematics = Kinematics::exact;
   int passes = 1;
@@ -42,10 +46,11 @@ struct TuggingPlan : Plan
   double start_distance = 0.0;         ///< d0, Eq. 2 [m]
 };
 
-/// One row of the history. Its work is the integral of F_X dX, without the way back from pass to pass.
+/// One row of the history. Its work is the integral of F_X dX - F_Z d height, without the way back from pass to pass.
 struct TuggingRecord : StepRecord
 {
   double X = 0.0, theta = 0.0, interference = 0.0;
+  double height = 0.0;                     ///< of the upper centre above the lower one [m]
   double F_X = 0.0, F_Y = 0.0, F_Z = 0.0;  ///< mean contact plane, pile-up included; F_X > 0 resists the motion [N]
   double F_X_macro = 0.0, F_Z_macro = 0.0; ///< Eqs. 15, 17: without the slope of the residual surfaces [N]
   double F_X_lower = 0.0, F_X_upper = 0.0; ///< Eq. 18 read on each body's own residual surface [N]

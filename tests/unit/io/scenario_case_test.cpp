@@ -79,6 +79,17 @@ TEST(ScenarioCase, InUnitsOfFirstYield)
             std::string::npos);
 }
 
+TEST(ScenarioCase, TuggingUnderLoad)
+{
+  std::string text(sample::case_text);
+  text.replace(text.find("interference = 9"), 16, "load = 27");
+  const Case c = parse_case(text, "sample.toml");
+  const simulation::TuggingCase& t = sample::tugging(c);
+  EXPECT_EQ(t.load, 27.0 * c.first_yield->critical.load);
+  EXPECT_NEAR(t.interference, 9.0 * c.first_yield->critical.interference, 1e-6 * t.interference); // 27^(2/3)
+  EXPECT_NE(refusal(text, {"tugging.kinematics=paper"}).find("constant height only"), std::string::npos);
+}
+
 TEST(ScenarioCase, ShapesAndTextures)
 {
   const auto shaped = [](const std::string& shape)

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/reference/hertz.hpp"
+#include "record.hpp"
+#include "scenario_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+/// The upper sphere rides over the lower one under a constant normal force instead of at a constant height.
+namespace brinell::verification
+{
+namespace
+{
+
+simulation::TuggingCase under_load(const constitutive::Material& material, double load_ratio, double cells)
+{
+  simulation::TuggingCase t = equal_spheres(1.0, material);
+  t.load = load_ratio * critical().load;
+  t.interference = reference::point_contact_at_load(0.5, contact_modulus(elastic, elastic), *t.load).approach;
+  t.resolution = cells;
+  return t;
+}
+
+TEST(LoadedTugging, ElasticSpheresGiveEverythingBack)
+{
+  const TuggingRun run = computed(under_load(elastic_material(), 10.0, 6.0));
+  double approach_error = 0.0;
+  double force_error = 0.0;
+  for (const simulation::TuggingRecord& r : run.history)
+    if (r.F_n > 0.999 * 10.0 * critical().load)
+    {
+      const double hertz = reference::point_contact_at_load(0.5, contact_modulus(elastic, elastic), r.F_n).approach;
+      approach_error = std::max(approach_error, std::abs(r.interference / hertz - 1.0));
+      force_error = std::max(force_error, std::abs(r.F_X + r.F_n * std::sin(r.theta)) / r.F_n);
+    }
+  test::expect_close("approach / Hertz' - 1 while the load is full", approach_error, 0.0, 0.25 * std::pow(6.0, -1.5),
+                     "analytic: Hertz (1882); edge error of the mesh");
+  test::expect_close("F_X + F_n sin(theta), over F_n", force_error, 0.0, 1e-12, "exact: no residual surface");
+  const double largest = std::max_element(run.history.begin(), run.history.end(),
+                                          [](const auto& a, const auto& b) { return a.work < b.work; })
+                             ->work;
+  test::expect_close("net work over the largest", run.summary.work / largest, 0.0, 0.01,
+                     "exact: elastic; trapezoidal rule where the load comes up and goes down");
+}
+
+TEST(LoadedTugging, EnergyBalances)
+{
+  // Work of F_X along X and of F_Z along the height that the upper body rises and sinks. Plastic strain ends up in both.
+  std::vector<double> errors;
+  const std::vector<double> meshes = slow_build ? std::vector{3.0} : std::vector{3.0, 6.0};
+  for (const double cells : meshes)
+  {
+    const TuggingRun run = computed(under_load(perfect_material(), 10.0, cells));
+    errors.push_back(run.summary.energy_balance_error);
+    test::expect_close("energy balance, " + std::to_string(std::lround(cells)) + " cells per radius", errors.back(),
+                       0.0, 0.5 / (cells * cells), "exact: conservation of energy");
+    for (const simulation::TuggingRecord& r : run.history)
+      EXPECT_LE(r.F_n, 10.0 * critical().load * (1.0 + 1e-9));
+  }
+}
+
+} // namespace
+} // namespace brinell::verification
