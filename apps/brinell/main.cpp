@@ -26,7 +26,7 @@ std::string version_text()
 
 constexpr const char* footer = R"(
 Exit codes: 0 done; 1 no convergence, or a file could not be written; 2 an error in the command line or the case;
-130 interrupted (finished steps stay readable; --resume goes on).
+130 or 143 interrupted (finished steps stay readable; --resume goes on).
 
 A first run:
   brinell check cases/tugging-paper/case.toml

@@ -331,7 +331,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     return report;
   }
   if (leaves_grid_)
-    throw InputError("the contact has reached the end of the material grid: enlarge it by grid.extent");
+    throw InputError(
+        "the contact has reached the end of a material grid: enlarge it by grid.extent. All steps so far are kept");
   report.energy = energy(imposed_approach);
   lower_.commit(lower_pressure_);
   if (twins)

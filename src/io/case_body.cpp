@@ -103,6 +103,15 @@ simulation::Texture texture(const CaseReader& reader, const std::string& body)
 
 } // namespace
 
+void name_texture_file(CaseValues& values, const RawCase& raw, const std::string& body)
+{
+  const std::string key = body + ".texture.file";
+  if (!values.find(key))
+    return;
+  const auto path = std::filesystem::path(raw.file).parent_path() / values.get<std::string>(key);
+  values.replace(key, {{key, std::filesystem::absolute(path).lexically_normal().string()}});
+}
+
 simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body)
 {
   return {shape(reader, body), material(reader.values, reader.raw, body, reader.problems), texture(reader, body)};

@@ -140,7 +140,10 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   result.values = resolved_values(raw, problems);
   problems.throw_if_any();
   for (const char* body : {"lower", "upper"})
+  {
     load_hardening_file(result.values, raw, body, problems);
+    name_texture_file(result.values, raw, body);
+  }
   problems.throw_if_any();
 
   const CaseReader reader{result.values, raw, problems};

@@ -49,6 +49,9 @@ void read_numerics(const CaseReader& reader, simulation::Numerics& numerics);
 /// A body of the general scenarios.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
+/// Gives the file of a height map its full path: the resolved case lies in another folder.
+void name_texture_file(CaseValues& values, const RawCase& raw, const std::string& body);
+
 /// Each scenario takes what it needs into `c`: its own case, equivalent radius, contact modulus, first yield, warnings.
 /// What is wrong goes into the reader's problems.
 void read_tugging(const CaseReader& reader, Case& c);

@@ -90,7 +90,9 @@ std::string critical_report(const Case& c)
     text += fmt::format(", equivalent radius = {:.6e} m", *c.equivalent_radius);
   const auto* tugging = std::get_if<simulation::TuggingCase>(&c.scenario);
   if (tugging)
-    text += fmt::format(", interference = {:.6e} m", tugging->interference);
+    text += tugging->load
+                ? fmt::format(", load = {:.6e} N, about {:.6e} m of approach", *tugging->load, tugging->interference)
+                : fmt::format(", interference = {:.6e} m", tugging->interference);
   text += "\n";
   if (!c.first_yield)
     return text + (c.equivalent_radius ? "# Both bodies stay elastic: there are no critical values.\n"
@@ -113,7 +115,7 @@ const char* plural(int count)
 
 std::string motion_report(const simulation::TuggingCase& t, const simulation::TuggingPlan& plan)
 {
-  return fmt::format("# Motion: first touch at X = -{:.6e} m, {} steps per pass of {:.6e} m, {} pass{}\n"
+  return fmt::format("# Motion: from X = -{:.6e} m, {} steps per pass of {:.6e} m, {} pass{}\n"
                      "# Contact: elastic contact radius {:.4e} m\n",
                      plan.start_distance, plan.steps_per_pass, plan.shift, t.passes, plural(t.passes),
                      plan.elastic_contact_radius);

@@ -90,7 +90,8 @@ Handle create_file_in_memory()
   silence();
   constexpr std::size_t growth = 1 << 20;
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a property list");
-  check(H5Pset_fapl_core(access.id(), growth, 0), "keep a file in memory");
+  constexpr hbool_t on_disk_too = false;
+  check(H5Pset_fapl_core(access.id(), growth, on_disk_too), "keep a file in memory");
   return checked(H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "create a file in memory");
 }
 
@@ -210,6 +211,18 @@ std::vector<std::string> names(const Handle& group)
     result.push_back(std::move(name));
   }
   return result;
+}
+
+std::string read_text_attribute(const Handle& object, const char* name)
+{
+  const std::string what = fmt::format("read the attribute {}", name);
+  const Handle attribute = checked(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose, what);
+  const Handle type = checked(H5Aget_type(attribute.id()), H5Tclose, what);
+  char* data = nullptr;
+  check(H5Aread(attribute.id(), type.id(), static_cast<void*>(&data)), what);
+  std::string text = data ? data : "";
+  H5free_memory(data);
+  return text;
 }
 
 int read_int_attribute(const Handle& object, const char* name)

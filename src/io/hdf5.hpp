@@ -71,6 +71,7 @@ void write_numbers(const Handle& group, const std::string& name, const std::vect
 [[nodiscard]] std::vector<double> read_numbers(const Handle& group, const std::string& name);
 /// Names of the objects in a group.
 [[nodiscard]] std::vector<std::string> names(const Handle& group);
+[[nodiscard]] std::string read_text_attribute(const Handle& object, const char* name);
 [[nodiscard]] int read_int_attribute(const Handle& object, const char* name);
 
 /// A link `name` in `group` to an object of another file, whose path is relative to the folder of this one.

@@ -2,6 +2,7 @@
 #include "brinell/io/result_directory.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/versions.hpp"
 #include "hdf5.hpp"
 #include "replace_file.hpp"
 #include "result_file.hpp"
@@ -81,21 +82,24 @@ bool earlier_result_removed(const fs::path& folder)
   return found;
 }
 
-} // namespace
-
-namespace
-{
-
 struct Checkpoint
 {
   int step = 0; ///< the last one that is finished
   Archive::Fields fields;
 };
 
+/// Another build may compute other digits, or know another state.
+std::string program()
+{
+  const Versions versions = library_versions();
+  return versions.brinell + " " + versions.git_hash;
+}
+
 void write_checkpoint(const fs::path& path, int step, const Archive::Fields& fields)
 {
   h5::Handle file = h5::create_file_in_memory();
   h5::write_attribute(file, "step", step);
+  h5::write_attribute(file, "program", program());
   for (const auto& [name, values] : fields)
     h5::write_numbers(file, name, values);
   h5::save_file(std::move(file), path);
@@ -106,6 +110,10 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& path)
   if (!fs::exists(path))
     return std::nullopt;
   const h5::Handle file = h5::open_file(path);
+  if (const std::string written_by = h5::read_text_attribute(file, "program"); written_by != program())
+    throw InputError(fmt::format("{}: was written by brinell {}, this is {}; resume with that program, or run without "
+                                 "--resume",
+                                 path.string(), written_by, program()));
   Checkpoint checkpoint{h5::read_int_attribute(file, "step"), {}};
   for (const std::string& name : h5::names(file))
     checkpoint.fields[name] = h5::read_numbers(file, name);

@@ -140,7 +140,11 @@ void ResultFile::read_index(int finished_steps)
   std::ifstream stream(m_folder / pieces_folder / index_file);
   if (!stream) // no step has been stored yet
     return;
-  for (const Json& piece : Json::parse(stream))
+  const Json index = Json::parse(stream, nullptr, false);
+  if (index.is_discarded())
+    throw IoError(
+        fmt::format("{}: is damaged; run without --resume", (m_folder / pieces_folder / index_file).string()));
+  for (const Json& piece : index)
     if (piece["time"].get<double>() < finished_steps && piece["file"] != "final.h5")
       m_pieces.push_back({piece["file"], piece["group"], piece["time"], grids(piece["contact"]), grids(piece["lower"]),
                           grids(piece["upper"])});

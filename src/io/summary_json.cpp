@@ -221,6 +221,8 @@ std::string summary_text(const Case& c, const TuggingPlan& plan, const TuggingSu
 {
   Json json = head_json(c);
   json["geometry"] = tugging_geometry_json(c, plan);
+  if (const auto& load = std::get<simulation::TuggingCase>(c.scenario).load)
+    json["drive"] = {{"load_N", *load}};
   json["normalised"] = normalised_json(c, s);
   json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
   json["forces"] = forces_json(s);

@@ -22,7 +22,7 @@ using contact::Drive;
 
 constexpr double pi = std::numbers::pi;
 
-/// Flow stress over yield stress of the first load, as mean pressure of a fully plastic contact (Tabor 1951).
+/// Mean pressure of a fully plastic contact over the flow stress (Tabor 1951).
 constexpr double constraint_factor = 2.8;
 /// Strain at which a contact's mean pressure reads the flow stress.
 constexpr double representative_strain = 0.02;

@@ -97,8 +97,7 @@ private:
   /// An imposed approach begins and ends where the surfaces touch, dents and bumps included.
   [[nodiscard]] Drive drive(double share) const
   {
-    const double zero = case_.drive.kind == Drive::Kind::load ? 0.0 : touch_;
-    return {case_.drive.kind, zero + (case_.drive.value - zero) * share};
+    return {case_.drive.kind, touch_ + (case_.drive.value - touch_) * share};
   }
 
   void step()
@@ -112,10 +111,10 @@ private:
       last_.x = start_;
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
-      touch_ = std::min(stepper_.clearance(before), case_.drive.value);
+      touch_ = case_.drive.kind == Drive::Kind::load ? 0.0 : std::min(stepper_.clearance(before), case_.drive.value);
     const Moment to = moment(step_in_pass_ + 1);
     if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
-      touch_ = std::min(touch_, stepper_.clearance(frame(to.x)));
+      touch_ = case_.drive.kind == Drive::Kind::load ? 0.0 : std::min(touch_, stepper_.clearance(frame(to.x)));
     const auto path = [&](double t)
     {
       const Moment m = moment(step_in_pass_ + t);
@@ -170,7 +169,7 @@ private:
   RollingRecord last_;
   std::vector<RollingPass> passes_;
   double largest_work_ = 0.0;
-  double touch_ = 0.0; ///< approach at which the surfaces touch where the drive comes up or goes down [m]
+  double touch_ = 0.0; ///< where an imposed approach comes from and goes back to: the surfaces touch [m]
   long iterations_ = 0;
   int steps_ = 0, pass_ = 0, step_in_pass_ = 0;
 };
@@ -193,6 +192,10 @@ RollingPlan plan(const RollingCase& rolling)
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;
   plan.shift = rolling.shift.value_or(cell_sizes(rolling, f)[0]);
+  if (!(plan.shift <= 0.5 * rolling.distance))
+    throw InputError(
+        fmt::format("rolling.shift = {:g} m is too long for rolling.distance = {:g} m; allowed: up to half of it",
+                    plan.shift, rolling.distance));
   // An even number, so that the middle of the track is reached.
   plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift)));
   const double track = 0.5 * plan.rolling_steps * plan.shift;

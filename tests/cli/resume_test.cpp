@@ -22,6 +22,11 @@ material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
 resolution = 3
 )";
 
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+  return text.replace(text.find(what), what.size(), by);
+}
+
 std::string scenario_case(const std::string& scenario)
 {
   if (scenario == "indentation")
@@ -30,9 +35,15 @@ std::string scenario_case(const std::string& scenario)
   if (scenario == "rolling")
     return "scenario = \"rolling\"\n[rolling]\nload = \"20 N\"\ndistance = \"0.3 mm\"\npasses = 2\nload_steps = 3\n" +
            std::string(bodies);
-  std::string text = "scenario = \"tugging\"\n[tugging]\ninterference = 4\npasses = 2\n" + std::string(bodies);
-  const std::string flat = "type = \"flat\"";
-  return text.replace(text.find(flat), flat.size(), "type = \"sphere\", radius = \"1 mm\"");
+  if (scenario == "sliding") // both bodies, each by its own shift, over a dent, by approach
+    return replaced(
+        "scenario = \"rolling\"\n[rolling]\napproach = \"1 um\"\ndistance = \"0.3 mm\"\nslide_to_roll = 0.3\n"
+        "load_steps = 3\n" +
+            std::string(bodies),
+        "{type = \"flat\"}", "{type = \"flat\"}\ntexture = {type = \"dent\", depth = \"0.5 um\", radius = \"0.1 mm\"}");
+  const std::string drive = scenario == "loaded" ? "load = 8" : "interference = 4";
+  const std::string text = "scenario = \"tugging\"\n[tugging]\n" + drive + "\npasses = 2\n" + std::string(bodies);
+  return replaced(text, "type = \"flat\"", "type = \"sphere\", radius = \"1 mm\"");
 }
 
 class Resume : public Program, public testing::WithParamInterface<const char*>
@@ -127,7 +138,7 @@ TEST_P(Resume, OnlyTheSameCaseThatIsNotComplete)
   EXPECT_NE(again.err.find("complete"), std::string::npos) << again.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, Resume, testing::Values("tugging", "indentation", "rolling"),
+INSTANTIATE_TEST_SUITE_P(Scenarios, Resume, testing::Values("tugging", "loaded", "indentation", "rolling", "sliding"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 } // namespace

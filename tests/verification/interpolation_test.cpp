@@ -18,8 +18,7 @@ namespace
 using simulation::RollingCase;
 using simulation::TuggingCase;
 
-/// Two elastic-plastic bodies in pure rolling with a third of a cell as shift: the columns of the upper body fall on those
-/// of the lower one (`offset` 0), or beside them by a part of a cell all the time. Physically the same.
+/// Two elastic-plastic bodies, both solved, rolling with some sliding.
 simulation::RollingSummary rolled(double cells, double slide_to_roll)
 {
   RollingCase c = ball_on_flat(track_steel(10e9), 4e9, 0.8e-3);
@@ -30,7 +29,7 @@ simulation::RollingSummary rolled(double cells, double slide_to_roll)
   return computed(c).summary;
 }
 
-TEST(InterpolatedShift, IsOfTheMeshsOwnOrder)
+TEST(InterpolatedShift, StaysBelowTheErrorOfTheMesh)
 {
   // A slide-to-roll ratio of one millionth changes nothing physically, but puts the columns of the two bodies beside each
   // other by a growing, tiny fraction: the interpolation is at work in every step, with an error of rounding only.
@@ -70,8 +69,8 @@ TEST(InterpolatedShift, IsOfTheMeshsOwnOrder)
       // Steps fall on other places of the motion, so that peaks and ends differ in the second order of the mesh as well.
       const double allowed = 0.15 / (cells * cells);
       test::expect_close("net work" + label, work, 0.0, allowed,
-                         "theory: interpolation of order 4, sampling of order 2");
-      test::expect_close("dent" + label, dent, 0.0, allowed, "theory: interpolation of order 4, sampling of order 2");
+                         "bound: sampling of the motion, second order in the mesh");
+      test::expect_close("dent" + label, dent, 0.0, allowed, "bound: sampling of the motion, second order in the mesh");
       test::expect_close("energy balance" + label, between.energy_balance_error, whole.energy_balance_error,
                          2.0 * allowed, "exact: the pressure is carried back by the transpose");
     }

@@ -30,21 +30,24 @@ TEST(LoadedTugging, ElasticSpheresGiveEverythingBack)
   const TuggingRun run = computed(under_load(elastic_material(), 10.0, 6.0));
   double approach_error = 0.0;
   double force_error = 0.0;
+  std::size_t full = 0;
   for (const simulation::TuggingRecord& r : run.history)
     if (r.F_n > 0.999 * 10.0 * critical().load)
     {
+      ++full;
       const double hertz = reference::point_contact_at_load(0.5, contact_modulus(elastic, elastic), r.F_n).approach;
       approach_error = std::max(approach_error, std::abs(r.interference / hertz - 1.0));
       force_error = std::max(force_error, std::abs(r.F_X + r.F_n * std::sin(r.theta)) / r.F_n);
     }
+  EXPECT_GE(full, run.history.size() * 3 / 4 - 2) << "the load comes up and goes down in an eighth of the pass each";
   test::expect_close("approach / Hertz' - 1 while the load is full", approach_error, 0.0, 0.25 * std::pow(6.0, -1.5),
                      "analytic: Hertz (1882); edge error of the mesh");
   test::expect_close("F_X + F_n sin(theta), over F_n", force_error, 0.0, 1e-12, "exact: no residual surface");
   const double largest = std::max_element(run.history.begin(), run.history.end(),
                                           [](const auto& a, const auto& b) { return a.work < b.work; })
                              ->work;
-  test::expect_close("net work over the largest", run.summary.work / largest, 0.0, 0.01,
-                     "exact: elastic; trapezoidal rule where the load comes up and goes down");
+  test::expect_close("net work over the largest", run.summary.work / largest, 0.0, 1e-6,
+                     "exact: elastic, and the same steps up and down");
 }
 
 TEST(LoadedTugging, EnergyBalances)
@@ -58,9 +61,10 @@ TEST(LoadedTugging, EnergyBalances)
     errors.push_back(run.summary.energy_balance_error);
     test::expect_close("energy balance, " + std::to_string(std::lround(cells)) + " cells per radius", errors.back(),
                        0.0, 0.5 / (cells * cells), "exact: conservation of energy");
-    for (const simulation::TuggingRecord& r : run.history)
-      EXPECT_LE(r.F_n, 10.0 * critical().load * (1.0 + 1e-9));
   }
+  if (errors.size() == 2)
+    test::expect_within("energy balance, 3 cells / 6 cells", errors[0] / errors[1], 2.0, 8.0,
+                        "theory: second order in the mesh and the shift, at least first");
 }
 
 } // namespace

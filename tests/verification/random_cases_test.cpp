@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "brinell/reference/hertz.hpp"
 #include "random_field.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
@@ -110,8 +111,12 @@ TuggingCase random_tugging(Draw& draw)
   t.interference = std::min(
       draw.power_of_ten(-0.3, 1.3) * first_yield(t.lower.material, t.upper.material, radius).interference, 0.02 * R);
   randomise_solver(draw, t);
+  if (draw.chance(0.25)) // about as far, by load
+    t.load = reference::point_contact_at_approach(
+                 radius, contact_modulus(t.lower.material.elastic, t.upper.material.elastic), t.interference)
+                 .load;
   t.passes = 1 + draw.below(2);
-  t.kinematics = draw.chance(0.5) ? simulation::Kinematics::exact : simulation::Kinematics::paper;
+  t.kinematics = draw.chance(0.5) || t.load ? simulation::Kinematics::exact : simulation::Kinematics::paper;
   // Whole and half cells, and what lies between them.
   const double cells = draw.chance(0.7) ? 0.5 * (1 + draw.below(4)) : draw.between(0.4, 2.0);
   t.shift = cells * simulation::plan(t).contact.dx;

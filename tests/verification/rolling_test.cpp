@@ -124,7 +124,7 @@ TEST(Rolling, ShakesDownBelowTheLimitOnly)
   test::expect_within("p0 / k = 6.0: growth of strain in pass 6", p[5].track_plastic_increment, 1e-3, 1e-1,
                       "literature: continuing strain above 4.7 (Johnson 1985)");
   test::expect_within("p0 / k = 6.0: largest pressure over k in pass 6", p[5].max_pressure / k, 4.2, 4.9,
-                      "literature: the limit of 4.7, here with the pressure in the rut");
+                      "bound: near the published limit of 4.7, with the pressure in the rut");
 }
 
 TEST(Rolling, DoublingIsTwoBodies)
@@ -231,7 +231,7 @@ TEST(Rolling, SlidingCarriesEachBodyByItsOwnShift)
   const RollingRun both = computed(c);
   // The track on the upper body is half as long: strain is spread over less material.
   test::expect_within("dissipation of the upper body over that of the lower",
-                      both.summary.dissipation_upper / both.summary.dissipation_lower, 0.4, 0.95,
+                      both.summary.dissipation_upper / both.summary.dissipation_lower, 0.5, 1.0,
                       "bound: between half of it and all of it");
   test::expect_close("energy balance", both.summary.energy_balance_error, 0.0, 0.5 / 9.0,
                      "exact: conservation of energy; second order in cell and shift");
@@ -261,7 +261,8 @@ TEST(Rolling, ADentIsFlattenedAndRaisesThePressure)
   const double x = body.x0 + largest % s.nx * s.dx;
   const double y = body.y0 + largest / s.nx % s.ny * s.dy;
   test::expect_within("largest plastic strain: distance from the dent's centre over its radius",
-                      std::hypot(x, y) / (0.8 * a), 0.2, 0.6, "trend: under the shoulder, which is at 0.3 to 0.5");
+                      std::hypot(x, y) / (0.8 * a), 0.25, 0.5,
+                      "trend: under the shoulder, from its foot at a quarter of the radius outwards");
   test::expect_within("largest plastic strain: depth over a", depth / a, 0.0, 0.35,
                       "trend: closer to the surface than Hertz' 0.48");
   test::expect_within("dissipation in pass 2 / pass 1",

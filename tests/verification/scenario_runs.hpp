@@ -57,8 +57,7 @@ inline simulation::Paraboloid ball(double radius)
   return {radius, radius};
 }
 
-/// Two spheres of 1 m of one material, pressed and lifted off; with `both` false the upper one is rigid and flat, so that
-/// the ratios to first yield stay the same.
+/// Two spheres of 1 m of one material, pressed by the sequence.
 inline simulation::IndentationCase pressed_spheres(const constitutive::Material& material,
                                                    std::vector<contact::Drive> sequence)
 {

@@ -52,7 +52,7 @@ struct Indent
   double max_approach = 0.0;        ///< at that load [m]
   double contact_area = 0.0;        ///< projected, at that load [m^2]
   double hardness = 0.0;            ///< max_load / contact_area [Pa]
-  double loading_stiffness = 0.0;   ///< dF/d approach, arriving at the largest load [N/m]
+  double loading_stiffness = 0.0;   ///< dF/d approach, arriving at the largest load (the last time) [N/m]
   double unloading_stiffness = 0.0; ///< leaving it [N/m]; 0 without unloading
   double final_approach = 0.0;      ///< at which the contact opens [m]; NaN if it does not
   double residual_depth = 0.0;      ///< largest residual displacement of the lower body then [m]

@@ -7,7 +7,7 @@
 #include <optional>
 
 /// The tugging of two spherical asperities: the upper one is carried along X past the lower one at a constant height, so
-/// that they interfere and push each other (Boucly, Nelias, Green 2006).
+/// that they interfere and push each other (Boucly, Nelias, Green 2006), or under a constant normal force.
 namespace brinell::simulation
 {
 
