@@ -53,9 +53,10 @@ double largest(const std::vector<double>& values)
 } // namespace
 
 Lattice::Lattice(const Plan& plan, double arc_lower, double arc_upper)
-    : dx_(plan.contact.dx), half_((plan.contact.nx - 1) / 2),
-      lower_origin_(-dx_ * static_cast<double>((plan.lower.surface.nx - 1) / 2)), upper_origin_(0.0)
+    : dx_(plan.contact.dx), half_((plan.contact.nx - 1) / 2), lower_origin_(0.0), upper_origin_(0.0)
 {
+  const int lower_zero = (plan.lower.surface.nx - 1) / 2;
+  lower_origin_ = -lower_zero * dx_;
   // Local x' of the contact's column 0, as a coordinate of the upper body, is to fall on one of its columns.
   const double upper = static_cast<double>(centre_column(arc_lower) - half_) * dx_ - arc_lower + arc_upper;
   const int upper_zero = (plan.upper.surface.nx - 1) / 2;
