@@ -2,11 +2,9 @@
 #include "brinell/foundation/error.hpp"
 #include "case_material.hpp"
 #include "case_reader.hpp"
+#include "number_lines.hpp"
 
-#include <fstream>
-#include <limits>
 #include <numbers>
-#include <sstream>
 
 namespace brinell::io
 {
@@ -38,32 +36,18 @@ simulation::Shape shape(const CaseReader& reader, const std::string& body)
   return simulation::Plane{};
 }
 
-/// Heights in m, a line per row; empty lines and lines that begin with # are skipped.
+/// Heights in m, a line per row.
 simulation::HeightMap heights(const std::filesystem::path& file)
 {
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError(fmt::format("cannot be opened: no file {}, or not readable", file.string()));
   simulation::HeightMap map;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number)
+  for (const NumberLine& line : number_lines(file))
   {
-    const auto first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#')
-      continue;
-    for (char& c : line)
-      if (c == ',' || c == ';' || c == '\t' || c == '\r')
-        c = ' ';
-    std::istringstream numbers(line);
-    const std::size_t before = map.heights.size();
-    for (double height = 0.0; numbers >> height;)
-      map.heights.push_back(height);
-    const auto count = static_cast<int>(map.heights.size() - before);
-    if (!numbers.eof() || count == 0 || (map.ny > 0 && count != map.nx))
-      throw InputError(fmt::format("has in line {} \"{}\"; allowed: {} heights in m", number, line.substr(0, 40),
-                                   map.ny > 0 ? std::to_string(map.nx) : "one or more"));
-    map.nx = count;
+    if (!line.values || (map.ny > 0 && static_cast<int>(line.values->size()) != map.nx))
+      throw InputError(fmt::format("has in line {} \"{}\"; allowed: {} heights in m", line.number,
+                                   line.text.substr(0, 40), map.ny > 0 ? std::to_string(map.nx) : "one or more"));
+    map.nx = static_cast<int>(line.values->size());
     ++map.ny;
+    map.heights.insert(map.heights.end(), line.values->begin(), line.values->end());
   }
   if (map.ny == 0)
     throw InputError("has no heights");

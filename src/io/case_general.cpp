@@ -34,6 +34,11 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   warn_of_material("upper", upper.material, c);
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
+  if (!simulation::contact_is_finite(lower.shape, upper.shape))
+    reader.add("upper.shape.type",
+               "on this lower body touches neither in a point nor in a line of finite length; allowed: "
+               "a sum of curvatures > 0 along x and y, a tip, or a cylinder of finite length on a flat "
+               "or on another cylinder");
   std::optional<double> radius;
   if (const auto k = simulation::relative_curvature(lower.shape, upper.shape); k && (*k)[0] > 0.0)
     if (std::abs((*k)[0] - (*k)[1]) < 1e-12 * (*k)[0])
@@ -115,24 +120,24 @@ Drive rolling_drive(const CaseReader& reader, const Case& c, const simulation::R
   return {given[0] == "rolling.load" ? Drive::Kind::load : Drive::Kind::approach, reader.get<double>(given[0])};
 }
 
-/// Shapes that cannot touch, and grids beyond all measure, are told apart by the plan.
+/// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`.
 template <typename ScenarioCase>
-auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenario)
+auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenario, const std::string& key)
 {
+  std::optional<decltype(simulation::plan(scenario))> plan;
   try
   {
-    return std::optional(simulation::plan(scenario));
+    plan = simulation::plan(scenario);
   }
   catch (const GridError& error)
   {
     reader.problems.add(c.grid_source, error.what());
-    return std::optional<decltype(simulation::plan(scenario))>();
   }
   catch (const InputError& error)
   {
-    reader.problems.add(reader.raw.file, error.what());
-    return std::optional<decltype(simulation::plan(scenario))>();
+    reader.add(key, fmt::format("does not fit: {}", error.what()));
   }
+  return plan;
 }
 
 } // namespace
@@ -147,7 +152,7 @@ void read_indentation(const CaseReader& reader, Case& c)
   i.cycles = reader.integer("indentation.cycles");
   i.places = reader.get<std::vector<double>>("indentation.places");
   if (reader.problems.empty())
-    if (const auto plan = planned(reader, c, i))
+    if (const auto plan = planned(reader, c, i, "indentation.steps"))
       warn_of_size(plan->contact_radius, std::min(smallest_radius(i.lower), smallest_radius(i.upper)), c);
   c.scenario = i;
 }
@@ -165,7 +170,7 @@ void read_rolling(const CaseReader& reader, Case& c)
   r.passes = reader.integer("rolling.passes");
   r.load_steps = reader.integer("rolling.load_steps");
   if (reader.problems.empty())
-    if (const auto plan = planned(reader, c, r))
+    if (const auto plan = planned(reader, c, r, "rolling.distance"))
       warn_of_size(plan->half_width_x, std::min(smallest_radius(r.lower), smallest_radius(r.upper)), c);
   c.scenario = r;
 }

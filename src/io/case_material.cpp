@@ -2,15 +2,13 @@
 #include "case_material.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "number_lines.hpp"
 #include "value_text.hpp"
 
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <limits>
-#include <optional>
-#include <sstream>
 
 namespace brinell::io
 {
@@ -25,42 +23,21 @@ std::string place_of(const RawCase& raw, const std::string& key)
   return given ? given->place : raw.place_for(key);
 }
 
-/// The numbers of a line "0.001, 930e6"; empty if they are not numbers.
-std::optional<std::array<double, 2>> numbers_of(std::string line)
-{
-  for (char& c : line)
-    if (c == ',' || c == ';' || c == '\t')
-      c = ' ';
-  std::istringstream stream(line);
-  std::array<double, 2> x{};
-  std::string rest;
-  if (stream >> x[0] >> x[1] && !(stream >> rest))
-    return x;
-  return std::nullopt;
-}
-
-/// Columns plastic strain [-] and stress [Pa]; empty lines, lines that begin with #, and one line of titles are skipped.
+/// Columns plastic strain [-] and stress [Pa]; one line of titles may come first.
 void read_points(const std::filesystem::path& file, std::vector<double>& strain, std::vector<double>& stress)
 {
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError(fmt::format("cannot be opened: no file {}, or not readable", file.string()));
-  std::string line;
   bool may_be_titles = true;
-  for (int number = 1; std::getline(stream, line); ++number)
+  for (const NumberLine& line : number_lines(file))
   {
-    const auto first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#')
-      continue;
-    if (const auto point = numbers_of(line))
+    if (line.values && line.values->size() == 2)
     {
-      strain.push_back((*point)[0]);
-      stress.push_back((*point)[1]);
+      strain.push_back((*line.values)[0]);
+      stress.push_back((*line.values)[1]);
     }
-    else if (!may_be_titles)
+    else if (line.values || !may_be_titles)
       throw InputError(fmt::format("has in line {} \"{}\"; allowed: plastic strain and stress in Pa, as in "
                                    "\"0.002, 930e6\"",
-                                   number, line.substr(0, 40)));
+                                   line.number, line.text.substr(0, 40)));
     may_be_titles = false;
   }
 }

@@ -170,7 +170,7 @@ void ResultFile::require_space() const
 void ResultFile::write_result(bool linked) const
 {
   const fs::path path = m_folder / file_name;
-  h5::Handle file = h5::create_file(part_of(path));
+  h5::Handle file = linked ? h5::create_file_in_memory() : h5::create_file(part_of(path));
   const Versions versions = library_versions();
   h5::write_attribute(file, "format", "brinell-result");
   h5::write_attribute(file, "format_version", format_version);
@@ -192,6 +192,8 @@ void ResultFile::write_result(bool linked) const
         h5::copy_group(h5::open_file(m_folder / piece_path), piece_group, file, piece.group);
     }
   }
+  if (linked)
+    return h5::save_file(std::move(file), path);
   h5::close_file(std::move(file));
   rename_file(part_of(path), path);
 }

@@ -99,7 +99,7 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
   return f;
 }
 
-/// A cylinder of finite length; its approach as that of a rigid flat strip's (Johnson 1985, section 5.6) at the load.
+/// A cylinder of finite length; its approach grows with the logarithm of length over width.
 Footprint of_roller(const Pair& pair, double radius, double length, const Drive& drive)
 {
   const auto half_width = [&](double load) { return std::sqrt(4.0 * load * radius / (pi * length * pair.modulus)); };
@@ -130,8 +130,8 @@ Footprint of_roller(const Pair& pair, double radius, double length, const Drive&
 }
 
 /// A cone or a pyramid of that slope, or the ball at its tip, whichever makes the larger contact.
-/// @param reach_x, reach_y  half-widths of the contact over the radius of the circle with its area.
-Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach_x, double reach_y, const Drive& drive)
+/// @param reach  half-width of the contact over the radius of the circle with its area.
+Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach, const Drive& drive)
 {
   const double elastic_mean = 0.5 * pair.modulus * slope; // Sneddon
   const double share = elastic_mean / (constraint_factor * pair.flow_stress);
@@ -151,8 +151,7 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
     f.approach = std::max(f.approach, ball.approach);
     f.first_yield_approach = ball.first_yield_approach;
   }
-  f.half_x = reach_x * a;
-  f.half_y = reach_y * a;
+  f.half_x = f.half_y = reach * a;
   f.plastic_reach = plastic_reach(pair, a, slope);
   return f;
 }
@@ -162,26 +161,20 @@ Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, co
   for (const Shape* shape : {&lower, &upper}) // beside a tip the other surface is flat
   {
     if (const auto* cone = std::get_if<Cone>(shape))
-      return of_tip(pair, 1.0 / std::tan(cone->half_angle), cone->tip_radius, 1.0, 1.0, drive);
+      return of_tip(pair, 1.0 / std::tan(cone->half_angle), cone->tip_radius, 1.0, drive);
     if (const auto* pyramid = std::get_if<Pyramid>(shape))
     {
       const double n = pyramid->faces;
-      const double corner = std::sqrt(pi / (0.5 * n * std::sin(2.0 * pi / n))); // of the polygon with the area pi
-      const bool even = pyramid->faces % 4 == 0;
-      return of_tip(pair, 1.0 / std::tan(pyramid->face_angle), pyramid->tip_radius,
-                    even ? corner * std::cos(pi / n) : corner, even ? corner * std::cos(pi / n) : corner, drive);
+      const double corner = std::sqrt(pi / (0.5 * n * std::sin(2.0 * pi / n)));      // of the polygon with the area pi
+      const double reach = pyramid->faces == 4 ? corner * std::cos(pi / n) : corner; // four faces look along x and y
+      return of_tip(pair, 1.0 / std::tan(pyramid->face_angle), pyramid->tip_radius, reach, drive);
     }
   }
+  if (!contact_is_finite(lower, upper))
+    throw InputError("the bodies touch neither in a point nor in a line of finite length");
   const auto [along_x, along_y] = relative_curvature(lower, upper).value();
-  const double length = roller_length(lower, upper);
-  if (std::isfinite(length) && along_x > 0.0 && along_y == 0.0)
-    return of_roller(pair, 1.0 / along_x, length, drive);
-  if (!(along_x > 0.0) || !(along_y > 0.0))
-    throw InputError(fmt::format(
-        "the bodies do not touch in a point: the sum of their curvatures is {:.4g} 1/m along x and {:.4g} 1/m along y; "
-        "allowed: both > 0, or a roller of finite length on a plane or another roller",
-        along_x, along_y));
-  return of_paraboloids(pair, 1.0 / along_x, 1.0 / along_y, drive);
+  return along_y == 0.0 ? of_roller(pair, 1.0 / along_x, roller_length(lower, upper), drive)
+                        : of_paraboloids(pair, 1.0 / along_x, 1.0 / along_y, drive);
 }
 
 /// Real padded planes of all layers [bytes].

@@ -88,7 +88,8 @@ private:
     const double roll = plan_.rolling_steps;
     const double rolled = std::clamp(steps - press, 0.0, roll);
     const double lifted = std::max(0.0, steps - press - roll) / press;
-    return {start_ + rolled * plan_.shift, std::min(steps / press, 1.0) - lifted};
+    return {(rolled - 0.5 * roll) * plan_.shift, // exactly 0 in the middle
+            std::min(steps / press, 1.0) - lifted};
   }
   [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
   [[nodiscard]] Frame frame(double x) const { return lattice_.frame(x, share_ * x); }
@@ -194,8 +195,7 @@ RollingPlan plan(const RollingCase& rolling)
   plan.shift = rolling.shift.value_or(cell_sizes(rolling, f)[0]);
   if (!(plan.shift <= 0.5 * rolling.distance))
     throw InputError(
-        fmt::format("rolling.shift = {:g} m is too long for rolling.distance = {:g} m; allowed: up to half of it",
-                    plan.shift, rolling.distance));
+        fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
   // An even number, so that the middle of the track is reached.
   plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift)));
   const double track = 0.5 * plan.rolling_steps * plan.shift;

@@ -135,6 +135,15 @@ std::optional<std::array<double, 2>> relative_curvature(const Shape& lower, cons
   return std::array{(*a)[0] + (*b)[0], (*a)[1] + (*b)[1]};
 }
 
+bool contact_is_finite(const Shape& lower, const Shape& upper)
+{
+  const auto k = relative_curvature(lower, upper);
+  if (!k) // a tip
+    return true;
+  const bool ends = (*k)[1] == 0.0 && std::isfinite(roller_length(lower, upper));
+  return (*k)[0] > 0.0 && ((*k)[1] > 0.0 || ends);
+}
+
 double roller_length(const Shape& lower, const Shape& upper)
 {
   double length = std::numeric_limits<double>::infinity();

@@ -253,11 +253,17 @@ TEST(Indentation, OneLargeStepConverges)
   c.steps = 1;
   c.resolution = 4.0;
   const IndentationRun large = computed(c);
+  c.steps = 4;
+  const IndentationRun medium = computed(c);
   c.steps = 16;
   const IndentationRun small = computed(c);
   test::expect_close("load after one step / after sixteen",
                      large.summary.indents[0].max_load / small.summary.indents[0].max_load, 1.0, 0.08,
                      "recorded: 4 % between them");
+  const auto error = [&](const IndentationRun& run)
+  { return std::abs(run.summary.indents[0].max_load / small.summary.indents[0].max_load - 1.0); };
+  test::expect_within("error of the load, four steps / one step", error(medium) / error(large), 0.0, 0.25,
+                      "theory: order 2 in the step, 1/16; at least 1");
   test::expect_within("evaluations of the two steps", static_cast<double>(large.summary.iterations), 2.0, 120.0,
                       "bound: one attempt each at most");
   EXPECT_EQ(large.summary.split_increments, 0);

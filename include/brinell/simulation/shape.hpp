@@ -59,6 +59,8 @@ using Shape = std::variant<Plane, Paraboloid, Roller, Cone, Pyramid>;
 [[nodiscard]] std::optional<std::array<double, 2>> curvature(const Shape& shape);
 /// Sum of those of two bodies.
 [[nodiscard]] std::optional<std::array<double, 2>> relative_curvature(const Shape& lower, const Shape& upper);
+/// Whether the bodies touch in a point, or in a line that a roller ends, so that their contact is finite.
+[[nodiscard]] bool contact_is_finite(const Shape& lower, const Shape& upper);
 /// Length of the shorter roller; infinite without one [m].
 [[nodiscard]] double roller_length(const Shape& lower, const Shape& upper);
 
