@@ -14,7 +14,6 @@ CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=
 
 python := .venv/bin/python
 results := results/tugging-paper
-pytest_folders = $(wildcard python/tests tests/python)
 
 .PHONY: build test run setup format check tidy sanitize bench clean force
 
@@ -25,8 +24,10 @@ build/.setup-packages: tools/setup.sh
 	@tools/setup.sh packages
 	@mkdir -p build && touch $@
 
-.venv/.setup-done: tools/setup.sh $(wildcard python/pyproject.toml) | build/.setup-packages
-	@tools/setup.sh python
+python_sources = pyproject.toml VERSION CMakeLists.txt $(shell find include src apps python/bindings -type f)
+
+.venv/.setup-done: tools/setup.sh $(python_sources) | build/.setup-packages
+	@mkdir -p build && flock build tools/setup.sh python
 	@touch $@
 
 # --- Build: configured once per preset, later by Ninja itself. The lock keeps two makes out of one build tree. --------
@@ -41,7 +42,7 @@ build: build/release/build.ninja
 test: build .venv/.setup-done
 	@status=0; \
 	ctest --preset release --parallel $(JOBS) || status=1; \
-	$(if $(pytest_folders),$(python) -m pytest $(pytest_folders) || status=1;) \
+	$(python) -m pytest || status=1; \
 	exit $$status
 
 # --- The paper's case -------------------------------------------------------------------------------------------------
@@ -58,7 +59,7 @@ run: build .venv/.setup-done
 	@echo "Figures: $(results)/figures/*.png"
 
 # --- Quality ----------------------------------------------------------------------------------------------------------
-cxx_files = $(shell find $(wildcard include src apps tests bench) -name '*.[ch]pp')
+cxx_files = $(shell find include src apps tests bench python/bindings -name '*.[ch]pp')
 
 format: build/.setup-packages
 	clang-format -i $(cxx_files)

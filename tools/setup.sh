@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 
 build_packages=(build-essential cmake ninja-build pkg-config git clang-format
   libfftw3-dev libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
-  libgtest-dev libbenchmark-dev python3 python3-venv)
+  libgtest-dev libbenchmark-dev python3 python3-dev python3-venv)
 tidy_packages=(clang-tidy clang-tools libomp-dev)
 
 fail() { echo "setup: $*" >&2; exit 1; }
@@ -27,15 +27,18 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# The virtual environment .venv: the plotting package with numpy, h5py, matplotlib; pytest. Versions: python/pyproject.toml.
+# The virtual environment .venv: the Python package with what its tests need; versions in pyproject.toml. The Python files are
+# used where they are, the extension is built in build/python.
 make_venv() {
   local python=/usr/bin/python3
   [[ -x $python ]] || python=$(command -v python3) || fail "no python3"
   [[ -x .venv/bin/pip ]] || "$python" -m venv --clear .venv || fail "cannot make .venv with $python"
-  [[ -f python/pyproject.toml ]] || fail "python/pyproject.toml is missing"
-  .venv/bin/pip install --quiet --disable-pip-version-check -e "./python[test]" ||
-    fail "pip could not install ./python[test] into .venv (see above). It needs the Python package index or a mirror
-       set in pip's own configuration; then say 'make setup' again."
+  local pip=(.venv/bin/pip install --quiet --disable-pip-version-check)
+  local mirror="It needs the Python package index or a mirror set in pip's own configuration; then say 'make setup' again."
+  # The tools of the build stay in .venv, so that CMake finds them at the same place the next time and builds only what changed.
+  "${pip[@]}" 'scikit-build-core>=0.11' 'nanobind>=2.7' 'ninja>=1.11' || fail "pip could not install the build tools. $mirror"
+  "${pip[@]}" --no-build-isolation --config-settings=build-dir=build/python --config-settings=editable.mode=redirect \
+    -e ".[test]" || fail "pip could not install the package into .venv (see above). $mirror"
 }
 
 case "${1:-}" in

@@ -13,15 +13,15 @@ inline constexpr int exit_ok = 0;
 inline constexpr int exit_failure = 1; ///< no convergence, a file that cannot be written, a bug
 inline constexpr int exit_input = 2;   ///< command line or case file
 
-struct CaseOptions
+struct CaseArguments
 {
   std::string file;
   std::vector<std::string> overrides; ///< "key=value"
 };
 
-struct RunOptions
+struct RunArguments
 {
-  CaseOptions input;
+  CaseArguments input;
   std::string directory; ///< empty: from the case, or results/<name>
   int threads = 0;       ///< 0: as OpenMP decides
   bool quiet = false;
@@ -29,8 +29,8 @@ struct RunOptions
 };
 
 /// Each returns the exit code and throws the errors of brinell.
-[[nodiscard]] int run_command(const RunOptions& options);
-[[nodiscard]] int check_command(const CaseOptions& options);
+[[nodiscard]] int run_command(const RunArguments& arguments);
+[[nodiscard]] int check_command(const CaseArguments& arguments);
 [[nodiscard]] int schema_command(bool markdown);
 
 } // namespace brinell::app

@@ -18,7 +18,12 @@ void note(int number)
 
 } // namespace
 
-InterruptGuard::InterruptGuard() : m_interrupt(std::signal(SIGINT, note)), m_terminate(std::signal(SIGTERM, note)) {}
+InterruptGuard::InterruptGuard()
+{
+  noted_signal = 0;
+  m_interrupt = std::signal(SIGINT, note);
+  m_terminate = std::signal(SIGTERM, note);
+}
 
 InterruptGuard::~InterruptGuard()
 {

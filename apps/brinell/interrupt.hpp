@@ -20,13 +20,7 @@ public:
 
 private:
   using Handler = void (*)(int);
-  Handler m_interrupt, m_terminate; ///< what was there before
-};
-
-/// Thrown between two steps to leave a run.
-struct Interrupted
-{
-  int signal = SIGINT;
+  Handler m_interrupt = SIG_DFL, m_terminate = SIG_DFL; ///< what was there before
 };
 
 } // namespace brinell::app

@@ -1,16 +1,36 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """brinell: contact of elastic-plastic bodies by the semi-analytical method.
 
-This package reads the results of the program (`brinell.results`) and draws them (`brinell.plot`).
+    import brinell
+
+    run = brinell.Case.from_file("cases/tugging/case.toml").run(progress=True)
+    run.history["F_X"]
 """
 
-from importlib.metadata import PackageNotFoundError, version
+import os
+from importlib.metadata import version
 
+# Threads that wait for each other actively make a run several times slower as soon as another program needs a core.
+# OpenMP reads this when the extension is loaded.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+
+from brinell.case import Case, CaseWarning
+from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
 from brinell.results import Run, RunError, open_run
 
-try:
-    __version__ = version("brinell")
-except PackageNotFoundError:  # used from the source tree without installation
-    __version__ = "unknown"
+__version__ = version("brinell")
 
-__all__ = ["Run", "RunError", "__version__", "open_run"]
+__all__ = [
+    "BrinellError",
+    "Case",
+    "CaseWarning",
+    "ConvergenceError",
+    "GridError",
+    "InputError",
+    "InternalError",
+    "IoError",
+    "Run",
+    "RunError",
+    "__version__",
+    "open_run",
+]

@@ -286,6 +286,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   std::vector<double> last_upper;
   for (report.evaluations = 1;; ++report.evaluations)
   {
+    if (strategy.wants_stop && strategy.wants_stop())
+      throw Interrupted();
     last_lower.assign(lower_.residual_displacement().begin(), lower_.residual_displacement().end());
     last_upper.assign(upper_.residual_displacement().begin(), upper_.residual_displacement().end());
     lower_.integrate(strategy.integration);

@@ -44,7 +44,8 @@ public:
                          { return height(indentation.lower.shape, x, y) + height(indentation.upper.shape, x, y); },
                          indentation.solver,
                          {textured(indentation.lower.texture, plan_.lower.surface, lattice_.lower_origin()),
-                          textured(indentation.upper.texture, plan_.upper.surface, lattice_.upper_origin())}})
+                          textured(indentation.upper.texture, plan_.upper.surface, lattice_.upper_origin())},
+                         observer.wants_stop})
   {
   }
 

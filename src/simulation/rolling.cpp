@@ -38,7 +38,8 @@ public:
                          { return height(rolling.lower.shape, x, y) + height(rolling.upper.shape, x, y); },
                          rolling.solver,
                          {textured(rolling.lower.texture, plan_.lower.surface, lattice_.lower_origin()),
-                          textured(rolling.upper.texture, plan_.upper.surface, lattice_.upper_origin())}}),
+                          textured(rolling.upper.texture, plan_.upper.surface, lattice_.upper_origin())},
+                         observer.wants_stop}),
         track_(plan_.lower, rolling.distance)
   {
   }

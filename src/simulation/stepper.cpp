@@ -127,8 +127,9 @@ bool Stepper::attempt(const Target& target)
   place(target.frame);
   for (const double share : {0.6, 1.0})
   {
-    const IncrementReport report = pair_.advance(distance_, target.drive, target.frame.placement,
-                                                 {s.integration, s.max_iterations, s.anderson_depth, share, false});
+    const IncrementReport report =
+        pair_.advance(distance_, target.drive, target.frame.placement,
+                      {s.integration, s.max_iterations, s.anderson_depth, share, false, setup_.wants_stop});
     evaluations_ += report.evaluations;
     if (report.converged)
       return true;
@@ -145,8 +146,9 @@ void Stepper::guard(const Target& target)
   const bool has_energy = setup_.lower.kinematic.empty() && setup_.upper.kinematic.empty();
   for (const double share : {1.0, 2.0, 4.0})
   {
-    report = pair_.advance(distance_, target.drive, target.frame.placement,
-                           {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy});
+    report = pair_.advance(
+        distance_, target.drive, target.frame.placement,
+        {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, setup_.wants_stop});
     evaluations_ += report.evaluations;
     if (report.converged)
       return;

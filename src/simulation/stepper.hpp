@@ -56,6 +56,7 @@ public:
     std::function<double(double x, double y)> distance;
     const elastoplastic::Settings& solver;
     elastoplastic::Textures textures{};
+    std::function<bool()> wants_stop{}; ///< see Observer
   };
   Stepper(const Plan& plan, Setup setup);
 

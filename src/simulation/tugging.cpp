@@ -26,10 +26,13 @@ public:
         passing_(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells_, plan_.contact.dx,
                  tugging.kinematics),
         lattice_(plan_, passing_.start(0).arc_lower, passing_.start(0).arc_upper),
-        stepper_(plan_, {tugging.lower.material, tugging.upper.material,
+        stepper_(plan_, {tugging.lower.material,
+                         tugging.upper.material,
                          [curvature = 0.5 * (1.0 / tugging.lower.radius + 1.0 / tugging.upper.radius)](
                              double x, double y) { return curvature * (x * x + y * y); },
-                         tugging.solver})
+                         tugging.solver,
+                         {},
+                         observer.wants_stop})
   {
   }
 

@@ -5,6 +5,7 @@
 #include "brinell/elastoplastic/body.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,7 @@ struct Strategy
   /// Give up as soon as the energy of the increment's convex problem rises (backward Euler, plain fixed point): the
   /// caller then retries with a larger stiffness share, that is with shorter steps.
   bool watch_energy = false;
+  std::function<bool()> wants_stop{}; ///< asked before each evaluation
 };
 
 /// The coupled solver, with its buffers.
@@ -87,6 +89,7 @@ public:
   /// Solves one increment from the present state; commits it only if it converged.
   /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m].
   /// @param placement  of the contact grid on the material grids.
+  /// @throws Interrupted between two evaluations; the states of both bodies are those before the increment.
   [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 
 /// Two kinds of error: those a user can mend (input, convergence, files) and those that are ours (internal).
@@ -36,6 +37,13 @@ class IoError : public std::runtime_error
 class InternalError : public std::logic_error
 {
   using std::logic_error::logic_error;
+};
+
+/// Not an error: whoever watches a computation has asked it to stop. What was finished before stays valid.
+class Interrupted : public std::exception
+{
+public:
+  [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
 };
 
 } // namespace brinell

@@ -98,7 +98,7 @@ struct RunTotals
   Snapshot final_state;
 };
 
-/// How a caller watches a run. Empty functions are skipped; after each step they are called in this order.
+/// How a caller watches a run. Empty functions are skipped; after each step they are called in this order, but for the last.
 template <typename Record>
 struct Observer
 {
@@ -108,6 +108,8 @@ struct Observer
   std::function<bool(const Record&)> wants_checkpoint;
   /// Everything that the rest of the run depends on: to be given to `run` later.
   std::function<void(const Record&, Archive::Fields)> on_checkpoint;
+  /// Asked between two evaluations of a step; then the run ends with `Interrupted`, without a checkpoint of its own.
+  std::function<bool()> wants_stop;
 };
 
 } // namespace brinell::simulation

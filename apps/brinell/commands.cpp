@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/feasibility.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "run_case.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+
+namespace brinell::app
+{
+
+namespace
+{
+
+void print_warnings(const io::Case& c)
+{
+  for (const auto& warning : c.warnings)
+    fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning);
+}
+
+} // namespace
+
+int run_command(const RunArguments& arguments)
+{
+  const io::Case c = io::read_case(arguments.input.file, arguments.input.overrides);
+  print_warnings(c);
+  using Mode = io::ResultDirectory::Mode;
+  const RunOptions options{arguments.directory.empty() ? default_folder(c) : std::filesystem::path(arguments.directory),
+                           arguments.resume ? Mode::resume : Mode::replace, arguments.threads};
+  const std::string folder = options.folder.string();
+  const InterruptGuard guard;
+  std::optional<Progress> progress;
+  RunMonitor monitor;
+  monitor.on_start = [&](bool replaced, int finished_steps)
+  {
+    progress.emplace(arguments.quiet, finished_steps);
+    if (replaced && !arguments.quiet)
+      fmt::print(stderr, "brinell: replacing the earlier result in {}\n", folder);
+    if (arguments.resume && !arguments.quiet)
+      fmt::print(stderr, "brinell: going on after {} finished steps\n", finished_steps);
+  };
+  monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
+  { progress->step(step, count, where, iterations); };
+  monitor.wants_stop = [] { return InterruptGuard::signal() != 0; };
+  try
+  {
+    const std::string text = run_case(c, options, monitor);
+    progress.reset();
+    if (!arguments.quiet)
+      fmt::print("{}results in {}\n", text, folder);
+  }
+  catch (const Interrupted&)
+  {
+    progress.reset();
+    fmt::print(stderr, "brinell: interrupted; the finished steps are in {}, and --resume goes on\n", folder);
+    return 128 + InterruptGuard::signal();
+  }
+  catch (const std::runtime_error&) // no convergence, the grid turned out too small, the disk is full
+  {
+    if (progress) // else nothing has been written
+    {
+      progress.reset();
+      fmt::print(stderr, "brinell: the finished steps are in {}\n", folder);
+    }
+    throw;
+  }
+  return exit_ok;
+}
+
+int check_command(const CaseArguments& arguments)
+{
+  const io::Case c = io::read_case(arguments.file, arguments.overrides);
+  print_warnings(c);
+  fmt::print("{}", io::check_report(c, io::plan_case(c)));
+  return exit_ok;
+}
+
+int schema_command(bool markdown)
+{
+  fmt::print("{}", markdown ? io::schema_markdown() : io::schema_text());
+  return exit_ok;
+}
+
+} // namespace brinell::app

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_case.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/feasibility.hpp"
+#include "brinell/io/snapshot_choice.hpp"
+#include "brinell/io/summary_json.hpp"
+#include "scenario_text.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <omp.h>
+
+namespace brinell::app
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A wish to stop: fulfilled after the step, or in the midst of it if that lasts too long.
+class Stop
+{
+public:
+  explicit Stop(const std::function<bool()>& wanted) : m_wanted(wanted) {}
+
+  [[nodiscard]] bool after_step()
+  {
+    if (!m_is_wanted && m_wanted && m_wanted())
+    {
+      m_is_wanted = true;
+      m_since = Clock::now();
+    }
+    return m_is_wanted;
+  }
+  [[nodiscard]] bool at_once()
+  {
+    constexpr double moment = 2.0; // s
+    return after_step() && seconds_since(m_since) > moment;
+  }
+
+private:
+  const std::function<bool()>& m_wanted;
+  bool m_is_wanted = false;
+  Clock::time_point m_since;
+};
+
+/// Runs one scenario, writes its steps and finishes the folder.
+template <typename ScenarioCase>
+std::string simulate(const ScenarioCase& scenario, const io::Case& c, io::ResultDirectory& results,
+                     const RunMonitor& monitor)
+{
+  using Record = typename ScenarioCase::Record;
+  const auto start = Clock::now();
+  io::SnapshotChoice choice(c.snapshots);
+  if (results.checkpoint())
+  {
+    Archive archive(*results.checkpoint());
+    archive("snapshot_choice", choice);
+  }
+  Stop stop(monitor.wants_stop);
+  auto checkpoint_time = start;
+  simulation::Observer<Record> observer;
+  observer.on_step = [&](const Record& record, int step_count)
+  {
+    results.add(io::columns(record));
+    if (monitor.on_step)
+      monitor.on_step(record.step, step_count, step_text(c, record), record.iterations);
+  };
+  observer.wants_snapshot = [&](const Record& record) { return choice(scenario, record); };
+  observer.on_snapshot = [&](const Record& record, const simulation::Snapshot& snapshot)
+  { results.add(record.step, io::columns(record), snapshot); };
+  observer.wants_checkpoint = [&](const Record&)
+  { return stop.after_step() || seconds_since(checkpoint_time) >= c.checkpoint_interval; };
+  observer.on_checkpoint = [&](const Record& record, Archive::Fields state)
+  {
+    Archive archive;
+    archive("snapshot_choice", choice);
+    state.merge(std::move(archive).fields());
+    results.add_checkpoint(record.step, state);
+    checkpoint_time = Clock::now();
+    if (stop.after_step())
+      throw Interrupted();
+  };
+  observer.wants_stop = [&] { return stop.at_once(); };
+  const auto summary = simulation::run(scenario, observer, results.checkpoint() ? &*results.checkpoint() : nullptr);
+  const double seconds = seconds_since(start);
+  results.finish(summary.final_state, io::columns(summary.last),
+                 io::summary_text(c, simulation::plan(scenario), summary,
+                                  {.wall_time = seconds, .threads = omp_get_max_threads()}));
+  std::string text = fmt::format("{} steps, {} iterations, {:.2f} s\n", summary.steps, summary.iterations, seconds);
+  if (summary.split_increments > 0)
+    text += fmt::format("{} increments had to be split\n", summary.split_increments);
+  return text + fmt::format("{}energy balance error {:.2e}\n", summary_text(c, summary), summary.energy_balance_error);
+}
+
+/// As many threads as asked for, as long as it lives.
+class Threads
+{
+public:
+  explicit Threads(int count) : m_before(omp_get_max_threads())
+  {
+    if (count > 0)
+      omp_set_num_threads(count);
+  }
+  ~Threads() { omp_set_num_threads(m_before); }
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+private:
+  int m_before;
+};
+
+} // namespace
+
+std::filesystem::path default_folder(const io::Case& c)
+{
+  return c.directory.value_or(std::filesystem::path("results") / c.name);
+}
+
+std::string run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
+{
+  const Threads threads(options.threads);
+  static_cast<void>(io::plan_case(c)); // is refused before anything is written
+  io::ResultDirectory results(options.folder, c, options.mode);
+  if (monitor.on_start)
+    monitor.on_start(results.replaced(), results.finished_steps());
+  return std::visit([&](const auto& scenario) { return simulate(scenario, c, results, monitor); }, c.scenario);
+}
+
+} // namespace brinell::app

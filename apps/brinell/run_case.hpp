@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/io/case_file.hpp"
+#include "brinell/io/result_directory.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+/// One way to run a case, for the command line and for Python.
+namespace brinell::app
+{
+
+/// Who watches a run; empty functions are skipped.
+struct RunMonitor
+{
+  /// The folder is taken and what was there is known.
+  std::function<void(bool replaced, int finished_steps)> on_start;
+  /// @param step   counts from 0
+  /// @param count  of all steps, an estimate
+  std::function<void(int step, int count, const std::string& where, int iterations)> on_step;
+  /// Asked between two iterations. The run then ends with `Interrupted`: after the step, with a checkpoint, if that takes no
+  /// longer than a moment; else at once.
+  std::function<bool()> wants_stop;
+};
+
+struct RunOptions
+{
+  std::filesystem::path folder; ///< of the results
+  io::ResultDirectory::Mode mode = io::ResultDirectory::Mode::replace;
+  int threads = 0; ///< 0: as OpenMP decides
+};
+
+/// Where the results of a case go if nobody says otherwise.
+[[nodiscard]] std::filesystem::path default_folder(const io::Case& c);
+
+/// Runs a case and writes its results.
+/// @returns some lines about what came out, for the user
+/// @throws InputError, ConvergenceError, IoError, Interrupted; the finished steps are in the folder then
+std::string run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor = {});
+
+} // namespace brinell::app

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "module.hpp"
+
+#include "brinell/command_line.hpp"
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/feasibility.hpp"
+#include "brinell/io/versions.hpp"
+#include "brinell/run_case.hpp"
+
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/function.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <cstdio>
+#include <optional>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace brinell::python
+{
+
+namespace
+{
+
+using Step = std::optional<std::function<void(int, int, const std::string&, int)>>;
+
+/// Runs without the interpreter's lock, but takes it to tell of a step and to hear of Ctrl-C.
+std::string run(const io::Case& c, const std::filesystem::path& folder, bool resume, int threads,
+                const nb::object& on_step)
+{
+  // What Python raised meanwhile; kept until the run has come to its end.
+  std::optional<nb::python_error> raised;
+  const auto call = [&raised](auto&& function)
+  {
+    const nb::gil_scoped_acquire lock;
+    try
+    {
+      function();
+    }
+    catch (nb::python_error& error)
+    {
+      raised.emplace(std::move(error));
+    }
+  };
+  app::RunMonitor monitor;
+  if (!on_step.is_none())
+    monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
+    { call([&] { on_step(step, count, where, iterations); }); };
+  monitor.wants_stop = [&]
+  {
+    if (!raised)
+      call(
+          []
+          {
+            if (PyErr_CheckSignals() != 0)
+              nb::raise_python_error();
+          });
+    return raised.has_value();
+  };
+  using Mode = io::ResultDirectory::Mode;
+  try
+  {
+    const nb::gil_scoped_release release;
+    return app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor);
+  }
+  catch (const Interrupted&)
+  {
+    throw std::move(raised).value();
+  }
+}
+
+/// What the C library has printed comes out before Python prints again.
+int command_line(const std::vector<std::string>& arguments)
+{
+  int code = 0;
+  {
+    const nb::gil_scoped_release release;
+    code = app::command_line(arguments);
+    std::fflush(stdout);
+  }
+  return code;
+}
+
+} // namespace
+
+void bind_app(nb::module_& m)
+{
+  nb::class_<io::Case>(m, "Case")
+      .def_ro("name", &io::Case::name)
+      .def_ro("title", &io::Case::title)
+      .def_ro("warnings", &io::Case::warnings)
+      .def_prop_ro("scenario", [](const io::Case& c) { return c.values.get<std::string>("scenario"); })
+      .def_prop_ro("default_folder", [](const io::Case& c) { return app::default_folder(c); })
+      .def("resolved_text", [](const io::Case& c) { return io::resolved_text(c.values); })
+      .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
+      .def("run", &run, "folder"_a, "resume"_a, "threads"_a, "on_step"_a.none());
+  m.def(
+      "parse_case",
+      [](const std::string& text, const std::filesystem::path& file, const std::vector<std::string>& overrides)
+      { return io::parse_case(text, file, overrides); },
+      "text"_a, "file"_a, "overrides"_a);
+  m.def(
+      "read_case",
+      [](const std::filesystem::path& file, const std::vector<std::string>& overrides)
+      { return io::read_case(file, overrides); },
+      "file"_a, "overrides"_a);
+  m.def("command_line", &command_line, "arguments"_a);
+  m.def("library_versions",
+        []
+        {
+          const io::Versions v = io::library_versions();
+          nb::dict result;
+          result["brinell"] = v.brinell;
+          result["git_hash"] = v.git_hash;
+          result["fftw"] = v.fftw;
+          result["hdf5"] = v.hdf5;
+          return result;
+        });
+}
+
+} // namespace brinell::python

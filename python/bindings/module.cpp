@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "module.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <new>
+
+namespace nb = nanobind;
+
+namespace
+{
+
+/// Raises the Python exception of the same name, from brinell.errors.
+void raise(const char* name, const char* text)
+{
+  const nb::object type = nb::module_::import_("brinell.errors").attr(name);
+  PyErr_SetString(type.ptr(), text);
+}
+
+void translate(const std::exception_ptr& pointer, void* /*payload*/)
+{
+  try
+  {
+    std::rethrow_exception(pointer);
+  }
+  catch (const brinell::GridError& error)
+  {
+    raise("GridError", error.what());
+  }
+  catch (const brinell::InputError& error)
+  {
+    raise("InputError", error.what());
+  }
+  catch (const brinell::ConvergenceError& error)
+  {
+    raise("ConvergenceError", error.what());
+  }
+  catch (const brinell::IoError& error)
+  {
+    raise("IoError", error.what());
+  }
+  catch (const brinell::InternalError& error)
+  {
+    raise("InternalError", error.what());
+  }
+}
+
+} // namespace
+
+NB_MODULE(_core, m)
+{
+  nb::register_exception_translator(translate);
+  brinell::python::bind_app(m);
+}

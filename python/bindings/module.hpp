@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+/// The extension brinell._core: names, defaults and docstrings for people are in the Python modules on top of it.
+namespace brinell::python
+{
+
+void bind_app(nanobind::module_& m);
+
+} // namespace brinell::python

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A case: what is to be computed, from a TOML file, from text, or from Python (`brinell.scenarios`)."""
+
+from __future__ import annotations
+
+import tempfile
+import warnings
+import weakref
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, Self, TypeAlias
+
+import tomli_w
+from tqdm.auto import tqdm
+
+from brinell import _core
+from brinell.results import Run, open_run
+
+__all__ = ["Case", "CaseWarning", "Progress"]
+
+Progress: TypeAlias = Callable[[int, int, str, int], None]
+"""Called after each step: its number from 0, an estimate of their count, where it was, evaluations that it took."""
+
+
+class CaseWarning(UserWarning):
+    """Something in a case that can be computed, but should be looked at."""
+
+
+class Case:
+    """One case, checked and ready to run. It does not change; `with_values` gives another one.
+
+    All keys are those of the case file (docs/reference/case-file.md), and so are the errors.
+
+        case = Case.from_file("cases/tugging/case.toml", ["tugging.interference=4"])
+        run = case.run(progress=True)
+    """
+
+    def __init__(self, text: str, *, file: str | Path = "case.toml", overrides: Iterable[str] = ()):
+        """Reads a case from the text of a case file.
+
+        Args:
+            text: TOML.
+            file: its name in messages; the paths that it holds begin in its folder.
+            overrides: "key=value", as behind --set.
+
+        Raises:
+            InputError: with all problems found, one per line.
+        """
+        self._text = text
+        self._file = Path(file)
+        self._overrides = tuple(overrides)
+        self._core = _core.parse_case(text, self._file, list(self._overrides))
+        for warning in self._core.warnings:
+            warnings.warn(f"{self._file}: {warning}", CaseWarning, stacklevel=3)
+
+    @classmethod
+    def from_file(cls, path: str | Path, overrides: Iterable[str] = ()) -> Case:
+        """Reads a case file.
+
+        Args:
+            path: of the file.
+            overrides: "key=value", as behind --set.
+
+        Raises:
+            InputError: the file is missing, or with all problems found, one per line.
+        """
+        overrides = list(overrides)
+        _core.read_case(Path(path), overrides)  # its message for a file that cannot be read
+        return Case(Path(path).read_text(encoding="utf-8"), file=path, overrides=overrides)
+
+    @classmethod
+    def from_values(cls, values: Mapping[str, Any], *, file: str | Path = "case.toml") -> Case:
+        """A case from nested dictionaries, as a TOML parser would give them."""
+        return Case(tomli_w.dumps(values), file=file)
+
+    @property
+    def scenario(self) -> str:
+        """ "tugging", "indentation" or "rolling"."""
+        return self._core.scenario
+
+    @property
+    def name(self) -> str:
+        """Of the file, or of its folder if it is called case.toml."""
+        return self._core.name
+
+    @property
+    def title(self) -> str:
+        """May be empty."""
+        return self._core.title
+
+    def with_values(self, values: Mapping[str, Any] | Iterable[str]) -> Self:
+        """The same case with some keys replaced or added.
+
+        Args:
+            values: by their dotted keys, {"tugging.interference": 4}; or "key=value", as behind --set.
+
+        Raises:
+            InputError: as for a case file.
+        """
+        added = [override(key, value) for key, value in values.items()] if isinstance(values, Mapping) else list(values)
+        case = object.__new__(type(self))
+        Case.__init__(case, self._text, file=self._file, overrides=[*self._overrides, *added])
+        return case
+
+    def to_toml(self, path: str | Path | None = None) -> str:
+        """The case with all its defaults filled in, in SI, as a case file.
+
+        Args:
+            path: where to write it, if at all.
+
+        Returns:
+            The text.
+        """
+        text = self._core.resolved_text()
+        if path is not None:
+            Path(path).write_text(text, encoding="utf-8")
+        return text
+
+    def check(self) -> str:
+        """What ``brinell check`` prints: the resolved case, critical values, grids, steps, memory, cost.
+
+        Raises:
+            InputError: the grid does not fit this machine.
+        """
+        return self._core.check_report()
+
+    def run(
+        self,
+        output: str | Path | None = None,
+        *,
+        progress: bool | Progress = False,
+        threads: int | None = None,
+        resume: bool = False,
+    ) -> Run:
+        """Computes the case. Ctrl-C ends it after the step, or within a moment if a step takes long.
+
+        Args:
+            output: folder of the results, which replaces an earlier result there; a temporary one, that goes with the
+                run object, if None.
+            progress: show a bar, or call this function after each step.
+            threads: how many; None: as OpenMP decides.
+            resume: go on with a run of this case that was stopped in that folder.
+
+        Returns:
+            The results.
+
+        Raises:
+            InputError: a grid does not fit or turned out too small, or the folder holds another case to resume.
+            ConvergenceError: a step did not converge; those before are in the folder.
+            IoError: the results cannot be written.
+        """
+        if output is not None:
+            self._compute(Path(output), progress, threads, resume)
+            return open_run(output)
+        folder = tempfile.TemporaryDirectory(prefix="brinell-")
+        try:
+            self._compute(Path(folder.name), progress, threads, resume)
+            run = open_run(folder.name)
+        except BaseException:
+            folder.cleanup()
+            raise
+        weakref.finalize(run, folder.cleanup)
+        return run
+
+    def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:
+        if progress is not True:
+            self._core.run(folder, resume, threads or 0, progress or None)
+            return
+        with tqdm(unit="step", desc=self.title or self.name) as bar:
+
+            def show(step: int, count: int, where: str, _: int) -> None:
+                bar.total = max(count, step + 1)
+                bar.set_postfix_str(where, refresh=False)
+                bar.update(step + 1 - bar.n)
+
+            self._core.run(folder, resume, threads or 0, show)
+
+    def __repr__(self) -> str:
+        return f"<brinell.{type(self).__name__} {self.scenario} {self.title or self.name!r}>"
+
+
+def override(key: str, value: object) -> str:
+    """A dotted key and its value as behind --set."""
+    return f"{key}={tomli_w.dumps({'value': plain(value)}).strip().removeprefix('value = ')}"
+
+
+def plain(value: Any) -> Any:
+    """A value as TOML knows it: numbers of NumPy become Python's, arrays and tuples lists, paths text."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(entry) for key, entry in value.items() if entry is not None}
+    if isinstance(value, list | tuple):
+        return [plain(entry) for entry in value]
+    if isinstance(value, Path):
+        return str(value)
+    return value.tolist() if hasattr(value, "tolist") else value

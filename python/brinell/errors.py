@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The kinds of error, the same as in the engine."""
+
+__all__ = ["BrinellError", "ConvergenceError", "GridError", "InputError", "InternalError", "IoError"]
+
+
+class BrinellError(Exception):
+    """Any error of brinell; its text is for the user."""
+
+
+class InputError(BrinellError, ValueError):
+    """What was given cannot be computed: a bad key, value, unit or combination; says where and what is allowed."""
+
+
+class GridError(InputError):
+    """The grid, given or automatic, does not suit the case."""
+
+
+class ConvergenceError(BrinellError, RuntimeError):
+    """An increment did not reach its tolerance, also after splitting; finished steps are kept."""
+
+
+class IoError(BrinellError, OSError):
+    """A file could not be read or written."""
+
+
+class InternalError(BrinellError):
+    """A bug of brinell, please report it."""
