@@ -2,7 +2,7 @@
 #   make build   compile (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     the tugging asperities of the paper: results and figures in results/tugging-paper
-# Further: setup, format, check, tidy, sanitize, bench, clean. All of them may be repeated; what is done is not redone.
+# Further: setup, format, check, tidy, sanitize, package, bench, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
 .DEFAULT_GOAL := build
@@ -15,7 +15,7 @@ CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=
 python := .venv/bin/python
 results := results/tugging-paper
 
-.PHONY: build test run setup format check tidy sanitize bench clean force
+.PHONY: build test run setup format check tidy sanitize package bench clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done
@@ -61,13 +61,17 @@ run: build .venv/.setup-done
 # --- Quality ----------------------------------------------------------------------------------------------------------
 cxx_files = $(shell find include src apps tests bench python/bindings -name '*.[ch]pp')
 
-format: build/.setup-packages
+format: build/.setup-packages .venv/.setup-done
 	clang-format -i $(cxx_files)
+	.venv/bin/ruff check --quiet --fix-only python
+	.venv/bin/ruff format --quiet python
 
-check: build/.setup-packages
+check: build/.setup-packages .venv/.setup-done
 	@clang-format --dry-run -Werror --ferror-limit=1 $(cxx_files) || { echo "'make format' mends it"; exit 1; }
 	@echo "format: $(words $(cxx_files)) files"
 	@python3 tools/check_layers.py
+	@.venv/bin/ruff check --quiet python && .venv/bin/ruff format --quiet --check python || { echo "'make format' mends some of it"; exit 1; }
+	@.venv/bin/mypy
 
 tidy: build/tidy/build.ninja
 	@tools/setup.sh tidy
@@ -77,6 +81,9 @@ tidy: build/tidy/build.ninja
 sanitize: build/sanitize/build.ninja
 	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
+
+package: build/.setup-packages .venv/.setup-done
+	tools/package.sh
 
 bench: build
 	@set -e; for program in build/release/bin/bench_*; do $$program; done

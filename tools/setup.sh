@@ -38,7 +38,7 @@ make_venv() {
   # The tools of the build stay in .venv, so that CMake finds them at the same place the next time and builds only what changed.
   "${pip[@]}" 'scikit-build-core>=0.11' 'nanobind>=2.7' 'ninja>=1.11' || fail "pip could not install the build tools. $mirror"
   "${pip[@]}" --no-build-isolation --config-settings=build-dir=build/python --config-settings=editable.mode=redirect \
-    -e ".[test]" || fail "pip could not install the package into .venv (see above). $mirror"
+    -e ".[test,lint]" || fail "pip could not install the package into .venv (see above). $mirror"
 }
 
 case "${1:-}" in

@@ -49,6 +49,14 @@ void translate(const std::exception_ptr& pointer, void* /*payload*/)
 
 NB_MODULE(_core, m)
 {
+  // Better than to be killed for an illegal instruction.
+#if defined(__AVX512F__)
+  if (__builtin_cpu_supports("avx512f") == 0)
+    throw nb::import_error("brinell was compiled for a processor with AVX-512; build it for this one: pip install .");
+#elif defined(__AVX2__)
+  if (__builtin_cpu_supports("avx2") == 0)
+    throw nb::import_error("brinell was compiled for a processor with AVX2; build it for this one: pip install .");
+#endif
   nb::register_exception_translator(translate);
   brinell::python::bind_app(m);
 }

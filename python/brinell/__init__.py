@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """brinell: contact of elastic-plastic bodies by the semi-analytical method.
 
-    import brinell
+Example:
+    >>> import brinell
+    >>> run = brinell.Case.from_file("cases/tugging/case.toml").run()
+    >>> run.history["F_X"].max()
 
-    run = brinell.Case.from_file("cases/tugging/case.toml").run(progress=True)
-    run.history["F_X"]
 """
 
 import os
@@ -16,7 +17,8 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from brinell.case import Case, CaseWarning
 from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
-from brinell.results import Run, RunError, open_run
+from brinell.results import Run, RunError
+from brinell.results import open_run as open
 
 __version__ = version("brinell")
 
@@ -32,5 +34,5 @@ __all__ = [
     "Run",
     "RunError",
     "__version__",
-    "open_run",
+    "open",
 ]

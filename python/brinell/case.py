@@ -75,7 +75,7 @@ class Case:
 
     @property
     def scenario(self) -> str:
-        """ "tugging", "indentation" or "rolling"."""
+        """Which one: "tugging", "indentation" or "rolling"."""
         return self._core.scenario
 
     @property

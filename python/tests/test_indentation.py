@@ -5,10 +5,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from figure_parts import curve, legend_of, texts
 
 from brinell.plot import indentation
 from brinell.results import RunError, open_run
+from figure_parts import curve, legend_of, texts
 
 MakeRun = Callable[..., Path]
 ALPHA_C, P_C = 2.214290e-4, 3.460928e5

@@ -6,12 +6,12 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 import pytest
-from figure_parts import curve, legend_of, texts
 from matplotlib.figure import Figure
 
 from brinell.plot import cells, fields, paper, style
 from brinell.plot.history import run_history
 from brinell.results import History, Run, RunError, open_run
+from figure_parts import curve, legend_of, texts
 
 MakeRun = Callable[..., Path]
 ALPHAS = (1.0, 2.0, 4.0, 9.0)

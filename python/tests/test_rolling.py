@@ -4,10 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from figure_parts import curve, legend_of, texts
 
 from brinell.plot import rolling
 from brinell.results import RunError, open_run
+from figure_parts import curve, legend_of, texts
 
 MakeRun = Callable[..., Path]
 

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenarios as Python classes: each makes a `Case`.
+
+    steel = brinell.Material("210 GPa", 0.3, brinell.Linear("600 MPa", "2 GPa"))
+    ball = brinell.Body(brinell.Sphere("10 um"), steel)
+    run = brinell.Tugging(lower=ball, upper=ball, interference=4).run(progress=True)
+
+What is None is left to the case file's defaults, as docs/reference/case-file.md has them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import tomli_w
+
+from brinell.bodies import Body, Quantity
+from brinell.case import Case, plain
+
+__all__ = ["Indentation", "Rolling", "Tugging"]
+
+
+class _Scenario(Case):
+    """A case whose text is made of arguments."""
+
+    _table: str
+
+    def __init__(
+        self,
+        lower: Body,
+        upper: Body,
+        table: Mapping[str, Any],
+        *,
+        title: str | None,
+        grid: Mapping[str, Any] | None,
+        solver: Mapping[str, Any] | None,
+        output: Mapping[str, Any] | None,
+    ):
+        values = {
+            "scenario": self._table,
+            "title": title,
+            "lower": lower.to_case(),
+            "upper": upper.to_case(),
+            self._table: table,
+            "grid": grid,
+            "solver": solver,
+            "output": output,
+        }
+        super().__init__(tomli_w.dumps(plain(values)), file=Path(f"{self._table}.toml"))
+
+
+class Tugging(_Scenario):
+    """Two spherical asperities slide past each other and push each other aside."""
+
+    _table = "tugging"
+
+    def __init__(
+        self,
+        lower: Body,
+        upper: Body,
+        interference: Quantity | None = None,
+        *,
+        load: Quantity | None = None,
+        normalised: bool = True,
+        passes: int | None = None,
+        shift: Quantity | None = None,
+        kinematics: str | None = None,
+        title: str | None = None,
+        grid: Mapping[str, Any] | None = None,
+        solver: Mapping[str, Any] | None = None,
+        output: Mapping[str, Any] | None = None,
+    ):
+        """Describes a tugging.
+
+        Args:
+            lower: the body at rest; its shape is a `Sphere`.
+            upper: the body that passes over it; a `Sphere`.
+            interference: largest overlap of the undeformed spheres, when their centres are aligned; in critical
+                interferences alpha_c, or a length if not normalised.
+            load: instead, a normal force that is kept; in critical loads P_c, or a force if not normalised.
+            normalised: whether these are in their values at first yield.
+            passes: how often the upper sphere passes.
+            shift: arc by which the contact moves on each body per step.
+            kinematics: "exact" or "paper".
+            title: copied into the results.
+            grid: keys of the table [grid]: spacing, resolution, extent.
+            solver: keys of [solver].
+            output: keys of [output]: snapshots, directory, checkpoint_interval.
+
+        Raises:
+            InputError: with all problems found.
+        """
+        table = {
+            "interference": interference,
+            "load": load,
+            "normalised": normalised,
+            "passes": passes,
+            "shift": shift,
+            "kinematics": kinematics,
+        }
+        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output)
+
+
+class Indentation(_Scenario):
+    """The upper body is pressed into the lower one and lifted off again, at one place or at several."""
+
+    _table = "indentation"
+
+    def __init__(
+        self,
+        lower: Body,
+        upper: Body,
+        *,
+        load: Sequence[Quantity] | None = None,
+        approach: Sequence[Quantity] | None = None,
+        normalised: bool = False,
+        steps: int | None = None,
+        cycles: int | None = None,
+        places: Sequence[Quantity] | None = None,
+        title: str | None = None,
+        grid: Mapping[str, Any] | None = None,
+        solver: Mapping[str, Any] | None = None,
+        output: Mapping[str, Any] | None = None,
+    ):
+        """Describes an indentation.
+
+        Args:
+            lower: the body that is indented.
+            upper: the indenter.
+            load: loads to be reached one after the other, from none: ["10 N", 0] presses and lifts off.
+            approach: instead, depths of the indenter from the touch of the undeformed bodies.
+            normalised: whether these are in their values at first yield, P_c and alpha_c.
+            steps: from one entry of the list to the next.
+            cycles: how often the list is gone through at each place.
+            places: along x, indented one after the other.
+            title: copied into the results.
+            grid: keys of the table [grid]: spacing, resolution, extent.
+            solver: keys of [solver].
+            output: keys of [output]: snapshots, directory, checkpoint_interval.
+
+        Raises:
+            InputError: with all problems found.
+        """
+        table = {
+            "load": load,
+            "approach": approach,
+            "normalised": normalised,
+            "steps": steps,
+            "cycles": cycles,
+            "places": places,
+        }
+        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output)
+
+
+class Rolling(_Scenario):
+    """The upper body, pressed on the lower one, rolls over it along x, pass after pass."""
+
+    _table = "rolling"
+
+    def __init__(
+        self,
+        lower: Body,
+        upper: Body,
+        distance: Quantity,
+        *,
+        load: Quantity | None = None,
+        hertz_pressure: Quantity | None = None,
+        approach: Quantity | None = None,
+        passes: int | None = None,
+        slide_to_roll: float | None = None,
+        shift: Quantity | None = None,
+        load_steps: int | None = None,
+        title: str | None = None,
+        grid: Mapping[str, Any] | None = None,
+        solver: Mapping[str, Any] | None = None,
+        output: Mapping[str, Any] | None = None,
+    ):
+        """Describes a rolling; one of load, hertz_pressure and approach is given.
+
+        Args:
+            lower: the body that is rolled over.
+            upper: the body that rolls.
+            distance: length of the track on the lower body.
+            load: kept while rolling.
+            hertz_pressure: the load by the peak pressure that it would have in elastic contact.
+            approach: kept while rolling, instead of a load.
+            passes: how often the track is rolled over.
+            slide_to_roll: difference over mean of the speeds of both surfaces; 0: pure rolling.
+            shift: by which the contact moves on the lower body per step.
+            load_steps: in which the upper body is pressed on before a pass and lifted off after it.
+            title: copied into the results.
+            grid: keys of the table [grid]: spacing, resolution, extent.
+            solver: keys of [solver].
+            output: keys of [output]: snapshots, directory, checkpoint_interval.
+
+        Raises:
+            InputError: with all problems found.
+        """
+        table = {
+            "distance": distance,
+            "load": load,
+            "hertz_pressure": hertz_pressure,
+            "approach": approach,
+            "passes": passes,
+            "slide_to_roll": slide_to_roll,
+            "shift": shift,
+            "load_steps": load_steps,
+        }
+        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output)

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cases from Python: the same as from files, the same errors, runs that are watched, stopped and resumed."""
+
+from __future__ import annotations
+
+import gc
+import os
+import signal
+import threading
+import time
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import brinell
+
+CASES = Path(__file__).parents[2] / "cases"
+COARSE = ["tugging.interference=2", "grid.resolution=4", "output.snapshots='aligned'"]
+
+
+@pytest.fixture
+def case() -> brinell.Case:
+    return brinell.Case.from_file(CASES / "tugging" / "case.toml", COARSE)
+
+
+def test_a_run_gives_its_results_and_takes_its_temporary_folder_along(case: brinell.Case) -> None:
+    run = case.run()
+    folder = run.path
+    assert run.complete
+    assert run.scenario == "tugging"
+    assert np.max(run.history["F_X"]) > 0.0
+    assert run.snapshot("aligned").lower.equivalent_plastic_strain.max() > 0.0
+    del run
+    gc.collect()
+    assert not folder.exists()
+
+
+def test_a_folder_of_ones_own_stays(case: brinell.Case, tmp_path: Path) -> None:
+    run = case.run(tmp_path / "mine")
+    again = brinell.open(tmp_path / "mine")
+    np.testing.assert_array_equal(again.history["work"], run.history["work"])
+
+
+def test_the_same_case_as_text_has_the_same_results(case: brinell.Case) -> None:
+    again = brinell.Case(case.to_toml(), file="again.toml")
+    assert again.to_toml() == case.to_toml()
+    np.testing.assert_array_equal(again.run().history["F_X"], case.run().history["F_X"])
+
+
+def test_values_can_be_replaced(case: brinell.Case) -> None:
+    other = case.with_values({"tugging.interference": np.float64(3.0), "lower.material.young_modulus": "190 GPa"})
+    values = tomllib.loads(other.to_toml())
+    assert values["tugging"]["interference"] == 3.0
+    assert values["lower"]["material"]["young_modulus"] == 190e9
+    assert tomllib.loads(case.to_toml())["tugging"]["interference"] == 2.0
+    assert case.with_values(["tugging.interference=3"]).to_toml() != case.to_toml()
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"tugging.interference": -1}, "tugging.interference = -1 is out of range; allowed: number > 0"),
+        ({"tugging.interferense": 1}, "did you mean tugging.interference?"),
+        ({"lower.material.young_modulus": "200 GP"}, "unknown unit"),
+        ({"lower.material.young_modulus": "200 mm"}, "length"),
+    ],
+)
+def test_errors_name_key_value_and_what_is_allowed(case: brinell.Case, values: dict[str, object], message: str) -> None:
+    with pytest.raises(brinell.InputError, match="--set") as error:
+        case.with_values(values)
+    assert message in str(error.value)
+    assert isinstance(error.value, ValueError)
+
+
+def test_a_file_that_is_not_there_is_an_error(tmp_path: Path) -> None:
+    with pytest.raises(brinell.InputError, match="nothing.toml: cannot be opened"):
+        brinell.Case.from_file(tmp_path / "nothing.toml")
+
+
+def test_a_grid_beyond_all_memory_is_refused_before_anything_is_written(case: brinell.Case, tmp_path: Path) -> None:
+    huge = case.with_values({"grid.resolution": 900})
+    for call in (huge.check, lambda: huge.run(tmp_path / "huge")):
+        with pytest.raises(brinell.InputError, match="grid.resolution"):
+            call()
+    assert not (tmp_path / "huge").exists()
+
+
+def test_no_convergence_is_an_error_and_keeps_the_finished_steps(case: brinell.Case, tmp_path: Path) -> None:
+    hopeless = case.with_values({"solver.yield_tolerance": 1e-15, "solver.max_iterations": 2})
+    with pytest.raises(brinell.ConvergenceError, match="All earlier steps are kept"):
+        hopeless.run(tmp_path)
+    assert (tmp_path / "history.csv").read_text(encoding="utf-8").count("\n") > 1
+    assert not (tmp_path / "summary.json").exists()
+
+
+def test_a_folder_that_cannot_be_written_is_an_error(case: brinell.Case, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    with pytest.raises(brinell.IoError) as error:
+        case.run(tmp_path / "file" / "results")
+    assert isinstance(error.value, OSError)
+
+
+def test_warnings_are_pythons() -> None:
+    text = (CASES / "tugging" / "case.toml").read_text(encoding="utf-8")
+    with pytest.warns(brinell.CaseWarning, match="radius"):
+        brinell.Case(text, overrides=["tugging.interference=2000"])
+
+
+def test_progress_is_told_of_each_step(case: brinell.Case) -> None:
+    told: list[tuple[int, int, str, int]] = []
+    run = case.run(progress=lambda *step: told.append(step))
+    assert [step for step, *_ in told] == list(range(run.history.steps))
+    assert [iterations for *_, iterations in told] == run.history["iterations"].tolist()
+
+
+def test_a_bar_is_shown(case: brinell.Case, capsys: pytest.CaptureFixture[str]) -> None:
+    case.run(progress=True)
+    assert "100%" in capsys.readouterr().err
+
+
+def test_what_progress_raises_ends_the_run_and_it_can_go_on(case: brinell.Case, tmp_path: Path) -> None:
+    whole = case.run(tmp_path / "whole")
+
+    def stop(step: int, *_: object) -> None:
+        if step == 5:
+            raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        case.run(tmp_path / "part", progress=stop)
+    part = brinell.open(tmp_path / "part", allow_unfinished=True)
+    assert part.history.steps == 6
+    resumed = case.run(tmp_path / "part", resume=True)
+    np.testing.assert_array_equal(resumed.history["F_X"], whole.history["F_X"])
+
+
+def test_ctrl_c_in_the_midst_of_a_long_step_ends_within_seconds(tmp_path: Path) -> None:
+    """A step that would take minutes: it ends between two evaluations."""
+    long = brinell.Case.from_file(
+        CASES / "indentation-sphere" / "case.toml", ["grid.resolution=20", "indentation.steps=1", "grid.extent=1.5"]
+    )
+    threading.Timer(2.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        long.run(tmp_path)
+    assert time.monotonic() - start < 60.0
+    assert not (tmp_path / "summary.json").exists()
+
+
+def test_other_threads_go_on_meanwhile(case: brinell.Case) -> None:
+    ticks = 0
+    done = threading.Event()
+
+    def count() -> None:
+        nonlocal ticks
+        while not done.wait(0.005):
+            ticks += 1
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    start = time.monotonic()
+    case.with_values({"grid.resolution": 8}).run()
+    seconds = time.monotonic() - start
+    done.set()
+    thread.join()
+    assert ticks > 0.1 * seconds / 0.005
+
+
+def test_threads_are_those_asked_for_and_only_for_this_run(case: brinell.Case) -> None:
+    run = case.run(threads=1)
+    assert run.summary is not None
+    assert run.summary["run"]["threads"] == 1
+    again = case.run()
+    assert again.summary is not None
+    assert again.summary["run"]["threads"] == int(os.environ.get("OMP_NUM_THREADS", len(os.sched_getaffinity(0))))
