@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Materials: elastic constants, hardening laws, and what changes with depth.
+
+    steel = Material("210 GPa", 0.3, Swift(coefficient="2.1 GPa", offset=4e-3, exponent=0.095))
+    soft = Material(70e9, 0.33, hardening=lambda e: 250e6 + 180e6 * np.tanh(30 * e))
+
+A number is in SI; a string carries its unit, as in the case file, whose table `material` this module writes. e is the
+equivalent plastic strain, sigma_y(e) the yield stress in uniaxial tension.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any, ClassVar, TypeAlias
+
+import numpy as np
+import tomli_w
+
+from brinell import _core
+from brinell.case import plain
+from brinell.errors import InputError
+
+__all__ = [
+    "RIGID",
+    "Hardening",
+    "Hollomon",
+    "Linear",
+    "Ludwik",
+    "Material",
+    "Perfect",
+    "Swift",
+    "Table",
+    "Value",
+    "Voce",
+]
+
+Value: TypeAlias = float | str
+"""A number in SI, or a text with its unit, "200 GPa"."""
+
+Law: TypeAlias = Callable[[Any], Any]
+"""A hardening law of one's own: sigma_y(e) [Pa]. Called with one strain at a time."""
+
+
+class Hardening:
+    """A hardening law: the yield stress as a function of the equivalent plastic strain."""
+
+    law: ClassVar[str]
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.hardening` of the case file."""
+        return {"law": self.law} | {field.name: plain(getattr(self, field.name)) for field in fields(self)}  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class Perfect(Hardening):
+    """sigma_y(e) = yield_stress [Pa]."""
+
+    law: ClassVar[str] = "perfect"
+    yield_stress: Value
+
+
+@dataclass(frozen=True)
+class Linear(Hardening):
+    """sigma_y(e) = yield_stress + modulus e, both in Pa."""
+
+    law: ClassVar[str] = "linear"
+    yield_stress: Value
+    modulus: Value
+
+
+@dataclass(frozen=True)
+class Swift(Hardening):
+    """sigma_y(e) = coefficient (offset + e)^exponent (Swift 1952); coefficient in Pa."""
+
+    law: ClassVar[str] = "swift"
+    coefficient: Value
+    offset: float
+    exponent: float
+
+
+@dataclass(frozen=True)
+class Hollomon(Hardening):
+    """sigma_y(e) = coefficient (e_0 + e)^exponent, e_0 such that it begins at yield_stress (Hollomon 1945); in Pa."""
+
+    law: ClassVar[str] = "hollomon"
+    yield_stress: Value
+    coefficient: Value
+    exponent: float
+
+
+@dataclass(frozen=True)
+class Ludwik(Hardening):
+    """sigma_y(e) = yield_stress + coefficient e^exponent (Ludwik 1909); both in Pa."""
+
+    law: ClassVar[str] = "ludwik"
+    yield_stress: Value
+    coefficient: Value
+    exponent: float
+
+
+@dataclass(frozen=True)
+class Voce(Hardening):
+    """sigma_y(e) = yield_stress + saturation (1 - exp(-rate e)) (Voce 1948); yield_stress and saturation in Pa."""
+
+    law: ClassVar[str] = "voce"
+    yield_stress: Value
+    saturation: Value
+    rate: float
+
+
+@dataclass(frozen=True)
+class Table(Hardening):
+    """Linear between points, constant after the last one.
+
+    Attributes:
+        plastic_strain: equivalent plastic strains, ascending from 0 [-].
+        stress: yield stresses, as many, not falling [Pa].
+    """
+
+    law: ClassVar[str] = "table"
+    plastic_strain: Sequence[float]
+    stress: Sequence[Value]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "plastic_strain", tuple(plain(self.plastic_strain)))
+        object.__setattr__(self, "stress", tuple(plain(self.stress)))
+
+    @classmethod
+    def of(cls, law: Law, max_strain: float = 1.0) -> Table:
+        """A table of a function, fine enough that it differs from it by less than 1e-4 of its value.
+
+        Args:
+            law: sigma_y(e) [Pa], > 0, continuous, not falling. Called with one strain, a NumPy number, at a time.
+            max_strain: where the table ends [-]; the yield stress is constant beyond.
+
+        Raises:
+            InputError: the function has no such value, falls or jumps; the text says where.
+        """
+        if not (math.isfinite(max_strain) and max_strain > 0):
+            raise InputError(f"max_strain = {max_strain} of a hardening law; allowed: above 0")
+        strain, stress = _sampled(_Checked(law), max_strain)
+        return cls(strain, stress)
+
+
+@dataclass(frozen=True)
+class Material:
+    """An elastic material, elastic-plastic if it has a hardening law.
+
+    Attributes:
+        young_modulus: E [Pa], > 0.
+        poisson_ratio: nu [-], in (-1, 0.5).
+        hardening: size of the yield surface; None: stays elastic. Any function sigma_y(e) is one too; it becomes
+            `Table.of` it, up to a strain of 1.
+        kinematic: back stresses as pairs (modulus C [Pa], recall gamma [-]),
+            d alpha = 2/3 C d eps - gamma alpha d e (Armstrong, Frederick 1966; Chaboche 1986; gamma = 0: Prager 1956).
+        yield_profile: (depths [m], factors on the yield stress [-]), linear between, constant beyond.
+        initial_stress: (depths [m], stresses xx = yy before the first load [Pa]), tension positive.
+    """
+
+    young_modulus: Value
+    poisson_ratio: float
+    hardening: Hardening | Law | None = None
+    kinematic: Sequence[tuple[Value, float]] = ()
+    yield_profile: tuple[Sequence[Value], Sequence[float]] | None = None
+    initial_stress: tuple[Sequence[Value], Sequence[Value]] | None = None
+
+    def __post_init__(self) -> None:
+        if callable(self.hardening):
+            object.__setattr__(self, "hardening", Table.of(self.hardening))
+        object.__setattr__(self, "kinematic", _tuples(self.kinematic))
+        for name in ("yield_profile", "initial_stress"):
+            if (profile := getattr(self, name)) is not None:
+                object.__setattr__(self, name, _tuples(profile))
+
+    @property
+    def is_rigid(self) -> bool:
+        """Whether the body does not deform at all."""
+        return self.young_modulus == math.inf
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material` of the case file, as nested dictionaries."""
+        if self.is_rigid:
+            return {"rigid": True}
+        table = {"young_modulus": plain(self.young_modulus), "poisson_ratio": plain(self.poisson_ratio)}
+        if isinstance(self.hardening, Hardening):
+            table["hardening"] = self.hardening.to_case()
+        if self.kinematic:
+            moduli, recall = zip(*self.kinematic, strict=True)
+            table.setdefault("hardening", {}).update(kinematic_moduli=list(moduli), kinematic_recall=list(recall))
+        for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
+            if (profile := getattr(self, name)) is not None:
+                table[name] = {"depth": list(profile[0]), value: list(profile[1])}
+        return table
+
+    @cached_property
+    def _engine(self) -> _core.Material:
+        """The same for the engine, checked and in SI.
+
+        Raises:
+            InputError: a value, unit or combination that the case file would not allow either.
+        """
+        if self.is_rigid:
+            return _core.rigid_material()
+        ball = {"type": "sphere", "radius": 1.0}
+        case = {
+            "scenario": "indentation",
+            "lower": {"shape": ball, "material": self.to_case()},
+            "upper": {"shape": ball, "material": {"rigid": True}},
+            "indentation": {"load": [1.0]},
+        }
+        try:
+            return _core.lower_material(_core.parse_case(tomli_w.dumps(case), "material", []))
+        except InputError as error:
+            text = re.sub(r"^material:\d+: ", "", str(error), flags=re.MULTILINE)
+            raise InputError(text.replace("lower.material", "material")) from None
+
+
+RIGID = Material(math.inf, 0.0)
+"""A body that does not deform at all."""
+
+
+def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
+    """Pairs or lists as what can be compared and does not change."""
+    return tuple(tuple(plain(entry)) for entry in values)
+
+
+class _Checked:
+    """A hardening law that is watched: each value is a stress, and none is below one at a smaller strain."""
+
+    def __init__(self, law: Law):
+        self._law = law
+        self._known: dict[float, float] = {}
+
+    def __call__(self, e: float) -> float:
+        if e not in self._known:
+            with np.errstate(all="ignore"):
+                value = np.asarray(self._law(np.float64(e)), dtype=np.float64)
+            if value.size != 1 or not (np.isfinite(value).all() and value.item() > 0):
+                raise InputError(f"the hardening law gives {value} at a plastic strain of {e:g}; allowed: a stress in Pa")
+            self._known[e] = value.item()
+        return self._known[e]
+
+    def require_rise(self) -> None:
+        """Of all the values so far, but for rounding."""
+        rounding = 1e-12
+        points = sorted(self._known.items())
+        for (_, before), (e, after) in zip(points, points[1:], strict=False):
+            if after < before * (1 - rounding):
+                raise InputError(
+                    f"the hardening law falls from {before:g} Pa to {after:g} Pa before a plastic strain of {e:g}; "
+                    "softening is not modelled"
+                )
+
+
+def _sampled(law: _Checked, end: float) -> tuple[list[float], list[float]]:
+    """Points of a law: intervals are halved until it is straight in them, as far as three points inside tell."""
+    tolerance = 1e-4 / 2  # half of what is promised, for what lies between the three points
+    coarsest = 32
+    todo = [(end * (i - 1) / coarsest, end * i / coarsest) for i in range(coarsest, 0, -1)]
+    strain = [0.0]
+    while todo:
+        left, right = todo.pop()
+        straight = True
+        for t in (0.25, 0.5, 0.75):
+            line = (1 - t) * law(left) + t * law(right)
+            straight = straight and abs(law(left + t * (right - left)) - line) <= tolerance * line
+        middle = 0.5 * (left + right)
+        if straight:
+            strain.append(right)
+        elif left < middle < right:
+            todo += [(middle, right), (left, middle)]
+        else:
+            law.require_rise()
+            raise InputError(
+                f"the hardening law jumps from {law(left):g} Pa to {law(right):g} Pa at a plastic strain of {right:g}; "
+                "allowed: a continuous one"
+            )
+    law.require_rise()
+    return strain, np.maximum.accumulate([law(e) for e in strain]).tolist()
