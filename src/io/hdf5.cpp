@@ -13,7 +13,8 @@ namespace brinell::io::h5
 namespace
 {
 
-constexpr hsize_t longest_chunk_side = 64; ///< 64^3 doubles are 2 MB, a good size for the deflate filter
+/// Of chunks, by rank; 64^3 doubles are 2 MB, a good size for the deflate filter.
+constexpr std::array<hsize_t, 4> longest_chunk_side{1, 4096, 512, 64};
 constexpr unsigned deflate_level = 1;      ///< fields are smooth or zero: higher levels gain little and cost much
 
 /// The text of the innermost HDF5 error, where the cause is.
@@ -64,16 +65,59 @@ Handle scalar_space()
   return checked(H5Screate(H5S_SCALAR), H5Sclose, "make a data space");
 }
 
+Handle list_space(hsize_t size)
+{
+  return checked(H5Screate_simple(1, &size, nullptr), H5Sclose, "make a data space");
+}
+
 Handle compression(std::span<const hsize_t> dims)
 {
   Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a property list");
   std::vector<hsize_t> chunk(dims.begin(), dims.end());
   for (hsize_t& side : chunk)
-    side = std::min(side, dims.size() == 2 ? 8 * longest_chunk_side : longest_chunk_side);
+    side = std::min(side, longest_chunk_side.at(dims.size()));
   check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
   check(H5Pset_shuffle(properties.id()), "set the shuffle filter");
   check(H5Pset_deflate(properties.id(), deflate_level), "set the deflate filter");
   return properties;
+}
+
+/// A space of which a box is selected.
+Handle selection(std::span<const hsize_t> shape, const Box& box)
+{
+  constexpr const char* what = "select a part of a dataset";
+  Handle space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
+  check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, box.start.data(), nullptr, box.count.data(), nullptr), what);
+  return space;
+}
+
+template <typename Number>
+void write_described(const Handle& group, const char* name, hid_t type, const std::vector<Number>& values,
+                     std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
+{
+  std::size_t size = 1;
+  for (const std::size_t n : shape)
+    size *= n;
+  if (size != values.size() || size == 0)
+    throw InternalError(fmt::format("field {} has {} values on a grid of {} cells", name, values.size(), size));
+  const std::string what = fmt::format("write the dataset {}", name);
+  const std::vector<hsize_t> dims(shape.begin(), shape.end());
+  const Handle space = checked(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, what);
+  const Handle properties = compression(dims);
+  const Handle dataset = checked(
+      H5Dcreate2(group.id(), name, type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose, what);
+  check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+  h5::write_attribute(dataset, "units", units);
+  h5::write_attribute(dataset, "long_name", long_name);
+}
+
+/// Variable length, because a fixed one cannot hold an empty string; UTF-8 for titles.
+Handle text_type()
+{
+  Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "make a string type");
+  check(H5Tset_size(type.id(), H5T_VARIABLE), "size a string type");
+  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "set UTF-8");
+  return type;
 }
 
 } // namespace
@@ -123,6 +167,14 @@ Handle create_group(const Handle& parent, const std::string& name)
                  fmt::format("create the group {}", name));
 }
 
+Handle create_ordered_group(const Handle& parent, const std::string& name)
+{
+  const std::string what = fmt::format("create the group {}", name);
+  const Handle properties = checked(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, what);
+  check(H5Pset_link_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), what);
+  return checked(H5Gcreate2(parent.id(), name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose, what);
+}
+
 Handle open_group(const Handle& parent, const std::string& name)
 {
   return checked(H5Gopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Gclose, fmt::format("open the group {}", name));
@@ -130,10 +182,7 @@ Handle open_group(const Handle& parent, const std::string& name)
 
 void write_attribute(const Handle& object, const char* name, std::string_view text)
 {
-  const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "make a string type");
-  // Variable length, because a fixed one cannot hold an empty string; UTF-8 for titles.
-  check(H5Tset_size(type.id(), H5T_VARIABLE), "size a string type");
-  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "set UTF-8");
+  const Handle type = text_type();
   const std::string copy(text);
   const char* data = copy.c_str();
   write_attribute(object, name, type.id(), scalar_space(), &data);
@@ -151,29 +200,60 @@ void write_attribute(const Handle& object, const char* name, int value)
 
 void write_attribute(const Handle& object, const char* name, std::span<const double> values)
 {
-  const hsize_t size = values.size();
-  const Handle space = checked(H5Screate_simple(1, &size, nullptr), H5Sclose, "make a data space");
-  write_attribute(object, name, H5T_NATIVE_DOUBLE, space, values.data());
+  write_attribute(object, name, H5T_NATIVE_DOUBLE, list_space(values.size()), values.data());
+}
+
+void write_attribute(const Handle& object, const char* name, std::span<const int> values)
+{
+  write_attribute(object, name, H5T_NATIVE_INT, list_space(values.size()), values.data());
+}
+
+void write_fixed_attribute(const Handle& object, const char* name, std::string_view text)
+{
+  const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "make a string type");
+  check(H5Tset_size(type.id(), text.size()), "size a string type");
+  check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "pad a string type");
+  write_attribute(object, name, type.id(), scalar_space(), text.data());
 }
 
 void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
 {
-  std::size_t size = 1;
-  for (const std::size_t n : shape)
-    size *= n;
-  if (size != values.size() || size == 0)
-    throw InternalError(fmt::format("field {} has {} values on a grid of {} cells", name, values.size(), size));
-  const std::string what = fmt::format("write the dataset {}", name);
-  const std::vector<hsize_t> dims(shape.begin(), shape.end());
-  const Handle space = checked(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, what);
-  const Handle properties = compression(dims);
+  write_described(group, name, H5T_NATIVE_DOUBLE, values, shape, units, long_name);
+}
+
+void write_dataset(const Handle& group, const char* name, const std::vector<int>& values,
+                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
+{
+  write_described(group, name, H5T_NATIVE_INT, values, shape, units, long_name);
+}
+
+void write_text(const Handle& group, const char* name, std::string_view text)
+{
+  const std::string what = fmt::format("write the text {}", name);
+  const Handle type = text_type();
   const Handle dataset =
-      checked(H5Dcreate2(group.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+      checked(H5Dcreate2(group.id(), name, type.id(), scalar_space().id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
               H5Dclose, what);
-  check(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
-  write_attribute(dataset, "units", units);
-  write_attribute(dataset, "long_name", long_name);
+  const std::string copy(text);
+  const char* data = copy.c_str();
+  check(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<const void*>(&data)), what);
+}
+
+void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
+                           std::span<const VirtualPart> parts)
+{
+  const std::string what = fmt::format("write the virtual dataset {}", name);
+  const Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
+  check(H5Pset_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &fill), what);
+  for (const VirtualPart& part : parts)
+    check(H5Pset_virtual(properties.id(), selection(shape, part.target).id(), part.file.c_str(), part.dataset.c_str(),
+                         selection(part.shape, part.source).id()),
+          what);
+  const Handle space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
+  (void)checked(
+      H5Dcreate2(group.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+      H5Dclose, what);
 }
 
 void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values)
@@ -232,6 +312,12 @@ int read_int_attribute(const Handle& object, const char* name)
   int value = 0;
   check(H5Aread(attribute.id(), H5T_NATIVE_INT, &value), what);
   return value;
+}
+
+void link_soft(const Handle& group, const std::string& name, const std::string& object)
+{
+  check(H5Lcreate_soft(object.c_str(), group.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        fmt::format("link {}", object));
 }
 
 void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object)

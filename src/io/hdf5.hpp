@@ -54,17 +54,47 @@ void save_file(Handle file, const std::filesystem::path& path);
 void close_file(Handle file);
 
 [[nodiscard]] Handle create_group(const Handle& parent, const std::string& name);
+/// A group that remembers the order in which things were put into it.
+[[nodiscard]] Handle create_ordered_group(const Handle& parent, const std::string& name);
 [[nodiscard]] Handle open_group(const Handle& parent, const std::string& name);
 
 void write_attribute(const Handle& object, const char* name, std::string_view text);
 void write_attribute(const Handle& object, const char* name, double value);
 void write_attribute(const Handle& object, const char* name, int value);
 void write_attribute(const Handle& object, const char* name, std::span<const double> values);
+void write_attribute(const Handle& object, const char* name, std::span<const int> values);
+/// Text of fixed length in ASCII, for readers that know no other; not empty.
+void write_fixed_attribute(const Handle& object, const char* name, std::string_view text);
 
-/// Writes doubles, compressed in chunks, with their unit and meaning.
+/// Writes numbers, compressed in chunks, with their unit and meaning.
 /// @param shape  slowest index first
 void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name);
+void write_dataset(const Handle& group, const char* name, const std::vector<int>& values,
+                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name);
+/// One text, UTF-8.
+void write_text(const Handle& group, const char* name, std::string_view text);
+
+/// Cells of an array, slowest index first.
+struct Box
+{
+  std::vector<hsize_t> start, count;
+};
+
+/// A box of a virtual dataset, and the box of equal size in the dataset that is seen there.
+struct VirtualPart
+{
+  Box target;
+  std::string file; ///< relative to the folder of this one; "." is this one
+  std::string dataset;
+  std::vector<hsize_t> shape; ///< of that dataset
+  Box source;
+};
+
+/// A dataset of doubles that stores nothing: it shows parts of others.
+/// @param fill  where there is none
+void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
+                           std::span<const VirtualPart> parts);
 
 /// Plain numbers, as they are.
 void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values);
@@ -73,6 +103,9 @@ void write_numbers(const Handle& group, const std::string& name, const std::vect
 [[nodiscard]] std::vector<std::string> names(const Handle& group);
 [[nodiscard]] std::string read_text_attribute(const Handle& object, const char* name);
 [[nodiscard]] int read_int_attribute(const Handle& object, const char* name);
+
+/// A link `name` in `group` to an object of the same file.
+void link_soft(const Handle& group, const std::string& name, const std::string& object);
 
 /// A link `name` in `group` to an object of another file, whose path is relative to the folder of this one.
 void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object);

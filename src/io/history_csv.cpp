@@ -5,6 +5,7 @@
 #include "replace_file.hpp"
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
@@ -20,19 +21,21 @@ IoError failure(const std::filesystem::path& path, const char* what)
   return IoError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
 }
 
-/// The header and the rows of the first steps.
-std::string first_lines(const std::filesystem::path& path, const std::string& header, int rows)
+/// The numbers of a row. @throws IoError
+std::vector<double> parsed_row(const std::string& line, std::size_t count, const std::filesystem::path& path)
 {
-  std::ifstream stream(path, std::ios::binary);
-  std::string text;
-  std::string line;
-  for (int i = 0; i <= rows; ++i)
+  std::vector<double> values;
+  const char* place = line.data();
+  const char* end = line.data() + line.size();
+  for (double value = 0.0; values.size() < count; ++place)
   {
-    if (!std::getline(stream, line) || (i == 0 && line != header))
-      throw IoError(fmt::format("{}: is not the history that the checkpoint belongs to", path.string()));
-    text += line + '\n';
+    const auto [after, error] = std::from_chars(place, end, value);
+    if (error != std::errc{} || (values.size() + 1 < count ? after == end || *after != ',' : after != end))
+      throw IoError(fmt::format("{}: is damaged at \"{}\"; run without --resume", path.string(), line));
+    values.push_back(value);
+    place = after;
   }
-  return text;
+  return values;
 }
 
 void append(std::vector<NamedNumber>& columns, std::vector<NamedNumber> more)
@@ -124,18 +127,48 @@ std::string history_row(const std::vector<NamedNumber>& columns)
   return text;
 }
 
-HistoryWriter::HistoryWriter(std::filesystem::path path, const std::string& header, int kept) : m_path(std::move(path))
+HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept)
+    : m_path(std::move(path))
 {
-  replace_file(m_path, kept > 0 ? first_lines(m_path, header, kept) : header + '\n');
+  for (const auto& [name, value] : record)
+    m_columns.push_back({name, std::holds_alternative<int>(value), {}});
+  const std::string header = history_header(record) + '\n';
+  if (kept > 0)
+    keep_rows(header, kept);
+  else
+    replace_file(m_path, header);
   m_file.reset(std::fopen(m_path.c_str(), "a"));
   if (!m_file)
     throw failure(m_path, "cannot be written");
 }
 
-void HistoryWriter::add(const std::string& row)
+/// The rows of the first steps stay, what comes after them goes.
+void HistoryWriter::keep_rows(const std::string& header, int count)
 {
-  if (std::fputs((row + '\n').c_str(), m_file.get()) < 0 || std::fflush(m_file.get()) != 0)
+  std::ifstream stream(m_path, std::ios::binary);
+  std::string text;
+  std::string line;
+  for (int i = 0; i <= count; ++i)
+  {
+    if (!std::getline(stream, line) || (i == 0 && line + '\n' != header))
+      throw IoError(fmt::format("{}: is not the history that the checkpoint belongs to", m_path.string()));
+    text += line + '\n';
+    if (i == 0)
+      continue;
+    const std::vector<double> values = parsed_row(line, m_columns.size(), m_path);
+    for (std::size_t c = 0; c < values.size(); ++c)
+      m_columns[c].values.push_back(values[c]);
+  }
+  stream.close();
+  replace_file(m_path, text);
+}
+
+void HistoryWriter::add(const std::vector<NamedNumber>& row)
+{
+  if (std::fputs((history_row(row) + '\n').c_str(), m_file.get()) < 0 || std::fflush(m_file.get()) != 0)
     throw failure(m_path, "cannot be written");
+  for (std::size_t c = 0; c < m_columns.size(); ++c)
+    m_columns[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].second));
 }
 
 } // namespace brinell::io

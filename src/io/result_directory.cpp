@@ -76,8 +76,8 @@ bool earlier_result_removed(const fs::path& folder)
 {
   bool found = false;
   for (const char* name :
-       {"summary.json", "history.csv", "result.h5", "snapshots", "contact.xdmf", "lower.xdmf", "upper.xdmf",
-        "resolved.toml", "result.h5.part", "summary.json.part", checkpoint_file, "checkpoint.h5.part"})
+       {"summary.json", "history.csv", "result.vtkhdf", "snapshots", "resolved.toml", "result.vtkhdf.part",
+        "summary.json.part", checkpoint_file, "checkpoint.h5.part"})
     found = removed(folder / name) || found;
   return found;
 }
@@ -141,16 +141,17 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
   return read_checkpoint(folder / checkpoint_file);
 }
 
-std::string header_of(const Scenario& scenario)
+/// The columns that the history of a scenario has.
+std::vector<NamedNumber> columns_of(const Scenario& scenario)
 {
   using namespace simulation;
-  struct Header
+  struct Columns
   {
-    std::string operator()(const TuggingCase&) const { return history_header(columns(TuggingRecord{})); }
-    std::string operator()(const IndentationCase&) const { return history_header(columns(IndentationRecord{})); }
-    std::string operator()(const RollingCase&) const { return history_header(columns(RollingRecord{})); }
+    std::vector<NamedNumber> operator()(const TuggingCase&) const { return columns(TuggingRecord{}); }
+    std::vector<NamedNumber> operator()(const IndentationCase&) const { return columns(IndentationRecord{}); }
+    std::vector<NamedNumber> operator()(const RollingCase&) const { return columns(RollingRecord{}); }
   };
-  return std::visit(Header{}, scenario);
+  return std::visit(Columns{}, scenario);
 }
 
 } // namespace
@@ -161,7 +162,8 @@ struct ResultDirectory::State
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
         lock(path), checkpoint(take(path, c, mode)),
         replaced(!checkpoint && earlier_result_removed(path) && mode == Mode::replace),
-        result(path, c, finished_steps()), history(path / "history.csv", header_of(c.scenario), finished_steps())
+        history(path / "history.csv", columns_of(c.scenario), finished_steps()),
+        result(path, c, finished_steps(), history.columns())
   {
     replace_file(path / "resolved.toml", resolved_text(c.values));
   }
@@ -177,8 +179,8 @@ struct ResultDirectory::State
   std::optional<Checkpoint> checkpoint;
   std::optional<Archive::Fields> fields = checkpoint ? std::optional(std::move(checkpoint->fields)) : std::nullopt;
   bool replaced;
-  ResultFile result;
   HistoryWriter history;
+  ResultFile result;
 };
 
 ResultDirectory::ResultDirectory(const fs::path& path, const Case& c, Mode mode)
@@ -206,7 +208,7 @@ int ResultDirectory::finished_steps() const
 
 void ResultDirectory::add(const std::vector<NamedNumber>& columns)
 {
-  m_state->history.add(history_row(columns));
+  m_state->history.add(columns);
 }
 
 void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
@@ -223,7 +225,7 @@ void ResultDirectory::finish(const simulation::Snapshot& final_state, const std:
                              const std::string& summary)
 {
   m_state->result.add_final(std::get<int>(last_columns.front().second), last_columns, final_state);
-  m_state->result.merge();
+  m_state->result.merge(summary);
   replace_file(m_state->path / "summary.json", summary);
   m_state->result.remove_pieces();
   removed(m_state->path / checkpoint_file);

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/versions.hpp"
 #include "hdf5.hpp"
+#include "history_columns.hpp"
 #include "replace_file.hpp"
 #include "result_fields.hpp"
 
@@ -23,50 +24,66 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int format_version = 1;
-constexpr const char* file_name = "result.h5";
+constexpr int format_version = 2;
+constexpr const char* file_name = "result.vtkhdf";
 constexpr const char* pieces_folder = "snapshots";
 constexpr const char* piece_group = "state";
 constexpr const char* index_file = "index.json";
 
 using Json = nlohmann::json;
 
-Json grids_json(const std::vector<XdmfGrid>& grids)
+Json json_of(const BodyLayout& body)
 {
-  Json result = Json::array();
-  for (const XdmfGrid& grid : grids)
-  {
-    const SurfaceGrid& s = grid.cells.surface;
-    Json fields = Json::array();
-    for (const auto& field : grid.fields)
-      fields.push_back({field.name, field.dataset});
-    result.push_back({{"name", grid.name},
-                      {"group", grid.group},
-                      {"cells", {s.nx, s.ny, grid.cells.nz}},
-                      {"spacing", {s.dx, s.dy, grid.cells.dz}},
-                      {"origin", {grid.x0, grid.y0}},
-                      {"fields", fields}});
-  }
-  return result;
+  const SurfaceGrid& s = body.grid.surface;
+  return {{"cells", {s.nx, s.ny, body.grid.nz}},
+          {"spacing", {s.dx, s.dy, body.grid.dz}},
+          {"origin", {body.x0, body.y0}},
+          {"has_residual_displacement", body.has_residual_displacement},
+          {"has_plastic_strain", body.has_plastic_strain},
+          {"has_stress", body.has_stress}};
 }
 
-std::vector<XdmfGrid> grids(const Json& json)
+BodyLayout body_of(const Json& json)
 {
-  std::vector<XdmfGrid> result;
-  for (const Json& grid : json)
+  const auto cells = json["cells"].get<std::array<int, 3>>();
+  const auto spacing = json["spacing"].get<std::array<double, 3>>();
+  return {.grid = {{cells[0], cells[1], spacing[0], spacing[1]}, cells[2], spacing[2]},
+          .x0 = json["origin"][0],
+          .y0 = json["origin"][1],
+          .has_residual_displacement = json["has_residual_displacement"],
+          .has_plastic_strain = json["has_plastic_strain"],
+          .has_stress = json["has_stress"]};
+}
+
+Json json_of(const StateLayout& layout)
+{
+  const ContactLayout& c = layout.contact;
+  return {{"lower", json_of(layout.lower)},
+          {"upper", json_of(layout.upper)},
+          {"contact", {c.nx, c.ny, c.column, c.row}}};
+}
+
+StateLayout state_of(const Json& json)
+{
+  const auto contact = json["contact"].get<std::array<int, 4>>();
+  return {body_of(json["lower"]), body_of(json["upper"]), {contact[0], contact[1], contact[2], contact[3]}};
+}
+
+void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history)
+{
+  const h5::Handle group = h5::create_group(file, "history");
+  for (const HistoryColumn& column : history)
   {
-    const auto cells = grid["cells"].get<std::array<int, 3>>();
-    const auto spacing = grid["spacing"].get<std::array<double, 3>>();
-    XdmfGrid g{.name = grid["name"],
-               .group = grid["group"],
-               .cells = {{cells[0], cells[1], spacing[0], spacing[1]}, cells[2], spacing[2]},
-               .x0 = grid["origin"][0],
-               .y0 = grid["origin"][1]};
-    for (const Json& field : grid["fields"])
-      g.fields.push_back({field[0], field[1]});
-    result.push_back(std::move(g));
+    if (column.values.empty())
+      continue; // no step is finished yet
+    const auto [units, long_name] = column_meaning(column.name);
+    const std::array shape{column.values.size()};
+    if (column.is_integer)
+      h5::write_dataset(group, column.name.c_str(), std::vector<int>(column.values.begin(), column.values.end()), shape,
+                        units, long_name);
+    else
+      h5::write_dataset(group, column.name.c_str(), column.values, shape, units, long_name);
   }
-  return result;
 }
 
 void rename_file(const fs::path& from, const fs::path& to)
@@ -84,13 +101,13 @@ fs::path part_of(fs::path path)
 
 } // namespace
 
-ResultFile::ResultFile(fs::path folder, const Case& c, int finished_steps)
+ResultFile::ResultFile(fs::path folder, const Case& c, int finished_steps, const std::vector<HistoryColumn>& history)
     : m_folder(std::move(folder)), m_case_text(resolved_text(c.values)),
-      m_scenario(c.values.get<std::string>("scenario")), m_title(c.title)
+      m_scenario(c.values.get<std::string>("scenario")), m_title(c.title), m_history(history)
 {
   if (finished_steps > 0)
     read_index(finished_steps);
-  write_result(true);
+  write_linked();
 }
 
 void ResultFile::add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
@@ -112,26 +129,19 @@ void ResultFile::add(const simulation::Snapshot& snapshot, const std::vector<Nam
   h5::Handle file = h5::create_file_in_memory();
   write_snapshot(h5::create_group(file, piece_group), columns, snapshot);
   h5::save_file(std::move(file), path);
-  piece.contact = {contact_grid(snapshot, piece.group + "/contact")};
-  piece.lower = body_grids(snapshot.lower, piece.group + "/lower");
-  piece.upper = body_grids(snapshot.upper, piece.group + "/upper");
+  piece.layout = layout_of(snapshot);
   m_pieces.push_back(std::move(piece));
   write_index();
-  write_result(true);
-  write_xdmf();
+  write_linked();
 }
 
-/// The pieces with what XDMF needs to know of them, for a run that goes on later.
+/// The pieces with what /VTKHDF needs to know of them, for a run that goes on later.
 void ResultFile::write_index() const
 {
   Json index = Json::array();
   for (const Piece& piece : m_pieces)
-    index.push_back({{"file", piece.file},
-                     {"group", piece.group},
-                     {"time", piece.time},
-                     {"contact", grids_json(piece.contact)},
-                     {"lower", grids_json(piece.lower)},
-                     {"upper", grids_json(piece.upper)}});
+    index.push_back(
+        {{"file", piece.file}, {"group", piece.group}, {"time", piece.time}, {"layout", json_of(piece.layout)}});
   replace_file(m_folder / pieces_folder / index_file, index.dump());
 }
 
@@ -146,8 +156,7 @@ void ResultFile::read_index(int finished_steps)
         fmt::format("{}: is damaged; run without --resume", (m_folder / pieces_folder / index_file).string()));
   for (const Json& piece : index)
     if (piece["time"].get<double>() < finished_steps && piece["file"] != "final.h5")
-      m_pieces.push_back({piece["file"], piece["group"], piece["time"], grids(piece["contact"]), grids(piece["lower"]),
-                          grids(piece["upper"])});
+      m_pieces.push_back({piece["file"], piece["group"], piece["time"], state_of(piece["layout"])});
 }
 
 /// HDF5 crashes when a full disk does not let it close a file: better to know before.
@@ -166,54 +175,63 @@ void ResultFile::require_space() const
                     static_cast<double>(space.available) * 1e-6, (m_folder / pieces_folder).string()));
 }
 
-/// Writes result.h5 anew: with links to the pieces, or with their content.
-void ResultFile::write_result(bool linked) const
+/// What a result file holds besides the fields.
+void ResultFile::write_description(const h5::Handle& file) const
 {
-  const fs::path path = m_folder / file_name;
-  h5::Handle file = linked ? h5::create_file_in_memory() : h5::create_file(part_of(path));
   const Versions versions = library_versions();
   h5::write_attribute(file, "format", "brinell-result");
   h5::write_attribute(file, "format_version", format_version);
   h5::write_attribute(file, "brinell_version", versions.brinell);
   h5::write_attribute(file, "git_hash", versions.git_hash);
+  h5::write_attribute(file, "fftw_version", versions.fftw);
+  h5::write_attribute(file, "hdf5_version", versions.hdf5);
   h5::write_attribute(file, "scenario", m_scenario);
   h5::write_attribute(file, "title", m_title);
   h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
-  h5::write_attribute(file, "case", m_case_text);
+  h5::write_text(file, "case", m_case_text);
+  write_history(file, m_history);
+}
+
+/// Writes result.vtkhdf anew, with links to the pieces.
+void ResultFile::write_linked() const
+{
+  h5::Handle file = h5::create_file_in_memory();
+  write_description(file);
+  std::vector<StoredState> states;
   {
     // The group must be closed before the file is.
     const h5::Handle steps = h5::create_group(file, "steps");
     for (const Piece& piece : m_pieces)
     {
-      const std::string piece_path = fmt::format("{}/{}", pieces_folder, piece.file);
-      if (linked)
-        h5::link_external(file, piece.group, piece_path, fmt::format("/{}", piece_group));
-      else
-        h5::copy_group(h5::open_file(m_folder / piece_path), piece_group, file, piece.group);
+      states.push_back({piece.time, fmt::format("{}/{}", pieces_folder, piece.file), fmt::format("/{}", piece_group),
+                        piece.layout});
+      h5::link_external(file, piece.group, states.back().file, states.back().group);
     }
   }
-  if (linked)
-    return h5::save_file(std::move(file), path);
-  h5::close_file(std::move(file));
-  rename_file(part_of(path), path);
+  write_vtkhdf(file, states);
+  h5::save_file(std::move(file), m_folder / file_name);
 }
 
-void ResultFile::write_xdmf() const
-{
-  for (const auto& [name, member] :
-       {std::pair{"contact.xdmf", &Piece::contact}, {"lower.xdmf", &Piece::lower}, {"upper.xdmf", &Piece::upper}})
-  {
-    std::vector<XdmfTime> times;
-    for (const Piece& piece : m_pieces)
-      times.push_back({piece.time, piece.*member});
-    replace_file(m_folder / name, xdmf_text(file_name, times));
-  }
-}
-
-void ResultFile::merge()
+/// Writes result.vtkhdf anew, with the content of the pieces.
+void ResultFile::merge(const std::string& summary)
 {
   require_space();
-  write_result(false);
+  const fs::path path = m_folder / file_name;
+  h5::Handle file = h5::create_file(part_of(path));
+  write_description(file);
+  h5::write_text(file, "summary", summary);
+  std::vector<StoredState> states;
+  {
+    const h5::Handle steps = h5::create_group(file, "steps");
+    for (const Piece& piece : m_pieces)
+    {
+      states.push_back({piece.time, ".", piece.group, piece.layout});
+      h5::copy_group(h5::open_file(m_folder / pieces_folder / piece.file), piece_group, file, piece.group);
+    }
+  }
+  write_vtkhdf(file, states);
+  h5::close_file(std::move(file));
+  rename_file(part_of(path), path);
 }
 
 void ResultFile::remove_pieces() const

@@ -3,7 +3,7 @@
 
 #include "brinell/io/case_file.hpp"
 #include "brinell/io/history_csv.hpp"
-#include "xdmf.hpp"
+#include "vtkhdf.hpp"
 
 #include <filesystem>
 #include <string>
@@ -12,40 +12,43 @@
 namespace brinell::io
 {
 
-/// result.h5 and the .xdmf files beside it. An HDF5 file that is open when its process is killed may be lost as a whole, so
-/// each step becomes a file of its own, complete before it gets its name, and result.h5 an index of links that is
-/// replaced in one piece. `merge` copies the pieces into one file at the end.
+/// result.vtkhdf. An HDF5 file that is open when its process is killed may be lost as a whole, so each step becomes a file of
+/// its own, complete before it gets its name, and result.vtkhdf an index of links that is replaced in one piece. `merge`
+/// copies the pieces into one file at the end.
 class ResultFile
 {
 public:
   /// Writes an index of the first steps that are there already, none in a new folder. @throws IoError (all members)
-  ResultFile(std::filesystem::path folder, const Case& c, int finished_steps);
+  /// @param history  its rows are written with each index; must outlive this object.
+  ResultFile(std::filesystem::path folder, const Case& c, int finished_steps,
+             const std::vector<HistoryColumn>& history);
 
   void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
   /// The state after the last step.
   void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
-  void merge();
+  void merge(const std::string& summary);
   /// The pieces go; only after that nothing is left to resume.
   void remove_pieces() const;
 
 private:
-  /// A stored state: its file in snapshots/ and its group in result.h5.
+  /// A stored state: its file in snapshots/ and its group in result.vtkhdf.
   struct Piece
   {
     std::string file;
     std::string group;
     double time; ///< the step
-    std::vector<XdmfGrid> contact{}, lower{}, upper{};
+    StateLayout layout{};
   };
   void add(const simulation::Snapshot& snapshot, const std::vector<NamedNumber>& columns, Piece piece);
   void read_index(int finished_steps);
   void write_index() const;
   void require_space() const;
-  void write_result(bool linked) const;
-  void write_xdmf() const;
+  void write_linked() const;
+  void write_description(const h5::Handle& file) const;
 
   std::filesystem::path m_folder;
   std::string m_case_text, m_scenario, m_title;
+  const std::vector<HistoryColumn>& m_history;
   std::vector<Piece> m_pieces;
 };
 

@@ -150,7 +150,7 @@ Json head_json(const Case& c)
 {
   Json json;
   json["format"] = "brinell-summary";
-  json["format_version"] = 1;
+  json["format_version"] = 2;
   json["complete"] = true;
   json["scenario"] = c.values.get<std::string>("scenario");
   json["title"] = c.title;

@@ -67,8 +67,7 @@ TEST_F(Commands, RunWritesAllFiles)
   EXPECT_NE(outcome.out.find("results in results/small"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.err.find('\r'), std::string::npos) << "a progress bar, but no terminal";
   const fs::path results = folder() / "results" / "small"; // named after the folder of case.toml
-  for (const char* file :
-       {"history.csv", "summary.json", "result.h5", "contact.xdmf", "lower.xdmf", "upper.xdmf", "resolved.toml"})
+  for (const char* file : {"history.csv", "summary.json", "result.vtkhdf", "resolved.toml"})
     EXPECT_TRUE(fs::exists(results / file)) << file;
   EXPECT_FALSE(fs::exists(results / "snapshots"));
   EXPECT_GT(lines(file_text(results / "history.csv")), 5);
@@ -120,7 +119,7 @@ protected:
   void expect_finished_steps() const
   {
     EXPECT_GE(lines(file_text(folder() / "out" / "history.csv")), 8);
-    EXPECT_TRUE(fs::exists(folder() / "out" / "result.h5"));
+    EXPECT_TRUE(fs::exists(folder() / "out" / "result.vtkhdf"));
     EXPECT_FALSE(fs::exists(folder() / "out" / "summary.json")) << "it would look complete";
   }
 };

@@ -29,24 +29,39 @@ using NamedNumber = std::pair<const char*, std::variant<int, double>>;
 /// One row, without the end of line; numbers in the shortest form that reads back the same.
 [[nodiscard]] std::string history_row(const std::vector<NamedNumber>& columns);
 
+/// A column of the history with its values so far.
+struct HistoryColumn
+{
+  std::string name;
+  bool is_integer;
+  std::vector<double> values;
+};
+
 /// Writes history.csv row by row; each row is with the operating system when `add` returns.
 class HistoryWriter
 {
 public:
   /// Replaces the file, or goes on after the rows of its first steps.
-  /// @param kept  how many of them; 0: a new file.
+  /// @param record  of any step, for the names of the columns
+  /// @param kept    how many rows; 0: a new file.
   /// @throws IoError
-  HistoryWriter(std::filesystem::path path, const std::string& header, int kept);
+  HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept);
 
   /// @throws IoError
-  void add(const std::string& row);
+  void add(const std::vector<NamedNumber>& row);
+
+  /// All rows that are in the file.
+  [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return m_columns; }
 
 private:
   struct Closer
   {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  void keep_rows(const std::string& header, int count);
+
   std::filesystem::path m_path;
+  std::vector<HistoryColumn> m_columns;
   std::unique_ptr<std::FILE, Closer> m_file;
 };
 

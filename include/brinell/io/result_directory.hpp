@@ -52,7 +52,7 @@ public:
   /// The state after a step, replacing the one before. @throws IoError
   void add_checkpoint(int step, const Archive::Fields& fields);
 
-  /// Final state, result.h5 in one piece and, last of all, the summary; the checkpoint goes. @throws IoError
+  /// Final state, result.vtkhdf in one piece and, last of all, the summary; the checkpoint goes. @throws IoError
   void finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
               const std::string& summary);
 

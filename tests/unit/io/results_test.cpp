@@ -57,6 +57,23 @@ std::string text_attribute(const fs::path& file, const std::string& object, cons
   return text;
 }
 
+std::string text_dataset(const fs::path& file, const std::string& path)
+{
+  const h5::Handle h5 = h5::open_file(file);
+  const h5::Handle data(H5Dopen2(h5.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
+  const h5::Handle type(H5Dget_type(data.id()), H5Tclose);
+  char* text = nullptr;
+  H5Dread(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &text);
+  std::string result = text ? text : "";
+  H5free_memory(text);
+  return result;
+}
+
+bool exists(const fs::path& file, const std::string& path)
+{
+  return H5Lexists(h5::open_file(file).id(), path.c_str(), H5P_DEFAULT) > 0;
+}
+
 simulation::TuggingSummary hand_made_summary(const Case& c)
 {
   simulation::TuggingSummary s;
@@ -88,7 +105,7 @@ TEST(Results, FieldsAreOrderedAndDescribed)
 {
   const sample::TemporaryFolder folder;
   write_complete(folder.path(), sample::parsed());
-  const fs::path file = folder.path() / "result.h5";
+  const fs::path file = folder.path() / "result.vtkhdf";
   std::vector<hsize_t> shape;
   EXPECT_EQ(dataset(file, "/steps/000000/lower/stress/xx", &shape), sample::numbered(5, 3, 2));
   EXPECT_EQ(shape, (std::vector<hsize_t>{2, 3, 5})); // z, y, x
@@ -113,7 +130,7 @@ TEST(Results, CarryTheirCase)
   const sample::TemporaryFolder folder;
   const Case c = sample::parsed();
   write_complete(folder.path(), c);
-  EXPECT_EQ(text_attribute(folder.path() / "result.h5", "/", "case"), resolved_text(c.values));
+  EXPECT_EQ(text_dataset(folder.path() / "result.vtkhdf", "/case"), resolved_text(c.values));
   EXPECT_EQ(read_case(folder.path() / "resolved.toml").values.all(), c.values.all());
 }
 
@@ -122,7 +139,7 @@ TEST(Results, SummaryIsNormalised)
   const sample::TemporaryFolder folder;
   write_complete(folder.path(), sample::parsed());
   const auto json = nlohmann::json::parse(sample::file_text(folder.path() / "summary.json"));
-  EXPECT_EQ(json["format_version"], 1);
+  EXPECT_EQ(json["format_version"], 2);
   EXPECT_EQ(json["complete"], true);
   EXPECT_DOUBLE_EQ(json["normalised"]["peak_F_X"], 0.25);
   EXPECT_DOUBLE_EQ(json["normalised"]["X_over_R_at_peak_F_X"], -0.45); // radii 1 and 2: R = 2/3
@@ -152,12 +169,12 @@ TEST(Results, FinishedStepsAreReadableAtAnyTime)
 {
   const sample::TemporaryFolder folder;
   ResultDirectory results(folder.path(), sample::parsed());
-  EXPECT_TRUE(fs::exists(folder.path() / "result.h5"));
+  EXPECT_TRUE(fs::exists(folder.path() / "result.vtkhdf"));
   for (int step = 0; step < 3; ++step)
   {
     results.add(sample::columns(step));
     results.add(step, sample::columns(step), sample::snapshot());
-    EXPECT_EQ(dataset(folder.path() / "result.h5", "/steps/00000" + std::to_string(step) + "/contact/pressure"),
+    EXPECT_EQ(dataset(folder.path() / "result.vtkhdf", "/steps/00000" + std::to_string(step) + "/contact/pressure"),
               sample::numbered(4, 3, 1));
     EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   }
@@ -176,7 +193,7 @@ TEST(Results, EarlierResultGoesBeforeTheNewOneBegins)
   const ResultDirectory again(folder.path(), c);
   EXPECT_TRUE(again.replaced());
   EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
-  EXPECT_TRUE(dataset(folder.path() / "result.h5", "/steps/000000/contact/pressure").empty());
+  EXPECT_TRUE(dataset(folder.path() / "result.vtkhdf", "/steps/000000/contact/pressure").empty());
   EXPECT_TRUE(fs::exists(folder.path() / "notes.txt"));
 }
 
@@ -191,18 +208,62 @@ TEST(Results, OneRunPerFolder)
   EXPECT_EQ(sample::file_text(folder.path() / "history.csv"), before);
 }
 
-TEST(Results, XdmfPointsAtEveryStoredState)
+TEST(Results, OneFileHoldsAll)
 {
   const sample::TemporaryFolder folder;
   write_complete(folder.path(), sample::parsed());
-  const std::string lower = sample::file_text(folder.path() / "lower.xdmf"),
-                    upper = sample::file_text(folder.path() / "upper.xdmf");
-  for (const char* fragment :
-       {"result.h5:/steps/000000/lower/stress/xy", "result.h5:/final/lower/plastic_strain/zz", "<Time Value=\"0\"/>",
-        "<Time Value=\"2\"/>", "Dimensions=\"3 4 6\"", "Dimensions=\"2 3 5\"", "0 -0.375 -1.25"})
-    EXPECT_NE(lower.find(fragment), lower.npos) << fragment;
-  EXPECT_EQ(upper.find("plastic_strain"), upper.npos) << "the body is elastic";
-  EXPECT_NE(sample::file_text(folder.path() / "contact.xdmf").find("result.h5:/final/contact/gap"), std::string::npos);
+  const fs::path file = folder.path() / "alone" / "moved.vtkhdf";
+  fs::create_directories(file.parent_path());
+  fs::rename(folder.path() / "result.vtkhdf", file);
+  EXPECT_EQ(text_dataset(file, "/summary"), sample::file_text(folder.path() / "summary.json"));
+  EXPECT_EQ(dataset(file, "/history/step"), (std::vector{0.0, 1.0}));
+  EXPECT_EQ(dataset(file, "/history/X"), (std::vector{sample::record(0).X, sample::record(1).X}));
+  for (const auto& column : sample::columns(0))
+    EXPECT_TRUE(exists(file, std::string("/history/") + column.first)) << column.first;
+  EXPECT_EQ(text_attribute(file, "/history/F_X", "units"), "N");
+  EXPECT_EQ(text_attribute(file, "/history/theta", "units"), "rad");
+  EXPECT_FALSE(dataset(file, "/final/contact/gap").empty());
+  EXPECT_EQ(dataset(file, "/VTKHDF/lower_volume/CellData/von_mises_stress").size(), 2 * sample::numbered(5, 3, 2).size());
+}
+
+// That VTK itself reads it, the tests in Python show.
+TEST(Results, VtkhdfShowsAllStatesOnOneAxis)
+{
+  const sample::TemporaryFolder folder;
+  ResultDirectory results(folder.path(), sample::parsed());
+  simulation::Snapshot snapshot = sample::snapshot();
+  std::ranges::fill(snapshot.lower.stress[5], 8.0); // xy
+  snapshot.lower.contact_x = -0.25; // so that the contact's column 0 is the lower body's
+  const fs::path file = folder.path() / "result.vtkhdf";
+  for (int step = 0; step < 3; ++step)
+  {
+    results.add(sample::columns(step));
+    snapshot.lower.contact_x += 0.5;
+    results.add(step, sample::columns(step), snapshot);
+    std::vector<hsize_t> shape;
+    const auto stress = dataset(file, "/VTKHDF/lower_volume/CellData/stress", &shape);
+    if (step == 0) // without an axis of time
+    {
+      EXPECT_EQ(shape, (std::vector<hsize_t>{2, 3, 5, 6}));
+      continue;
+    }
+    const hsize_t count = step + 1;
+    EXPECT_EQ(shape, (std::vector<hsize_t>{count, 2, 3, 5, 6}));
+    EXPECT_EQ(stress[stress.size() - 6], 10204.0); // xx of the last cell
+    EXPECT_EQ(stress[stress.size() - 3], 8.0);     // VTK has xy in fourth place
+    const auto pressure = dataset(file, "/VTKHDF/lower_surface/PointData/pressure", &shape);
+    EXPECT_EQ(shape, (std::vector<hsize_t>{count, 3, 5}));
+    EXPECT_EQ(std::vector(pressure.end() - 5, pressure.end()),
+              step == 1 ? (std::vector{0.0, 0.0, 200.0, 201.0, 202.0}) : (std::vector{0.0, 0.0, 0.0, 200.0, 201.0}));
+    EXPECT_TRUE(std::isnan(dataset(file, "/VTKHDF/lower_surface/PointData/gap").back()) == false);
+    EXPECT_TRUE(std::isnan(dataset(file, "/VTKHDF/lower_surface/PointData/gap").front()));
+  }
+  EXPECT_EQ(dataset(file, "/VTKHDF/upper_volume/Steps/Values"), (std::vector{0.0, 1.0, 2.0}));
+  EXPECT_EQ(numbers_attribute(file, "/VTKHDF/lower_volume", "Origin"), (std::vector{-1.25, -0.375, 0.0}));
+  EXPECT_EQ(numbers_attribute(file, "/VTKHDF/lower_volume", "WholeExtent"), (std::vector{0.0, 5.0, 0.0, 3.0, 0.0, 2.0}));
+  EXPECT_EQ(numbers_attribute(file, "/VTKHDF/lower_surface", "Origin"), (std::vector{-1.0, -0.25, 0.0}));
+  EXPECT_TRUE(exists(file, "/VTKHDF/lower_volume/CellData/plastic_strain"));
+  EXPECT_FALSE(exists(file, "/VTKHDF/upper_volume/CellData/plastic_strain")) << "the body is elastic";
 }
 
 TEST(Results, FieldsMustFitTheirGrid)

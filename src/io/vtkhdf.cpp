@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkhdf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+using Shape = std::vector<hsize_t>;
+
+/// The order in which VTK has the components of a symmetric tensor.
+constexpr std::array components{"xx", "yy", "zz", "xy", "yz", "xz"};
+
+/// A rectangular part of a plane or volume, slowest index first.
+Shape cells(const VolumeGrid& grid)
+{
+  return {static_cast<hsize_t>(grid.nz), static_cast<hsize_t>(grid.surface.ny), static_cast<hsize_t>(grid.surface.nx)};
+}
+
+Shape cells(const SurfaceGrid& grid)
+{
+  return {static_cast<hsize_t>(grid.ny), static_cast<hsize_t>(grid.nx)};
+}
+
+h5::Box whole(const Shape& shape)
+{
+  return {Shape(shape.size(), 0), shape};
+}
+
+/// An image of VTK, with all states on one axis of time. A single state has no such axis: VTK would take it for a space axis.
+class Block
+{
+public:
+  /// @param body  whose fields it shows: its group in a state
+  Block(const h5::Handle& parent, const char* name, std::string body, int index, const std::vector<StoredState>& states)
+      : m_body(std::move(body)), m_states(states), m_group(h5::create_ordered_group(parent, name))
+  {
+    h5::write_attribute(m_group, "Version", std::array{2, 2});
+    h5::write_fixed_attribute(m_group, "Type", "ImageData");
+    h5::write_attribute(m_group, "Index", index);
+    h5::write_attribute(m_group, "Direction", std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
+    if (states.size() > 1)
+      write_steps(h5::create_group(m_group, "Steps"));
+  }
+
+  void place(const std::array<int, 3>& last, const std::array<double, 3>& origin, const std::array<double, 3>& spacing)
+  {
+    h5::write_attribute(m_group, "WholeExtent", std::array{0, last[0], 0, last[1], 0, last[2]});
+    h5::write_attribute(m_group, "Origin", origin);
+    h5::write_attribute(m_group, "Spacing", spacing);
+  }
+
+  /// @param data  "CellData" or "PointData"
+  void begin(const char* data) { m_data.emplace(h5::create_group(m_group, data)); }
+
+  /// A part of the array at one state: where it is in the array, and which box of which dataset.
+  struct Part
+  {
+    std::string dataset; ///< in the group of the state
+    Shape shape;         ///< of that dataset
+    h5::Box source, target;
+  };
+  using Parts = std::function<std::vector<Part>(const StateLayout&)>;
+
+  void add(const char* name, const Shape& shape, double fill, const Parts& parts_of)
+  {
+    std::vector<h5::VirtualPart> parts;
+    for (std::size_t step = 0; step < m_states.size(); ++step)
+      for (Part& part : parts_of(m_states[step].layout))
+        parts.push_back({at(part.target, step), m_states[step].file, m_states[step].group + "/" + part.dataset,
+                         std::move(part.shape), std::move(part.source)});
+    Shape all = shape;
+    if (m_states.size() > 1)
+      all.insert(all.begin(), m_states.size());
+    h5::write_virtual_dataset(*m_data, name, all, fill, parts);
+  }
+
+  /// A field that covers the image.
+  void add(const char* name, const Shape& shape)
+  {
+    const Part part{fmt::format("{}/{}", m_body, name), shape, whole(shape), whole(shape)};
+    add(name, shape, 0.0, [&](const StateLayout&) { return std::vector{part}; });
+  }
+
+  void add_tensor(const char* name, const Shape& shape)
+  {
+    Shape with_components = shape;
+    with_components.push_back(components.size());
+    add(name, with_components, 0.0,
+        [&](const StateLayout&)
+        {
+          std::vector<Part> parts;
+          for (hsize_t c = 0; c < components.size(); ++c)
+          {
+            h5::Box target = whole(shape);
+            target.start.push_back(c);
+            target.count.push_back(1);
+            parts.push_back({fmt::format("{}/{}/{}", m_body, name, components[c]), shape, whole(shape), target});
+          }
+          return parts;
+        });
+  }
+
+  /// Readers of VTK 9.7 see the time axis of a composite only if /VTKHDF itself has a group Steps. Each of its groups is a block
+  /// for them, and for older ones: so this one has the times and is an empty image.
+  void imitate_steps()
+  {
+    place({-1, -1, -1}, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
+    write_steps(m_group);
+  }
+
+private:
+  void write_steps(const h5::Handle& group) const
+  {
+    std::vector<double> times;
+    for (const StoredState& state : m_states)
+      times.push_back(state.time);
+    h5::write_attribute(group, "NSteps", static_cast<int>(times.size()));
+    h5::write_numbers(group, "Values", times);
+  }
+
+  [[nodiscard]] h5::Box at(h5::Box box, std::size_t step) const
+  {
+    if (m_states.size() > 1)
+    {
+      box.start.insert(box.start.begin(), step);
+      box.count.insert(box.count.begin(), 1);
+    }
+    return box;
+  }
+
+  std::string m_body;
+  const std::vector<StoredState>& m_states;
+  h5::Handle m_group;
+  std::optional<h5::Handle> m_data;
+};
+
+void write_volume(Block block, const BodyLayout& body)
+{
+  const SurfaceGrid& s = body.grid.surface;
+  block.place({s.nx, s.ny, body.grid.nz}, {body.x0 - 0.5 * s.dx, body.y0 - 0.5 * s.dy, 0.0},
+              {s.dx, s.dy, body.grid.dz});
+  block.begin("CellData");
+  const Shape shape = cells(body.grid);
+  if (body.has_plastic_strain)
+  {
+    block.add("equivalent_plastic_strain", shape);
+    block.add_tensor("plastic_strain", shape);
+  }
+  if (body.has_stress)
+  {
+    block.add("von_mises_stress", shape);
+    block.add_tensor("stress", shape);
+  }
+}
+
+/// The cells of the contact that lie on the lower body's grid. @returns none if the grids are apart.
+std::vector<Block::Part> contact_part(const char* name, const StateLayout& layout)
+{
+  const ContactLayout& c = layout.contact;
+  const SurfaceGrid& lower = layout.lower.grid.surface;
+  const int first_row = std::max(c.row, 0), last_row = std::min(c.row + c.ny, lower.ny);
+  const int first_column = std::max(c.column, 0), last_column = std::min(c.column + c.nx, lower.nx);
+  if (first_row >= last_row || first_column >= last_column)
+    return {};
+  const auto box = [&](int row, int column)
+  {
+    return h5::Box{
+        {static_cast<hsize_t>(first_row - row), static_cast<hsize_t>(first_column - column)},
+        {static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)}};
+  };
+  return {{fmt::format("contact/{}", name),
+           {static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)},
+           box(c.row, c.column),
+           box(0, 0)}};
+}
+
+/// A sheet of points in the cells' centres: so it can be warped by its values.
+void write_surface(Block block, const BodyLayout& body, bool with_contact)
+{
+  const SurfaceGrid& s = body.grid.surface;
+  block.place({s.nx - 1, s.ny - 1, 0}, {body.x0, body.y0, 0.0}, {s.dx, s.dy, body.grid.dz});
+  block.begin("PointData");
+  if (body.has_residual_displacement)
+    block.add("residual_displacement", cells(s));
+  if (!with_contact)
+    return;
+  block.add("pressure", cells(s), 0.0, [](const StateLayout& l) { return contact_part("pressure", l); });
+  block.add("gap", cells(s), std::numeric_limits<double>::quiet_NaN(),
+            [](const StateLayout& l) { return contact_part("gap", l); });
+}
+
+BodyLayout layout_of(const simulation::BodySnapshot& body)
+{
+  return {.grid = body.grid,
+          .x0 = body.x0,
+          .y0 = body.y0,
+          .has_residual_displacement = !body.residual_displacement.empty(),
+          .has_plastic_strain = !body.plastic_strain[0].empty(),
+          .has_stress = !body.stress[0].empty()};
+}
+
+} // namespace
+
+StateLayout layout_of(const simulation::Snapshot& snapshot)
+{
+  const simulation::BodySnapshot& lower = snapshot.lower;
+  const SurfaceGrid& grid = snapshot.contact;
+  const double x = snapshot.x0 + lower.contact_x - lower.x0, y = snapshot.y0 - lower.y0;
+  return {.lower = layout_of(lower),
+          .upper = layout_of(snapshot.upper),
+          .contact = {.nx = grid.nx,
+                      .ny = grid.ny,
+                      .column = static_cast<int>(std::lround(x / grid.dx)),
+                      .row = static_cast<int>(std::lround(y / grid.dy))}};
+}
+
+void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states)
+{
+  if (states.empty())
+    return;
+  const h5::Handle root = h5::create_ordered_group(file, "VTKHDF");
+  h5::write_attribute(root, "Version", std::array{2, 2});
+  h5::write_fixed_attribute(root, "Type", "PartitionedDataSetCollection");
+  const h5::Handle assembly = h5::create_ordered_group(root, "Assembly");
+  int count = 0;
+  const auto block = [&](const char* name, const char* body)
+  {
+    const h5::Handle node = h5::create_ordered_group(assembly, name);
+    h5::link_soft(node, name, fmt::format("/VTKHDF/{}", name));
+    return Block(root, name, body, count++, states);
+  };
+  const auto& [lower, upper, contact] = states.front().layout;
+  if (lower.has_plastic_strain || lower.has_stress)
+    write_volume(block("lower_volume", "lower"), lower);
+  if (upper.has_plastic_strain || upper.has_stress)
+    write_volume(block("upper_volume", "upper"), upper);
+  write_surface(block("lower_surface", "lower"), lower, true);
+  if (upper.has_residual_displacement)
+    write_surface(block("upper_surface", "upper"), upper, false);
+  if (states.size() > 1)
+    Block(root, "Steps", "", count, states).imitate_steps();
+}
+
+} // namespace brinell::io

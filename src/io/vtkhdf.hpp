@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/scenario.hpp"
+#include "hdf5.hpp"
+
+#include <string>
+#include <vector>
+
+/// The group /VTKHDF, by which ParaView opens a result file. It shows the fields of the stored states without storing them
+/// again.
+namespace brinell::io
+{
+
+/// Where a body's fields lie, and which it has.
+struct BodyLayout
+{
+  VolumeGrid grid;
+  double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
+  bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false;
+};
+
+/// The contact's grid takes cells of the lower body's surface.
+struct ContactLayout
+{
+  int nx = 0, ny = 0;
+  int column = 0, row = 0; ///< of the lower body, where the contact's first ones are
+};
+
+struct StateLayout
+{
+  BodyLayout lower, upper;
+  ContactLayout contact;
+};
+
+[[nodiscard]] StateLayout layout_of(const simulation::Snapshot& snapshot);
+
+/// A state in a result file.
+struct StoredState
+{
+  double time;
+  std::string file;  ///< relative to the folder of the result; "." is the result file itself
+  std::string group; ///< in that file
+  StateLayout layout;
+};
+
+/// Writes /VTKHDF, docs/reference/results-format.md.
+/// @param states  ascending in time, on the same grids; nothing is written if there are none.
+/// @throws IoError
+void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states);
+
+} // namespace brinell::io
