@@ -78,6 +78,63 @@ double rough_seconds(const ScenarioCase& c, const simulation::Plan& plan)
   return plan.steps * solved * evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
 }
 
+/// Steps that "aligned" stores.
+double key_steps(const simulation::TuggingCase& t, const simulation::Plan&)
+{
+  return t.passes;
+}
+double key_steps(const simulation::IndentationCase& i, const simulation::Plan& plan)
+{
+  return plan.steps / static_cast<double>(i.steps);
+}
+double key_steps(const simulation::RollingCase& r, const simulation::Plan&)
+{
+  return r.passes;
+}
+
+/// Steps whose fields will be stored, beside the final state.
+template <typename ScenarioCase>
+double stored_steps(const ScenarioCase& c, const simulation::Plan& plan, const SnapshotRule& rule)
+{
+  using Kind = SnapshotRule::Kind;
+  switch (rule.kind)
+  {
+  case Kind::none:
+    return 0.0;
+  case Kind::aligned:
+    return key_steps(c, plan);
+  case Kind::all:
+    return plan.steps;
+  case Kind::every:
+    return std::ceil(plan.steps / static_cast<double>(rule.every));
+  case Kind::listed:
+    return static_cast<double>(
+        std::count_if(rule.steps.begin(), rule.steps.end(), [&](int step) { return step < plan.steps; }));
+  }
+  return 0.0;
+}
+
+/// Bytes of one stored state: pressure and gap; of each body that deforms the tensors of stress and plastic strain, their
+/// equivalents, and the surface.
+template <typename ScenarioCase>
+double state_bytes(const ScenarioCase& c, const simulation::Plan& plan)
+{
+  constexpr double fields_per_cell = 14.0;
+  double numbers = 2.0 * static_cast<double>(plan.contact.size());
+  for (const auto& [body, grid] : {std::pair{&c.lower, &plan.lower}, std::pair{&c.upper, &plan.upper}})
+    if (!body->material.elastic.is_rigid())
+      numbers += fields_per_cell * static_cast<double>(grid->size()) + static_cast<double>(grid->surface.size());
+  return numbers * sizeof(double);
+}
+
+template <typename ScenarioCase>
+std::string result_report(const ScenarioCase& c, const simulation::Plan& plan, const SnapshotRule& rule)
+{
+  const double steps = stored_steps(c, plan, rule);
+  return fmt::format("# Result: {:.0f} stored step{} and the final state, {} before compression\n", steps,
+                     steps == 1.0 ? "" : "s", size_text((steps + 1.0) * state_bytes(c, plan)));
+}
+
 std::string volume_text(const VolumeGrid& grid)
 {
   return fmt::format("{} x {} x {} cells", grid.surface.nx, grid.surface.ny, grid.nz);
@@ -202,7 +259,8 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                       const Plan& p = std::get<Plan>(plan);
                       return motion_report(scenario, p) + grid_report(p) +
                              fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(p.memory_bytes),
-                                         duration_text(rough_seconds(scenario, p)));
+                                         duration_text(rough_seconds(scenario, p))) +
+                             result_report(scenario, p, c.snapshots);
                     },
                     c.scenario);
 }

@@ -15,7 +15,7 @@ namespace
 
 /// Of chunks, by rank; 64^3 doubles are 2 MB, a good size for the deflate filter.
 constexpr std::array<hsize_t, 4> longest_chunk_side{1, 4096, 512, 64};
-constexpr unsigned deflate_level = 1;      ///< fields are smooth or zero: higher levels gain little and cost much
+constexpr unsigned deflate_level = 1; ///< fields are smooth or zero: higher levels gain little and cost much
 
 /// The text of the innermost HDF5 error, where the cause is.
 herr_t take_description(unsigned /*n*/, const H5E_error2_t* error, void* data)
@@ -251,9 +251,8 @@ void write_virtual_dataset(const Handle& group, const char* name, std::span<cons
                          selection(part.shape, part.source).id()),
           what);
   const Handle space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
-  (void)checked(
-      H5Dcreate2(group.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
-      H5Dclose, what);
+  (void)checked(H5Dcreate2(group.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                H5Dclose, what);
 }
 
 void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values)

@@ -75,9 +75,8 @@ bool removed(const fs::path& path)
 bool earlier_result_removed(const fs::path& folder)
 {
   bool found = false;
-  for (const char* name :
-       {"summary.json", "history.csv", "result.vtkhdf", "snapshots", "resolved.toml", "result.vtkhdf.part",
-        "summary.json.part", checkpoint_file, "checkpoint.h5.part"})
+  for (const char* name : {"summary.json", "history.csv", "result.vtkhdf", "snapshots", "resolved.toml",
+                           "result.vtkhdf.part", "summary.json.part", checkpoint_file, "checkpoint.h5.part"})
     found = removed(folder / name) || found;
   return found;
 }

@@ -58,9 +58,8 @@ BodyLayout body_of(const Json& json)
 Json json_of(const StateLayout& layout)
 {
   const ContactLayout& c = layout.contact;
-  return {{"lower", json_of(layout.lower)},
-          {"upper", json_of(layout.upper)},
-          {"contact", {c.nx, c.ny, c.column, c.row}}};
+  return {
+      {"lower", json_of(layout.lower)}, {"upper", json_of(layout.upper)}, {"contact", {c.nx, c.ny, c.column, c.row}}};
 }
 
 StateLayout state_of(const Json& json)
@@ -203,8 +202,8 @@ void ResultFile::write_linked() const
     const h5::Handle steps = h5::create_group(file, "steps");
     for (const Piece& piece : m_pieces)
     {
-      states.push_back({piece.time, fmt::format("{}/{}", pieces_folder, piece.file), fmt::format("/{}", piece_group),
-                        piece.layout});
+      states.push_back(
+          {piece.time, fmt::format("{}/{}", pieces_folder, piece.file), fmt::format("/{}", piece_group), piece.layout});
       h5::link_external(file, piece.group, states.back().file, states.back().group);
     }
   }

@@ -174,9 +174,8 @@ std::vector<Block::Part> contact_part(const char* name, const StateLayout& layou
     return {};
   const auto box = [&](int row, int column)
   {
-    return h5::Box{
-        {static_cast<hsize_t>(first_row - row), static_cast<hsize_t>(first_column - column)},
-        {static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)}};
+    return h5::Box{{static_cast<hsize_t>(first_row - row), static_cast<hsize_t>(first_column - column)},
+                   {static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)}};
   };
   return {{fmt::format("contact/{}", name),
            {static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)},

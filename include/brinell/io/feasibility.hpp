@@ -19,8 +19,8 @@ using ScenarioPlan = std::variant<simulation::TuggingPlan, simulation::Indentati
 /// @throws InputError with place and value of the grid if it has an absurd number of cells or does not fit
 [[nodiscard]] ScenarioPlan plan_case(const Case& c, double available_memory = machine_memory());
 
-/// What `brinell check` prints: the resolved case, and as comments its critical values, grids, steps, memory and rough cost.
-/// The whole is again a case file.
+/// What `brinell check` prints: the resolved case, and as comments its critical values, grids, steps, memory, rough cost and
+/// size of the result. The whole is again a case file.
 [[nodiscard]] std::string check_report(const Case& c, const ScenarioPlan& plan);
 
 } // namespace brinell::io

@@ -3,6 +3,7 @@
 #include "brinell/io/feasibility.hpp"
 #include "sample.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace brinell::io
@@ -61,6 +62,36 @@ TEST(Feasibility, ReportIsACaseFile)
   for (const char* fragment :
        {"alpha_c = ", "P_c = ", "steps per pass", "lower body", "of memory", "the lower body yields first"})
     EXPECT_NE(report.find(fragment), report.npos) << fragment;
+}
+
+std::string result_line(const std::string& snapshots)
+{
+  const Case c = sample::parsed({"tugging.passes=2", "output.snapshots=" + snapshots});
+  const std::string report = check_report(c, plan_case(c));
+  const auto begin = report.find("# Result: ");
+  return begin == report.npos ? "" : report.substr(begin, report.find('\n', begin) - begin);
+}
+
+TEST(Feasibility, TellsTheSizeOfTheResult)
+{
+  const Case c = sample::parsed({"tugging.passes=2"});
+  const auto plan = std::get<simulation::TuggingPlan>(plan_case(c));
+  const double numbers = 2.0 * static_cast<double>(plan.contact.size()) +
+                         14.0 * static_cast<double>(plan.lower.size() + plan.upper.size()) +
+                         static_cast<double>(plan.lower.surface.size() + plan.upper.surface.size());
+  const double megabytes = 8e-6 * numbers; // of one state
+  const auto expected = [&](int steps)
+  {
+    return fmt::format("# Result: {} stored step{} and the final state, {:.3g} MB before compression", steps,
+                       steps == 1 ? "" : "s", (steps + 1) * megabytes);
+  };
+  ASSERT_LT(4 * megabytes, 1e3);
+  EXPECT_EQ(result_line("none"), expected(0));
+  EXPECT_EQ(result_line("[3]"), expected(1));
+  EXPECT_EQ(result_line("[3, 1000000]"), expected(1)) << "there is no such step";
+  EXPECT_EQ(result_line("aligned"), expected(2)) << "one in each pass";
+  EXPECT_EQ(result_line(fmt::format("every {}", plan.steps / 2)), expected(plan.steps % 2 == 0 ? 2 : 3));
+  EXPECT_EQ(result_line("all").rfind(fmt::format("# Result: {} stored steps", plan.steps), 0), 0u);
 }
 
 } // namespace

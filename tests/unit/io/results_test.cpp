@@ -223,7 +223,8 @@ TEST(Results, OneFileHoldsAll)
   EXPECT_EQ(text_attribute(file, "/history/F_X", "units"), "N");
   EXPECT_EQ(text_attribute(file, "/history/theta", "units"), "rad");
   EXPECT_FALSE(dataset(file, "/final/contact/gap").empty());
-  EXPECT_EQ(dataset(file, "/VTKHDF/lower_volume/CellData/von_mises_stress").size(), 2 * sample::numbered(5, 3, 2).size());
+  EXPECT_EQ(dataset(file, "/VTKHDF/lower_volume/CellData/von_mises_stress").size(),
+            2 * sample::numbered(5, 3, 2).size());
 }
 
 // That VTK itself reads it, the tests in Python show.
@@ -233,7 +234,7 @@ TEST(Results, VtkhdfShowsAllStatesOnOneAxis)
   ResultDirectory results(folder.path(), sample::parsed());
   simulation::Snapshot snapshot = sample::snapshot();
   std::ranges::fill(snapshot.lower.stress[5], 8.0); // xy
-  snapshot.lower.contact_x = -0.25; // so that the contact's column 0 is the lower body's
+  snapshot.lower.contact_x = -0.25;                 // so that the contact's column 0 is the lower body's
   const fs::path file = folder.path() / "result.vtkhdf";
   for (int step = 0; step < 3; ++step)
   {
@@ -260,7 +261,8 @@ TEST(Results, VtkhdfShowsAllStatesOnOneAxis)
   }
   EXPECT_EQ(dataset(file, "/VTKHDF/upper_volume/Steps/Values"), (std::vector{0.0, 1.0, 2.0}));
   EXPECT_EQ(numbers_attribute(file, "/VTKHDF/lower_volume", "Origin"), (std::vector{-1.25, -0.375, 0.0}));
-  EXPECT_EQ(numbers_attribute(file, "/VTKHDF/lower_volume", "WholeExtent"), (std::vector{0.0, 5.0, 0.0, 3.0, 0.0, 2.0}));
+  EXPECT_EQ(numbers_attribute(file, "/VTKHDF/lower_volume", "WholeExtent"),
+            (std::vector{0.0, 5.0, 0.0, 3.0, 0.0, 2.0}));
   EXPECT_EQ(numbers_attribute(file, "/VTKHDF/lower_surface", "Origin"), (std::vector{-1.0, -0.25, 0.0}));
   EXPECT_TRUE(exists(file, "/VTKHDF/lower_volume/CellData/plastic_strain"));
   EXPECT_FALSE(exists(file, "/VTKHDF/upper_volume/CellData/plastic_strain")) << "the body is elastic";
