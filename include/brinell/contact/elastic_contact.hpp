@@ -35,7 +35,7 @@ struct Report
 /// Contact by the constrained conjugate gradient method (Polonsky, Keer 1999).
 ///
 /// Finds p >= 0, gap = distance - approach + A p >= 0, p * gap = 0 with A the surface compliance; the approach is given, or
-/// the sum of p dx dy is.
+/// the sum of p dx dy is: docs/theory/contact.md (complementarity).
 class ElasticContact
 {
 public:

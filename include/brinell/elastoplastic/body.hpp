@@ -58,7 +58,8 @@ public:
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
 
   /// Starts an increment: the guess of q is the last one, carried along by `shift` cells in x with the contact.
-  /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 is enough to make the plain fixed point descend always (docs/theory.md); a cell's own stiffness, near 0.6, converges faster.
+  /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 is enough to make the plain fixed point descend always
+  ///                         (docs/theory/elastoplastic.md); a cell's own stiffness, near 0.6, converges faster.
   void begin(int shift, double stiffness_share);
   /// Integrates the plastic strain for the present q and computes the residual displacement it gives.
   void integrate(Integration integration);

@@ -61,8 +61,8 @@ struct Strategy
   int anderson_depth = 6;
   /// c / (2 mu) in q = s + c d_eps, see Body::begin.
   double stiffness_share = 0.6;
-  /// Give up as soon as the energy of the increment's convex problem rises (backward Euler, plain fixed point): the
-  /// caller then retries with a larger stiffness share, that is with shorter steps.
+  /// Give up as soon as the energy of the increment's convex problem, docs/theory/elastoplastic.md (energy), rises
+  /// (backward Euler, plain fixed point): the caller then retries with a larger stiffness share, that is with shorter steps.
   bool watch_energy = false;
   std::function<bool()> wants_stop{}; ///< asked before each evaluation
 };

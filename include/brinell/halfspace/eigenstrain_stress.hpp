@@ -23,7 +23,7 @@ namespace brinell::halfspace
 /// plus, inside the layer, the stress of a uniform layer held in its plane. Mirror image and Boussinesq's pressure, which
 /// free the surface, together travel downwards like one more wave that starts there, with the amplitudes
 ///   a = -F,  c = C + 2 F,  w = W,   F = int (a - k z' c_-) e^-kz' dz',  C = int c_- e^-kz' dz',  W = int w_- e^-kz' dz'
-/// of what arrives from below. (Derivation in docs/theory.md, section 4.) The stress of a
+/// of what arrives from below: docs/theory/half-space.md (sheet-stress), (sheet-shear), (free-surface). The stress of a
 /// layer is its mean over the thickness, as the strain is constant in it: the operator is symmetric, and its energy exact
 /// for such a strain.
 ///

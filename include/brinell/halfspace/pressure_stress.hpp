@@ -12,7 +12,7 @@ namespace brinell::halfspace
 ///
 /// Closed form of the uniformly loaded rectangle (Love 1929), one convolution per layer; the value of a cell is the mean
 /// over the layer's thickness at the middle of the cell in x and y. The transpose is Betti's theorem,
-///   u(x) = integral of s^(unit load at x) : eps_p dV,
+///   u(x) = integral of s^(unit load at x) : eps_p dV,    docs/theory/half-space.md (residual-displacement),
 /// with the same coefficients, so the discrete system stays symmetric.
 ///
 /// Everything here works on one row of one block of BlockedFft's spectra: a stress or strain is [5 * nz planes][lane],

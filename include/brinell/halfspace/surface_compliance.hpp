@@ -10,7 +10,7 @@ namespace brinell::halfspace
 {
 
 /// Pressure -> sum of the elastic normal displacements of two half spaces on one surface grid, non-periodic
-/// (DC-FFT of the rectangle's closed form, Love 1929).
+/// (DC-FFT of the rectangle's closed form, Love 1929): docs/theory/half-space.md (surface-displacement).
 class SurfaceCompliance
 {
 public:

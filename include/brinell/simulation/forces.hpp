@@ -26,13 +26,13 @@ struct ResidualSurface
 
 /// Projection of the pressure to the global axes (paper, Eqs. 15-22, without the factor n: a sum over cells counts each
 /// cell once). The mean contact plane weighs both slopes with the arc that the contact moves on each body: this is the
-/// reading whose work is the energy that the bodies take up (docs/theory.md).
+/// reading whose work is the energy that the bodies take up: docs/theory/simulation.md (pile-up).
 /// @param pressure  on the contact grid [Pa]
 [[nodiscard]] Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure, double theta,
                                     const ResidualSurface& lower, const ResidualSurface& upper);
 
 /// Resistance to rolling: the work that the pressure takes from the drive per distance on the lower body [N], by the slope of
-/// both surfaces as they are (texture and residual displacement).
+/// both surfaces as they are (texture and residual displacement): docs/theory/simulation.md (rolling).
 /// @param upper_share  distance on the upper body per distance on the lower one
 [[nodiscard]] double rolling_resistance(const SurfaceGrid& grid, std::span<const double> pressure,
                                         std::span<const double> lower_depth, std::span<const double> upper_depth,

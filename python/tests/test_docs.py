@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Links between the Markdown pages, and the pages and equations that comments name."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+# docs/_*: what the build of the site writes.
+PAGES = [
+    page
+    for pattern in ("*.md", "bench/*.md", "cases/*/*.md", "docs/**/*.md")
+    for page in sorted(ROOT.glob(pattern))
+    if not any(part.startswith("_") for part in page.relative_to(ROOT).parts)
+]
+FENCED = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
+TAG = re.compile(r"\\tag\{([^}]*)\}")
+PAGE_NAMED = re.compile(r"\bdocs/[\w/-]+\.md\b")
+EQUATIONS_NAMED = re.compile(r"\b(docs/theory/[\w-]+\.md)((?:[\s/#]*,?[\s/#]*\([a-z-]+\))+)")
+
+
+def prose(page: Path) -> str:
+    """Text of a page without its code blocks, in which a bracket is no link and # no heading."""
+    return FENCED.sub("", page.read_text(encoding="utf-8"))
+
+
+def anchors(page: Path) -> set[str]:
+    """Anchors of a page's headings, as code hosts and MyST make them."""
+    names = (re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in HEADING.findall(prose(page)))
+    return set(names)
+
+
+def sources() -> Iterator[Path]:
+    """Files whose comments name pages."""
+    for folder in ("include", "src", "apps", "python", "tests", "tools", "bench"):
+        for path in (ROOT / folder).rglob("*"):
+            if path.suffix in {".hpp", ".cpp", ".py", ".pyi"}:
+                yield path
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_relative_links_lead_somewhere(page: Path) -> None:
+    broken = []
+    for link in LINK.findall(prose(page)):
+        if re.match(r"[a-z]+:", link):
+            continue
+        name, _, anchor = link.partition("#")
+        target = (page.parent / name).resolve() if name else page
+        if not target.exists():
+            broken.append(f"{link}: no such file")
+        elif anchor and target.suffix == ".md" and anchor not in anchors(target):
+            broken.append(f"{link}: no such heading; there are {sorted(anchors(target))}")
+    assert not broken
+
+
+def test_pages_named_in_comments_exist() -> None:
+    missing = {
+        f"{path.relative_to(ROOT)}: {name}"
+        for path in sources()
+        for name in PAGE_NAMED.findall(path.read_text(encoding="utf-8"))
+        if not (ROOT / name).exists()
+    }
+    assert not missing
+
+
+def test_equations_named_in_comments_exist() -> None:
+    named = [
+        (path, page, label)
+        for path in sources()
+        for page, labels in EQUATIONS_NAMED.findall(path.read_text(encoding="utf-8"))
+        for label in re.findall(r"\(([a-z-]+)\)", labels)
+    ]
+    assert len(named) >= 8, "the pattern no longer finds the equations that the headers name"
+    missing = [
+        f"{path.relative_to(ROOT)}: {page} ({label})"
+        for path, page, label in named
+        if label not in TAG.findall((ROOT / page).read_text(encoding="utf-8"))
+    ]
+    assert not missing
+
+
+def test_labels_of_equations_are_unique() -> None:
+    labels = [label for page in sorted((ROOT / "docs/theory").glob("*.md")) for label in TAG.findall(page.read_text())]
+    assert sorted(labels) == sorted(set(labels))
