@@ -11,6 +11,7 @@ MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
 ALPHAS ?= 1 2 4 6 9#   maximum interferences of `make run`, in critical interferences
 CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=ON
+BENCH_ARGS ?=#         more options for the benchmarks, e.g. BENCH_ARGS=--benchmark_repetitions=3
 
 python := .venv/bin/python
 results := results/tugging-paper
@@ -85,8 +86,15 @@ sanitize: build/sanitize/build.ninja
 package: build/.setup-packages .venv/.setup-done
 	tools/package.sh
 
+# One thread, unless OMP_NUM_THREADS says otherwise. bench/record.py appends what is measured to bench/results.csv.
+bench: export OMP_NUM_THREADS ?= 1
 bench: build
-	@set -e; for program in build/release/bin/bench_*; do $$program; done
+	@mkdir -p build/bench
+	@set -e; for program in build/release/bin/bench_*; do \
+	  $$program --benchmark_out=build/bench/$$(basename $$program).json --benchmark_out_format=json \
+	    --benchmark_context=commit=$$(git describe --always --dirty --abbrev=7) \
+	    --benchmark_context=threads=$$OMP_NUM_THREADS $(BENCH_ARGS); \
+	done
 
 clean:
 	rm -rf build

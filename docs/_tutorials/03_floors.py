@@ -1,0 +1,8 @@
+"""
+03_floors
+===================
+
+temp
+"""
+import matplotlib.pyplot as plt
+plt.plot([1,2])

@@ -1,0 +1,8 @@
+"""
+04_rolling
+===================
+
+temp
+"""
+import matplotlib.pyplot as plt
+plt.plot([1,2])
