@@ -2,7 +2,7 @@
 #   make build   compile (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     the tugging asperities of the paper: results and figures in results/tugging-paper
-# Further: setup, format, check, tidy, sanitize, package, bench, clean. All of them may be repeated; what is done is not redone.
+# Further: setup, format, check, tidy, sanitize, package, bench, docs, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
 .DEFAULT_GOAL := build
@@ -16,7 +16,7 @@ BENCH_ARGS ?=#         more options for the benchmarks, e.g. BENCH_ARGS=--benchm
 python := .venv/bin/python
 results := results/tugging-paper
 
-.PHONY: build test run setup format check tidy sanitize package bench clean force
+.PHONY: build test run setup format check tidy sanitize package bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done
@@ -95,6 +95,16 @@ bench: build
 	    --benchmark_context=commit=$$(git describe --always --dirty --abbrev=7) \
 	    --benchmark_context=threads=$$OMP_NUM_THREADS $(BENCH_ARGS); \
 	done
+
+# --- Documentation: warnings are errors; the tutorials are run --------------------------------------------------------
+.venv/.docs-done: docs/requirements.txt .venv/.setup-done
+	@.venv/bin/pip install --quiet --disable-pip-version-check -r docs/requirements.txt
+	@touch $@
+
+docs: build .venv/.docs-done
+	@tools/render_command_line.py .venv/bin/brinell docs/reference/command-line.md
+	@$(python) -m sphinx -W --keep-going -q -c docs -b html -d build/docs/doctrees . build/docs/html
+	@echo "Pages: build/docs/html/index.html"
 
 clean:
 	rm -rf build
