@@ -1,8 +1,0 @@
-"""
-Ten minutes
-===========
-
-temp
-"""
-import matplotlib.pyplot as plt
-plt.plot([1,2])

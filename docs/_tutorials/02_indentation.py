@@ -1,8 +1,0 @@
-"""
-02_indentation
-===================
-
-temp
-"""
-import matplotlib.pyplot as plt
-plt.plot([1,2])

@@ -1,8 +1,0 @@
-"""
-03_floors
-===================
-
-temp
-"""
-import matplotlib.pyplot as plt
-plt.plot([1,2])

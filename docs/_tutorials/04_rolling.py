@@ -1,8 +1,0 @@
-"""
-04_rolling
-===================
-
-temp
-"""
-import matplotlib.pyplot as plt
-plt.plot([1,2])
