@@ -15,24 +15,49 @@ from importlib.metadata import version
 # OpenMP reads this when the extension is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
+from brinell.bodies import Berkovich, Body, Bump, Cone, Cylinder, Dent, Ellipsoid, Flat, Sphere, Vickers
 from brinell.case import Case, CaseWarning
 from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
+from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect, Swift, Table, Voce
 from brinell.results import Run, RunError
 from brinell.results import open_run as open
+from brinell.scenarios import Indentation, Rolling, Tugging
 
 __version__ = version("brinell")
 
 __all__ = [
+    "RIGID",
+    "Berkovich",
+    "Body",
     "BrinellError",
+    "Bump",
     "Case",
     "CaseWarning",
+    "Cone",
     "ConvergenceError",
+    "Cylinder",
+    "Dent",
+    "Ellipsoid",
+    "Flat",
     "GridError",
+    "Hollomon",
+    "Indentation",
     "InputError",
     "InternalError",
     "IoError",
+    "Linear",
+    "Ludwik",
+    "Material",
+    "Perfect",
+    "Rolling",
     "Run",
     "RunError",
+    "Sphere",
+    "Swift",
+    "Table",
+    "Tugging",
+    "Vickers",
+    "Voce",
     "__version__",
     "open",
 ]

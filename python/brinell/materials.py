@@ -219,13 +219,13 @@ class Material:
             raise InputError(text.replace("lower.material", "material")) from None
 
 
-RIGID = Material(math.inf, 0.0)
-"""A body that does not deform at all."""
-
-
 def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
     """Pairs or lists as what can be compared and does not change."""
     return tuple(tuple(plain(entry)) for entry in values)
+
+
+RIGID = Material(math.inf, 0.0)
+"""A body that does not deform at all."""
 
 
 class _Checked:

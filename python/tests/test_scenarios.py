@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenarios as Python classes: they say what a case file says, with the same errors and results."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import tomllib
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import brinell
+from brinell import bodies
+
+CASES = Path(__file__).parents[2] / "cases"
+PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "case-file.md").read_text(encoding="utf-8")
+
+STEEL = brinell.Material("200 GPa", 0.3, brinell.Linear(yield_stress="600 MPa", modulus="2 GPa"))
+HARDER = brinell.Material("210 GPa", 0.28, brinell.Linear("750 MPa", 2e9))
+
+
+def body_of_radius(radius: float | str, material: brinell.Material = STEEL) -> brinell.Body:
+    return brinell.Body(brinell.Sphere(radius), material)
+
+
+def keys_of(table: str) -> set[str]:
+    """Keys of a table of the case file, as its reference page lists them (made from the schema, which a test checks)."""
+    section = PAGE.split(f"## `[{table}]`")[1].split("\n## ")[0]
+    return set(re.findall(r"^\| `([\w.]+)` \|", section, flags=re.MULTILINE))
+
+
+def test_a_tugging_is_that_of_the_case_file() -> None:
+    tugging = brinell.Tugging(
+        lower=body_of_radius("10 um"),
+        upper=body_of_radius(15e-6, HARDER),
+        interference=4,
+        title="Dissimilar hardening asperities",
+        grid={"resolution": 10},
+        output={"snapshots": "every 8"},
+    )
+    of_file = brinell.Case.from_file(CASES / "tugging" / "case.toml")
+    assert tomllib.loads(tugging.to_toml()) == tomllib.loads(of_file.to_toml())
+
+
+def test_an_indentation_runs() -> None:
+    run = brinell.Indentation(
+        lower=brinell.Body(brinell.Flat(), STEEL),
+        upper=body_of_radius("50 um", brinell.RIGID),
+        approach=[np.float64(5.0), 0],
+        normalised=True,
+        steps=4,
+        grid={"resolution": 5},
+    ).run()
+    assert run.scenario == "indentation"
+    assert run.indents[0].max_approach == pytest.approx(5.0 * run.critical.interference)
+    assert run.indents[0].residual_depth > 0.0
+
+
+def test_a_rolling_over_a_dent_runs() -> None:
+    run = brinell.Rolling(
+        lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", radius="10 um")),
+        upper=body_of_radius("100 um", brinell.Material("300 GPa", 0.25)),
+        distance="30 um",
+        hertz_pressure="2.5 GPa",
+        grid={"resolution": 5},
+    ).run()
+    assert len(run.passes) == 1
+    assert run.case("lower", "texture", "depth") == pytest.approx(0.2e-6)
+
+
+def test_with_values_keeps_the_class() -> None:
+    tugging = brinell.Tugging(body_of_radius(1.0), body_of_radius(1.0), 4)
+    other = tugging.with_values({"tugging.interference": 2})
+    assert isinstance(other, brinell.Tugging)
+    assert tomllib.loads(other.to_toml())["tugging"]["interference"] == 2
+
+
+@pytest.mark.parametrize("scenario", [brinell.Tugging, brinell.Indentation, brinell.Rolling])
+def test_a_scenario_has_all_keys_of_its_table(scenario: type) -> None:
+    arguments = set(inspect.signature(scenario.__init__).parameters)
+    shared = {"self", "lower", "upper", "title", "grid", "solver", "output"}
+    assert arguments - shared == keys_of(scenario.__name__.lower())
+
+
+def test_shapes_and_textures_have_all_keys_of_their_tables() -> None:
+    def keys(*classes: Any) -> set[str]:
+        return {field.name for each in classes for field in fields(each)} | {"type"}
+
+    def of_page(table: str) -> set[str]:
+        return {key.split(".")[1] for key in keys_of("lower") if key.startswith(table)}
+
+    shapes = [getattr(bodies, s.__name__) for s in bodies.Shape.__subclasses__()]
+    assert keys(*shapes) == of_page("shape.")
+    assert {s.type for s in shapes} == set(re.findall(r'"(\w+)"', PAGE.split("`shape.type` |")[1].split("|")[0]))
+    of_a_map = {"file", "spacing", "heights", "columns"}
+    assert keys(bodies.Dent, bodies.Bump) == of_page("texture.") - of_a_map
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"interference": -1}, "tugging.interference = -1 is out of range"),
+        ({"interference": None}, "none of tugging.interference"),
+        ({"load": 3}, "cannot stand together"),
+        ({"grid": {"resolutin": 3}}, "did you mean grid.resolution?"),
+        ({"upper": brinell.Body(brinell.Flat(), STEEL)}, "upper.shape.type"),
+        ({"upper": body_of_radius("3 kg")}, "upper.shape.radius"),
+    ],
+)
+def test_errors_are_those_of_the_case_file(arguments: dict[str, Any], message: str) -> None:
+    good = {"lower": body_of_radius(1.0), "upper": body_of_radius(1.0), "interference": 4}
+    with pytest.raises(brinell.InputError) as error:
+        brinell.Tugging(**good | arguments)
+    assert message in str(error.value)
+
+
+def test_a_law_of_ones_own_gives_what_the_same_law_of_the_engine_gives() -> None:
+    def linear(e: float) -> float:
+        return 600e6 + 2e9 * e
+
+    def peak(law: Any) -> float:
+        ball = body_of_radius("10 um", brinell.Material("200 GPa", 0.3, law))
+        run = brinell.Tugging(ball, ball, 6, grid={"resolution": 5}).run()
+        return float(run.history["F_X"].max())
+
+    of_engine = peak(brinell.Linear("600 MPa", "2 GPa"))
+    assert peak(linear) == pytest.approx(of_engine, rel=1e-9)  # both are linear: rounding, through a few iterations
