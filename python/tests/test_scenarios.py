@@ -104,7 +104,7 @@ def test_shapes_and_textures_have_all_keys_of_their_tables() -> None:
     ("arguments", "message"),
     [
         ({"interference": -1}, "tugging.interference = -1 is out of range"),
-        ({"interference": None}, "none of tugging.interference"),
+        ({"interference": None}, "tugging.interference is missing"),
         ({"load": 3}, "cannot stand together"),
         ({"grid": {"resolutin": 3}}, "did you mean grid.resolution?"),
         ({"upper": brinell.Body(brinell.Flat(), STEEL)}, "upper.shape.type"),
