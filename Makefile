@@ -1,8 +1,9 @@
 # On a fresh Debian 12 with git and make, as root or with sudo:
-#   make build   compile (build/release/bin/brinell)
+#   make build   compile with CMake (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
-#   make run     the tugging asperities of the paper: results and figures in results/tugging-paper
-# Further: setup, format, check, tidy, sanitize, package, bench, docs, clean. All of them may be repeated; what is done is not redone.
+#   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
+# Further: setup, format, check, tidy, sanitize, docs, package, bench, clean. All of them may be repeated; what is done is
+# not redone.
 
 SHELL := /bin/bash
 .DEFAULT_GOAL := build
@@ -14,6 +15,7 @@ CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=
 BENCH_ARGS ?=#         more options for the benchmarks, e.g. BENCH_ARGS=--benchmark_repetitions=3
 
 python := .venv/bin/python
+brinell := .venv/bin/brinell
 results := results/tugging-paper
 
 .PHONY: build test run setup format check tidy sanitize package bench docs clean force
@@ -41,22 +43,23 @@ build: build/release/build.ninja
 
 # --- Test: both runners always run; the status is that of the worse one -----------------------------------------------
 test: build .venv/.setup-done
+	@tools/setup.sh test
 	@status=0; \
 	ctest --preset release --parallel $(JOBS) || status=1; \
 	$(python) -m pytest || status=1; \
 	exit $$status
 
 # --- The paper's case -------------------------------------------------------------------------------------------------
-run: build .venv/.setup-done
+run: .venv/.setup-done
 	@set -e; for alpha in $(ALPHAS); do \
 	  echo "alpha* = $$alpha"; \
-	  build/release/bin/brinell run cases/tugging-paper/case.toml --set tugging.interference=$$alpha \
+	  $(brinell) run cases/tugging-paper/case.toml --set tugging.interference=$$alpha \
 	    -o $(results)/alpha-$$alpha; \
 	done
 	@rm -rf $(results)/figures
-	@$(python) -m brinell.plot paper $(foreach alpha,$(ALPHAS),$(results)/alpha-$(alpha)) -o $(results)/figures
-	@$(python) -m brinell.plot fields $(results)/alpha-$(lastword $(ALPHAS)) -o $(results)/figures
-	@echo "Results: $(results)/alpha-*/{history.csv,summary.json,result.h5}"
+	@$(brinell) plot paper $(foreach alpha,$(ALPHAS),$(results)/alpha-$(alpha)) -o $(results)/figures
+	@$(brinell) plot fields $(results)/alpha-$(lastword $(ALPHAS)) -o $(results)/figures
+	@echo "Results: $(results)/alpha-*/{history.csv,summary.json,result.vtkhdf}"
 	@echo "Figures: $(results)/figures/*.png"
 
 # --- Quality ----------------------------------------------------------------------------------------------------------

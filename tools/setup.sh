@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|tidy
+# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 build_packages=(build-essential cmake ninja-build pkg-config git clang-format
   libfftw3-dev libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev python3 python3-dev python3-venv)
+test_packages=(chromium chromium-driver) # the HTML report is looked at in a browser
 tidy_packages=(clang-tidy clang-tools libomp-dev)
 
 fail() { echo "setup: $*" >&2; exit 1; }
@@ -44,6 +45,7 @@ make_venv() {
 case "${1:-}" in
   packages) install_packages "${build_packages[@]}" ;;
   python) make_venv ;;
+  test) install_packages "${test_packages[@]}" ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
-  *) fail "usage: tools/setup.sh packages|python|tidy" ;;
+  *) fail "usage: tools/setup.sh packages|python|test|tidy" ;;
 esac
