@@ -92,7 +92,7 @@ def test_contact_pressure(make_indentation: MakeRun) -> None:
 
 def test_no_pressure_without_a_loaded_state(make_indentation: MakeRun) -> None:
     run = open_run(make_indentation())
-    _drop_steps(run.path / "result.h5")
+    _drop_steps(run.path / "result.vtkhdf")
     assert indentation.contact_pressure([run]) is None
 
 

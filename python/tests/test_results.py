@@ -64,10 +64,10 @@ def test_one_pass_is_one_history(make_run: MakeRun) -> None:
 def test_snapshot_holds_the_stored_fields(make_run: MakeRun, which: int | str) -> None:
     folder = make_run(9.0)
     run = open_run(folder)
-    assert run.stored_steps() == [6, 12]
+    assert run.steps == [6, 12]
     snapshot = run.snapshot(which, tensors=True)  # type: ignore[arg-type]
     name = "final" if which == "final" else f"steps/{12 if which == 'aligned' else which:06d}"
-    with h5py.File(folder / "result.h5") as file:
+    with h5py.File(folder / "result.vtkhdf") as file:
         group = file[name]
         assert snapshot.row["X"] == group.attrs["X"]
         assert snapshot.step == group.attrs["step"]
@@ -99,7 +99,7 @@ def test_elastic_body_has_zero_plastic_fields(make_run: MakeRun) -> None:
 
 def test_aligned_is_searched_in_the_first_pass_only(make_run: MakeRun) -> None:
     folder = make_run()
-    with h5py.File(folder / "result.h5", "a") as file:
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
         file.copy("steps/000012", "steps/000037")
         file["steps/000037"].attrs["pass"] = 1
         file["steps/000037"].attrs["X"] = 0.0
@@ -169,7 +169,7 @@ def test_rolling_passes_and_profile(make_rolling: MakeRun) -> None:
         ({"passes": [{}]}, r"passes\[0\]: no rut_depth that can be read"),
         ({"passes": 3}, "passes is not a list"),
         ({"profile": {"depth_m": "deep"}}, "profile: no depth that can be read"),
-        ({"scenario": "indentation"}, "is of scenario 'indentation', but history.csv of 'rolling'"),
+        ({"scenario": "indentation"}, "is of scenario 'indentation', but the history of 'rolling'"),
     ],
 )
 def test_damaged_lists_of_the_summary(make_rolling: MakeRun, change: dict, message: str) -> None:
@@ -195,7 +195,7 @@ def test_rigid_body_has_no_fields(make_indentation: MakeRun) -> None:
 
 def test_aligned_of_an_indentation_is_its_first_largest_load(make_indentation: MakeRun) -> None:
     run = open_run(make_indentation(cycles=2, steps=8))
-    assert run.stored_steps() == [7, 15, 23, 31]
+    assert run.steps == [7, 15, 23, 31]
     snapshot = run.snapshot("aligned")
     assert (snapshot.step, snapshot.pass_) == (7, 0)
     assert snapshot.in_contact
@@ -239,7 +239,7 @@ def test_half_a_row_at_the_end_is_dropped(make_run: MakeRun) -> None:
 def test_linked_snapshots_of_a_killed_run(make_run: MakeRun) -> None:
     folder = make_run(finished=False)
     (folder / "snapshots").mkdir()
-    with h5py.File(folder / "result.h5", "a") as file:
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
         with h5py.File(folder / "snapshots" / "000012.h5", "w") as part:
             file.copy("steps/000012", part, "step")
         del file["steps/000012"]
@@ -258,12 +258,48 @@ def test_linked_snapshots_of_a_killed_run(make_run: MakeRun) -> None:
 def test_no_such_folder(tmp_path: Path) -> None:
     with pytest.raises(RunError, match="nowhere: no such folder"):
         open_run(tmp_path / "nowhere")
+    with pytest.raises(RunError, match=r"nothing\.vtkhdf: no such file"):
+        open_run(tmp_path / "nothing.vtkhdf")
 
 
-def test_a_file_is_not_a_folder(tmp_path: Path) -> None:
+def test_files_that_are_no_results(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(RunError, match="file: not a folder"):
+    with pytest.raises(RunError, match="file: not a readable HDF5 file"):
         open_run(tmp_path / "file")
+    with h5py.File(tmp_path / "other.h5", "w"):
+        pass
+    with pytest.raises(RunError, match=r"other\.h5: not a result of brinell"):
+        open_run(tmp_path / "other.h5")
+
+
+def test_damaged_file_alone(make_run: MakeRun) -> None:
+    path = make_run() / "result.vtkhdf"
+    with h5py.File(path, "a") as file:
+        del file["history/F_X"]
+        file["history/F_X"] = np.zeros(3)
+    with pytest.raises(RunError, match="/history is damaged .columns of different lengths"):
+        open_run(path)
+    with h5py.File(path, "a") as file:
+        del file["history/F_X"]
+    with pytest.raises(RunError, match="/history: the header is not that of a history .of tugging without F_X"):
+        open_run(path)
+    with h5py.File(path, "a") as file:
+        del file["summary"]
+        file["summary"] = "{"
+    with h5py.File(path, "a") as file:
+        file["history/F_X"] = np.zeros(25)
+    with pytest.raises(RunError, match=r"result\.vtkhdf: /summary:1: not valid JSON"):
+        open_run(path)
+
+
+def test_results_of_version_1_are_told(make_run: MakeRun) -> None:
+    folder = make_run()
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
+        file.attrs["format_version"] = 1
+    (folder / "result.vtkhdf").rename(folder / "result.h5")
+    for path in (folder, folder / "result.h5"):
+        with pytest.raises(RunError, match="format version 1, this program reads version 2"):
+            open_run(path)
 
 
 def test_empty_folder(tmp_path: Path) -> None:
@@ -295,7 +331,7 @@ def test_damaged_history(make_run: MakeRun, change: Callable[[str], str], messag
     [
         ("{", r"summary\.json:1: not valid JSON"),
         ("[]", "not a summary of brinell"),
-        ('{"format": "brinell-summary", "format_version": 99}', "format version 99, this program reads version 1"),
+        ('{"format": "brinell-summary", "format_version": 99}', "format version 99, this program reads version 2"),
     ],
 )
 def test_damaged_summary(make_run: MakeRun, text: str, message: str) -> None:
@@ -339,17 +375,17 @@ def test_step_that_is_not_stored(make_run: MakeRun) -> None:
 def test_missing_and_damaged_fields(make_run: MakeRun) -> None:
     folder = make_run()
     run = open_run(folder)
-    with h5py.File(folder / "result.h5", "a") as file:
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
         del file["steps/000012/contact/gap"]
     with pytest.raises(RunError, match=r"/steps/000012 is damaged"):
         run.snapshot(12)
-    with h5py.File(folder / "result.h5", "a") as file:
-        file.attrs["format_version"] = 2
-    with pytest.raises(RunError, match="format version 2"):
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
+        file.attrs["format_version"] = 3
+    with pytest.raises(RunError, match="format version 3"):
         run.snapshot(6)
-    (folder / "result.h5").write_bytes(b"not HDF5")
+    (folder / "result.vtkhdf").write_bytes(b"not HDF5")
     with pytest.raises(RunError, match="not a readable HDF5 file"):
         run.snapshot(6)
-    (folder / "result.h5").unlink()
-    with pytest.raises(RunError, match=r"no result\.h5"):
+    (folder / "result.vtkhdf").unlink()
+    with pytest.raises(RunError, match=r"no result\.vtkhdf"):
         run.snapshot(6)

@@ -70,7 +70,7 @@ StateLayout state_of(const Json& json)
 
 void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history)
 {
-  const h5::Handle group = h5::create_group(file, "history");
+  const h5::Handle group = h5::create_ordered_group(file, "history");
   for (const HistoryColumn& column : history)
   {
     if (column.values.empty())

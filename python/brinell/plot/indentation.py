@@ -198,7 +198,7 @@ def contact_pressure(runs: Sequence[Run]) -> Figure | None:
 
     None if no run has stored a loaded state.
     """
-    states = [(e, e.run.snapshot("aligned")) for e in entries(runs, "indentation") if e.run.stored_steps()]
+    states = [(e, e.run.snapshot("aligned")) for e in entries(runs, "indentation") if e.run.steps]
     loaded = [(entry, snapshot) for entry, snapshot in states if snapshot.in_contact]
     if not loaded:
         return None

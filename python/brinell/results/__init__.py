@@ -1,23 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads what ``brinell run`` wrote: ``history.csv``, ``summary.json``, ``result.h5`` of one folder.
+"""Reads what ``brinell run`` wrote: one folder, or its file ``result.vtkhdf`` alone.
 
-The format is docs/reference/results-format.md, version 1. All numbers are SI, angles in radians, depths into the body,
-stresses positive in tension, pressure in compression. Everything that is wrong with a folder is one `RunError` that
+The format is docs/reference/results-format.md, version 2. All numbers are SI, angles in radians, depths into the body,
+stresses positive in tension, pressure in compression. Everything that is wrong with a result is one `RunError` that
 says where and what.
 
-    run = open_run("results/alpha9")                     # run.scenario: "tugging"
+    run = brinell.open("results/alpha9")                     # run.scenario: "tugging"
     run.history["F_X"] / run.critical.load
-    run.snapshot("aligned").lower.von_mises_stress
+    run.snapshot("aligned").lower.von_mises_stress           # one state, whole: NumPy arrays
+    run.field("lower", "von_mises_stress").sel(step=12, y=0.0, method="nearest").values   # all states, by coordinates
 
-    open_run("results/vickers").indents[0].hardness      # "indentation"
-    open_run("results/raceway").passes[-1].rut_depth     # "rolling"; also .profile.residual_xx over .profile.depth
+    brinell.open("results/vickers").indents[0].hardness      # "indentation"
+    brinell.open("results/raceway").passes[-1].rut_depth     # "rolling"; also .profile.residual_xx over .profile.depth
 
-Modules: `run` (the folder and its summary), `history`, `snapshots` (the fields), `scenarios` (what differs between
-them).
+Modules: `run` (the result and its summary), `history`, `result_file` (result.vtkhdf), `snapshots` (the fields of a
+state), `fields` and `labelled` (a field over all states), `scenarios` (what differs between them).
 """
 
 from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.history import History
+from brinell.results.labelled import Labelled
 from brinell.results.run import CriticalValues, Run, open_run
 from brinell.results.scenarios import HISTORY_COLUMNS, Indent, RollingPass, Scenario, TrackProfile
 from brinell.results.snapshots import COMPONENTS, BodyFields, ContactFields, Snapshot
@@ -31,6 +33,7 @@ __all__ = [
     "CriticalValues",
     "History",
     "Indent",
+    "Labelled",
     "RollingPass",
     "Run",
     "RunError",

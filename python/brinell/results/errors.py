@@ -5,14 +5,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brinell.errors import BrinellError
+
 __all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line"]
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 """Version of the results format that this package reads."""
 
 
-class RunError(Exception):
-    """A folder is not a readable result; the text is one line for the user."""
+class RunError(BrinellError):
+    """A folder or file is not a readable result, or does not hold what was asked for; the text is one line."""
 
 
 def one_line(error: BaseException) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A result folder: its history, its summary, and the way to its fields."""
+"""A result: its history, its summary, and the way to its fields."""
 
 from __future__ import annotations
 
@@ -13,9 +13,12 @@ from typing import Any, Literal
 import numpy as np
 
 from brinell.results.errors import FORMAT_VERSION, RunError
+from brinell.results.fields import field_names, labelled_field
 from brinell.results.history import History, read_history
+from brinell.results.labelled import Labelled
+from brinell.results.result_file import FILE_NAME, ResultFile
 from brinell.results.scenarios import Indent, RollingPass, Scenario, TrackProfile, parsed
-from brinell.results.snapshots import ResultFile, Snapshot
+from brinell.results.snapshots import Snapshot
 
 __all__ = ["CriticalValues", "Run", "open_run"]
 
@@ -45,12 +48,18 @@ class CriticalValues:
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """One result folder. Made by `open_run`."""
+    """One result. Made by `brinell.open`."""
 
     path: Path
+    """The folder, or the file if that was opened alone."""
     history: History
     summary: dict[str, Any] | None
-    """Content of summary.json; None if the run has not finished."""
+    """Key results and the case, docs/reference/results-format.md; None if the run has not finished."""
+
+    @property
+    def file(self) -> Path:
+        """The HDF5 file with the fields."""
+        return self.path if self.path.is_file() else self.path / FILE_NAME
 
     @property
     def complete(self) -> bool:
@@ -74,14 +83,14 @@ class Run:
         entry: Any = self.summary
         for key in keys:
             if not isinstance(entry, Mapping) or key not in entry:
-                raise RunError(f"{self.path / 'summary.json'}: no entry {'.'.join(keys)}")
+                raise RunError(f"{_summary_place(self.path)}: no entry {'.'.join(keys)}")
             entry = entry[key]
         return entry
 
     def _number(self, *keys: str) -> float:
         value = self._value(*keys)
         if value is None or isinstance(value, bool) or not isinstance(value, int | float) or not np.isfinite(value):
-            raise RunError(f"{self.path / 'summary.json'}: {'.'.join(keys)} = {value!r} is not a number")
+            raise RunError(f"{self._place('.'.join(keys))} = {value!r} is not a number")
         return float(value)
 
     def case(self, *keys: str) -> Any:
@@ -162,12 +171,43 @@ class Run:
         return value
 
     def _place(self, key: str) -> str:
-        return f"{self.path / 'summary.json'}: {key}"
+        return f"{_summary_place(self.path)}: {key}"
 
-    def stored_steps(self) -> list[int]:
+    @cached_property
+    def case_text(self) -> str:
+        """The case as computed, as the text of a case file, SI."""
+        with ResultFile(self.file) as file:
+            text = file.text("case")
+        if text is None:
+            raise RunError(f"{self.file}: holds no case")
+        return text
+
+    @property
+    def steps(self) -> list[int]:
         """Numbers of the steps whose fields are stored, in order; the final state comes beside them."""
-        with ResultFile(self.path, self.scenario) as file:
-            return file.stored_steps()
+        with ResultFile(self.file) as file:
+            return file.steps()
+
+    def field_names(self, body: Literal["lower", "upper"]) -> list[str]:
+        """What `field` knows of a body; empty if it is rigid."""
+        return field_names(self.file, body)
+
+    def field(self, body: Literal["lower", "upper"], name: str) -> Labelled:
+        """One field in all stored states, with named axes; read when its values are asked for.
+
+        Args:
+            body: whose grid it is on.
+            name: a field of `BodyFields`; "pressure" or "gap" of the contact, which lie on the lower body's surface
+                (around the contact's grid the pressure is 0, the gap NaN).
+
+        Returns:
+            The axes are step, component (of a tensor), z (of a volume), y, x. The final state has the number after the
+            last step, as in ParaView.
+
+        Raises:
+            RunError: there is no such field, or the file is damaged.
+        """
+        return labelled_field(self.file, body, name)
 
     def snapshot(self, which: int | Literal["aligned", "final"] = "aligned", *, tensors: bool = False) -> Snapshot:
         """Fields at one step.
@@ -181,48 +221,69 @@ class Run:
         Raises:
             RunError: there is no such step, or the file is damaged.
         """
-        with ResultFile(self.path, self.scenario) as file:
-            return file.snapshot(which, tensors=tensors)
+        with ResultFile(self.file) as file:
+            return file.snapshot(which, self.scenario, tensors=tensors)
 
 
 def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
-    """Opens a result folder: reads the history and the summary; fields are read when asked for.
+    """Opens a result: reads the history and the summary; fields are read when asked for.
 
     Args:
-        path: the folder that `brinell run -o` wrote.
-        allow_unfinished: also accept a run that is still going or was stopped; its summary is then None.
+        path: the folder that `brinell run -o` wrote, or its file result.vtkhdf alone.
+        allow_unfinished: also accept a run that is still going or was stopped; its summary is then None. A file alone
+            knows the history up to the last stored step.
 
     Raises:
-        RunError: no such folder, a file is missing or damaged, or the run has not finished.
+        RunError: no such folder or file, something is missing or damaged, or the run has not finished.
     """
     path = Path(path)
-    if not path.is_dir():
-        raise RunError(f"{path}: no such folder" if not path.exists() else f"{path}: not a folder")
+    if not path.exists():
+        raise RunError(f"{path}: no such {'file' if path.suffix == '.vtkhdf' else 'folder'}")
+    history, summary = _file_content(path) if path.is_file() else _folder_content(path)
+    if summary is None and not allow_unfinished:
+        raise _unfinished(path, history.steps)
+    return Run(path, history, None if summary is None else _checked_summary(summary, path, history.scenario))
+
+
+def _file_content(path: Path) -> tuple[History, str | None]:
+    with ResultFile(path) as file:
+        return file.history(), file.text("summary")
+
+
+def _folder_content(path: Path) -> tuple[History, str | None]:
+    if (path / "result.h5").is_file() and not (path / FILE_NAME).is_file():
+        raise RunError(f"{path}: format version 1, this program reads version {FORMAT_VERSION}; compute the run again")
     history = read_history(path)
-    summary_path = path / "summary.json"
-    if not summary_path.is_file():
-        if not allow_unfinished:
-            raise _unfinished(path, history.steps)
-        return Run(path, history, None)
-    return Run(path, history, _read_summary(summary_path, history.scenario))
+    summary = path / "summary.json"
+    if not summary.is_file():
+        return history, None
+    try:
+        return history, summary.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise RunError(f"{summary}: cannot be read ({error})") from error
+
+
+def _summary_place(path: Path) -> str:
+    return f"{path}: /summary" if path.is_file() else str(path / "summary.json")
 
 
 def _unfinished(path: Path, steps: int) -> RunError:
-    return RunError(f"{path}: no summary.json, the run has not finished ({steps} steps in history.csv)")
+    return RunError(
+        f"{path}: no {'/summary' if path.is_file() else 'summary.json'}, the run has not finished ({steps} steps)"
+    )
 
 
-def _read_summary(path: Path, scenario: Scenario) -> dict[str, Any]:
+def _checked_summary(text: str, path: Path, scenario: Scenario) -> dict[str, Any]:
+    place = _summary_place(path)
     try:
-        summary = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as error:
-        raise RunError(f"{path}: cannot be read ({error})") from error
+        summary = json.loads(text)
     except json.JSONDecodeError as error:
-        raise RunError(f"{path}:{error.lineno}: not valid JSON ({error.msg})") from error
+        raise RunError(f"{place}:{error.lineno}: not valid JSON ({error.msg})") from error
     if not isinstance(summary, dict) or summary.get("format") != "brinell-summary":
-        raise RunError(f"{path}: not a summary of brinell")
+        raise RunError(f"{place}: not a summary of brinell")
     if summary.get("format_version") != FORMAT_VERSION:
         version = summary.get("format_version")
-        raise RunError(f"{path}: format version {version}, this program reads version {FORMAT_VERSION}")
+        raise RunError(f"{place}: format version {version}, this program reads version {FORMAT_VERSION}")
     if summary.get("scenario") != scenario:
-        raise RunError(f"{path}: is of scenario {summary.get('scenario')!r}, but history.csv of {scenario!r}")
+        raise RunError(f"{place}: is of scenario {summary.get('scenario')!r}, but the history of {scenario!r}")
     return summary

@@ -1,21 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""result.h5: the fields of the stored steps and of the final state."""
+"""The fields of both bodies at one step."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Literal
 
 import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line
-from brinell.results.scenarios import Scenario, distance_from_middle
+from brinell.results.scenarios import Scenario
 
-__all__ = ["COMPONENTS", "BodyFields", "ContactFields", "ResultFile", "Snapshot"]
+__all__ = ["COMPONENTS", "BodyFields", "ContactFields", "Snapshot", "row_of", "snapshot_of"]
 
 FloatArray = NDArray[np.float64]
 
@@ -95,82 +92,8 @@ class Snapshot:
         return bool(np.any(self.contact.pressure > 0.0))
 
 
-class ResultFile:
-    """An open result.h5; to be used in a with statement.
-
-    Args:
-        folder: of the run.
-        scenario: of the run.
-
-    Raises:
-        RunError: it is missing, not HDF5, or of another version.
-    """
-
-    def __init__(self, folder: Path, scenario: Scenario):
-        self._path = folder / "result.h5"
-        self._scenario: Scenario = scenario
-        if not self._path.is_file():
-            raise RunError(f"{folder}: no result.h5, so there are no fields to read")
-        try:
-            self._file = h5py.File(self._path, "r")
-        except OSError as error:
-            raise RunError(f"{self._path}: not a readable HDF5 file ({one_line(error)})") from error
-        version = self._file.attrs.get("format_version")
-        if version is None or int(version) != FORMAT_VERSION:
-            self._file.close()
-            raise RunError(f"{self._path}: format version {version}, this program reads version {FORMAT_VERSION}")
-
-    def __enter__(self) -> ResultFile:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._file.close()
-
-    def stored_steps(self) -> list[int]:
-        """Numbers of the steps whose fields are stored, in order."""
-        return sorted(int(name) for name in self._file["steps"]) if "steps" in self._file else []
-
-    def snapshot(self, which: int | Literal["aligned", "final"], *, tensors: bool) -> Snapshot:
-        """Fields at one step; see `Run.snapshot`."""
-        name = self._group_name(which)
-        group = self._group(name)
-        try:
-            return _snapshot(group, tensors, self._scenario, is_final=which == "final")
-        except (KeyError, OSError, ValueError) as error:
-            raise RunError(f"{self._path}: /{name} is damaged ({one_line(error)})") from error
-
-    def _group_name(self, which: int | Literal["aligned", "final"]) -> str:
-        if which == "final":
-            if "final" not in self._file:
-                raise RunError(f"{self._path}: no final state, the run has not finished")
-            return "final"
-        if which == "aligned":
-            return self._aligned()
-        steps = self.stored_steps()
-        if which not in steps:
-            raise RunError(f"{self._path}: step {which} is not stored (stored: {listed(steps)})")
-        return self._step_name(which)
-
-    def _step_name(self, step: int) -> str:
-        return next(f"steps/{name}" for name in self._file["steps"] if int(name) == step)
-
-    def _aligned(self) -> str:
-        names = [self._step_name(step) for step in self.stored_steps()]
-        if not names:
-            raise RunError(f"{self._path}: no stored step; [output] of the case chooses them")
-        rows = {name: _row(self._group(name)) for name in names}
-        return min(names, key=lambda name: (rows[name]["pass"], distance_from_middle(self._scenario, rows[name])))
-
-    def _group(self, name: str) -> h5py.Group:
-        """A step; while the run has not finished it is a link to a file in snapshots/."""
-        try:
-            return self._file[name]
-        except (KeyError, OSError) as error:
-            folder = self._path.parent / "snapshots"
-            raise RunError(f"{self._path}: /{name} cannot be opened; is {folder} missing?") from error
-
-
-def _row(group: h5py.Group) -> dict[str, float]:
+def row_of(group: h5py.Group) -> dict[str, float]:
+    """A step's row of the history."""
     return {name: float(value) for name, value in group.attrs.items()}
 
 
@@ -178,10 +101,15 @@ def _axis(origin: float, spacing: float, count: int) -> FloatArray:
     return origin + spacing * np.arange(count, dtype=np.float64)
 
 
-def _snapshot(group: h5py.Group, tensors: bool, scenario: Scenario, *, is_final: bool) -> Snapshot:
+def snapshot_of(group: h5py.Group, tensors: bool, scenario: Scenario, *, is_final: bool) -> Snapshot:
+    """The fields in a group of the file.
+
+    Raises:
+        KeyError, OSError, ValueError: it is damaged.
+    """
     return Snapshot(
         scenario=scenario,
-        row=_row(group),
+        row=row_of(group),
         is_final=is_final,
         contact=_contact(group["contact"]),
         lower=_body(group["lower"], tensors),

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results as image files of VTK, for programs that do not open result.vtkhdf, such as older versions of ParaView."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Literal
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+from pyevtk.hl import imageToVTK
+from pyevtk.vtk import VtkGroup
+
+from brinell.errors import BrinellError, InputError
+from brinell.results import Labelled, Run, open_run
+
+__all__ = ["command", "export_vti"]
+
+Body = Literal["lower", "upper"]
+
+_BODIES: tuple[Body, ...] = ("lower", "upper")
+
+
+def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = None) -> list[Path]:
+    """Writes the stored states as image files of VTK.
+
+    A volume has one value per cell. A surface is a sheet of points in the cells' centres, which can be warped by its
+    values. Tensors come as six scalars (``stress_xx``, ...).
+
+    Args:
+        run: of which something is stored.
+        folder: is made if it is not there.
+        fields: names as in `Run.field`; all if None.
+
+    Returns:
+        The collections over time (.pvd), one for each volume and surface: open these. The time is the number of the
+        step; the final state has the number after the last step.
+
+    Raises:
+        RunError: the run holds no fields.
+        InputError: no body has a field of that name.
+        OSError: a file cannot be written.
+    """
+    folder = Path(folder)
+    wanted = {body: _wanted(run, body, fields) for body in _BODIES}
+    unknown = sorted(set(fields or ()) - {field.name for chosen in wanted.values() for field in chosen})
+    if unknown:
+        known = sorted({name for body in _BODIES for name in run.field_names(body)})
+        raise InputError(f"{run.path}: no field {unknown[0]!r} to export; allowed: {', '.join(known)}")
+    folder.mkdir(parents=True, exist_ok=True)
+    written = []
+    for body, chosen in wanted.items():
+        for name, is_volume in (("volume", True), ("surface", False)):
+            part = [field for field in chosen if ("z" in field.dims) == is_volume]
+            if part:
+                written.append(_write_collection(folder, f"{body}_{name}", part))
+    return written
+
+
+def _wanted(run: Run, body: Body, fields: Sequence[str] | None) -> list[Labelled]:
+    names = run.field_names(body)
+    return [run.field(body, name) for name in names if fields is None or name in fields]
+
+
+def _write_collection(folder: Path, name: str, fields: Sequence[Labelled]) -> Path:
+    """All states of one grid."""
+    collection = VtkGroup(str(folder / name))
+    for index, step in enumerate(fields[0].coords["step"]):
+        states = [field.isel(step=index) for field in fields]
+        arrays = {key: values for state in states for key, values in _scalars(state).items()}
+        file = _write_image(folder / f"{name}_{step:06d}", fields[0].coords, arrays)
+        collection.addFile(file, float(step))
+    collection.save()
+    return folder / f"{name}.pvd"
+
+
+def _scalars(state: Labelled) -> dict[str, NDArray[np.float64]]:
+    """A field by components, x first and fastest."""
+    if "component" in state.dims:
+        names = [f"{state.name}_{component}" for component in state.coords["component"]]
+        return dict(zip(names, (values.T for values in state.values), strict=True))
+    values = state.values if "z" in state.dims else state.values[np.newaxis]
+    return {state.name: values.T}
+
+
+def _write_image(
+    path: Path, coords: Mapping[str, NDArray[np.float64]], arrays: Mapping[str, NDArray[np.float64]]
+) -> str:
+    """One file; its name gets an ending."""
+    first = tuple(float(coords[axis][0]) if axis in coords else 0.0 for axis in "xyz")
+    spacing = tuple(float(np.ptp(coords[axis][:2])) if axis in coords else 1.0 for axis in "xyz")
+    if "z" not in coords:
+        return str(imageToVTK(str(path), origin=first, spacing=spacing, pointData=dict(arrays)))
+    corner = tuple(x - 0.5 * dx for x, dx in zip(first, spacing, strict=True))
+    return str(imageToVTK(str(path), origin=corner, spacing=spacing, cellData=dict(arrays)))
+
+
+@click.command(name="export")
+@click.argument("run", type=click.Path(path_type=Path))
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), default=Path("export"), help="Folder; default: export."
+)
+@click.option("--field", "fields", multiple=True, help="Only this field, as stress; may be given several times.")
+def command(run: Path, output: Path, fields: tuple[str, ...]) -> None:
+    """Write RUN, a result folder or file, as .vti and .pvd files.
+
+    Open the .pvd files. ParaView from 6.0 on opens result.vtkhdf itself.
+    """
+    try:
+        for path in export_vti(open_run(run, allow_unfinished=True), output, fields=fields or None):
+            click.echo(path)
+    except (BrinellError, OSError) as error:
+        raise click.ClickException(str(error)) from error

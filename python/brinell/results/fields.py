@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One field over all stored states of a run, as a labelled array."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from brinell.results.errors import RunError, listed, one_line
+from brinell.results.labelled import Axis, Labelled
+from brinell.results.result_file import ResultFile
+from brinell.results.snapshots import COMPONENTS
+
+__all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
+
+FloatArray = NDArray[np.float64]
+
+CONTACT_FIELDS = ("pressure", "gap")
+"""Fields of the contact, which lie on the surface of the lower body."""
+
+
+def field_names(path: Path, body: Literal["lower", "upper"]) -> list[str]:
+    """Names of what is stored of a body; none if it is rigid and carries no contact.
+
+    Raises:
+        RunError: no state is stored.
+    """
+    with ResultFile(path) as file:
+        states = file.states()
+        if not states:
+            raise RunError(f"{path}: no stored step; [output] of the case chooses them")
+        group = file.group(next(iter(states.values())))
+        return [*group[body], *(CONTACT_FIELDS if body == "lower" else ())]
+
+
+def labelled_field(path: Path, body: Literal["lower", "upper"], name: str) -> Labelled:
+    """One field of a body in all stored states; see `Run.field`."""
+    names = field_names(path, body)
+    if name not in names:
+        raise RunError(f"{path}: the {body} body has no field {name!r}; stored are {listed(names)}")
+    with ResultFile(path) as file:
+        states = file.states()
+        first = file.group(next(iter(states.values())))
+        try:
+            data = _first_dataset(first, body, name)
+            coords = _coords(first, body, name, data)
+            units, long_name = str(data.attrs["units"]), str(data.attrs["long_name"])
+        except (KeyError, OSError, ValueError) as error:
+            raise RunError(f"{path}: {first.name} is damaged ({one_line(error)})") from error
+    part = _part_of_contact if name in CONTACT_FIELDS else _part_of_tensor if "component" in coords else _part
+
+    def read(taken: tuple[Axis, ...]) -> FloatArray:
+        groups = list(states.values())
+        steps, inside = taken[0], taken[1:]
+        with ResultFile(path) as opened:
+
+            def at(step: int) -> FloatArray:
+                try:
+                    return part(opened.group(groups[step]), body, name, inside)
+                except (KeyError, OSError, ValueError) as error:
+                    raise RunError(f"{path}: /{groups[step]} is damaged ({one_line(error)})") from error
+
+            if isinstance(steps, int):
+                return at(steps)
+            shape = tuple(len(axis) for axis in inside if isinstance(axis, range))
+            return np.array([at(step) for step in steps]).reshape(len(steps), *shape)
+
+    all_coords: dict[str, NDArray[Any]] = {"step": np.array(list(states)), **coords}
+    taken = tuple(range(len(axis)) for axis in all_coords.values())
+    return Labelled(name, units, long_name.removesuffix(", xx"), all_coords, read, taken)
+
+
+def _first_dataset(state: h5py.Group, body: str, name: str) -> h5py.Dataset:
+    if name in CONTACT_FIELDS:
+        return state["contact"][name]
+    entry = state[body][name]
+    return entry[COMPONENTS[0]] if isinstance(entry, h5py.Group) else entry
+
+
+def _coords(state: h5py.Group, body: str, name: str, data: h5py.Dataset) -> Mapping[str, NDArray[Any]]:
+    """Of all axes but the steps."""
+    group = state[body]
+    shape = data.shape if name not in CONTACT_FIELDS else group["residual_displacement"].shape
+    spacing, origin = group.attrs["spacing"], group.attrs["origin"]
+    axes = {
+        axis: origin[i] + spacing[i] * np.arange(count)
+        for axis, i, count in zip("zyx"[-len(shape) :], (2, 1, 0)[-len(shape) :], shape, strict=True)
+    }
+    components = {"component": np.array(COMPONENTS)} if isinstance(group.get(name), h5py.Group) else {}
+    return components | axes
+
+
+def _selected(data: Any, taken: tuple[Axis, ...]) -> FloatArray:
+    """A part of an array. HDF5 reads ascending slices only: a descending one is turned round here."""
+    shape = tuple(len(axis) for axis in taken if isinstance(axis, range))
+    if 0 in shape:
+        return np.empty(shape)
+    ascending: list[int | slice] = []
+    flips = []
+    for axis in taken:
+        if isinstance(axis, int):
+            ascending.append(axis)
+            continue
+        first, last = sorted((axis[0], axis[-1]))
+        ascending.append(slice(first, last + 1, abs(axis.step)))
+        flips.append(slice(None, None, -1 if axis.step < 0 else 1))
+    return np.asarray(data[tuple(ascending)], dtype=np.float64)[tuple(flips)]
+
+
+def _part(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...]) -> FloatArray:
+    return _selected(state[body][name], taken)
+
+
+def _part_of_tensor(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...]) -> FloatArray:
+    component, inside = taken[0], taken[1:]
+    tensor = state[body][name]
+    if isinstance(component, int):
+        return _selected(tensor[COMPONENTS[component]], inside)
+    return np.array([_selected(tensor[COMPONENTS[c]], inside) for c in component])
+
+
+def _part_of_contact(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...]) -> FloatArray:
+    """The contact's grid takes cells of the lower body's surface; around it there is no pressure."""
+    surface, contact = state[body], state["contact"]
+    values = np.asarray(contact[name][()], dtype=np.float64)
+    origin = contact.attrs["origin"] + [surface.attrs["contact_x"], 0.0]
+    column, row = np.rint((origin - surface.attrs["origin"][:2]) / contact.attrs["spacing"]).astype(int)
+    ny, nx = surface["residual_displacement"].shape
+    whole = np.full((ny, nx), 0.0 if name == "pressure" else np.nan)
+    to_row, to_column = max(row, 0), max(column, 0)
+    inside = values[to_row - row : max(ny - row, 0), to_column - column : max(nx - column, 0)]
+    whole[to_row : to_row + inside.shape[0], to_column : to_column + inside.shape[1]] = inside
+    return _selected(whole, taken)

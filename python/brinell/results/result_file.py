@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""result.vtkhdf: the file that holds all of a run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+import h5py
+
+from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line
+from brinell.results.history import History
+from brinell.results.scenarios import Scenario, distance_from_middle
+from brinell.results.snapshots import Snapshot, row_of, snapshot_of
+
+__all__ = ["FILE_NAME", "ResultFile"]
+
+FILE_NAME = "result.vtkhdf"
+"""In the folder of a run."""
+
+
+class ResultFile:
+    """An open result.vtkhdf; to be used in a with statement.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        RunError: it is missing, not HDF5, not a result, or of another version.
+    """
+
+    def __init__(self, path: Path):
+        self.path = path
+        if not path.is_file():
+            raise RunError(f"{path.parent}: no {path.name}, so there are no fields to read")
+        try:
+            self._file = h5py.File(path, "r")
+        except OSError as error:
+            raise RunError(f"{path}: not a readable HDF5 file ({one_line(error)})") from error
+        version = self._file.attrs.get("format_version")
+        if self._file.attrs.get("format") != "brinell-result":
+            self._file.close()
+            raise RunError(f"{path}: not a result of brinell")
+        if version is None or int(version) != FORMAT_VERSION:
+            self._file.close()
+            raise RunError(f"{path}: format version {version}, this program reads version {FORMAT_VERSION}")
+
+    def __enter__(self) -> ResultFile:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._file.close()
+
+    def text(self, name: str) -> str | None:
+        """A text in the file: "case", the resolved case, or "summary"; None if it is not there."""
+        return str(self._file[name].asstr()[()]) if name in self._file else None
+
+    def history(self) -> History:
+        """The rows up to the last stored step; all of them in a complete run.
+
+        Raises:
+            RunError: no step is finished, or it is damaged.
+        """
+        try:
+            columns = {name: column[()] for name, column in self._file["history"].items()}
+        except (KeyError, OSError) as error:
+            raise RunError(f"{self.path}: /history is damaged ({one_line(error)})") from error
+        if not columns:
+            raise RunError(f"{self.path}: no finished step")
+        if len({len(column) for column in columns.values()}) > 1:
+            raise RunError(f"{self.path}: /history is damaged (columns of different lengths)")
+        try:
+            return History(columns)
+        except RunError as error:
+            raise RunError(f"{self.path}: /history: {error}") from error
+
+    def steps(self) -> list[int]:
+        """Numbers of the steps whose fields are stored, in order."""
+        return sorted(int(name) for name in self._file["steps"]) if "steps" in self._file else []
+
+    def states(self) -> dict[int, str]:
+        """Names of the groups with fields, by step; the final state comes last, by the number after the last step."""
+        groups = {step: self._step_name(step) for step in self.steps()}
+        if "final" in self._file:
+            groups[int(self.group("final").attrs["step"]) + 1] = "final"
+        return groups
+
+    def snapshot(self, which: int | Literal["aligned", "final"], scenario: Scenario, *, tensors: bool) -> Snapshot:
+        """Fields at one step; see `Run.snapshot`."""
+        name = self._group_name(which, scenario)
+        group = self.group(name)
+        try:
+            return snapshot_of(group, tensors, scenario, is_final=which == "final")
+        except (KeyError, OSError, ValueError) as error:
+            raise RunError(f"{self.path}: /{name} is damaged ({one_line(error)})") from error
+
+    def group(self, name: str) -> h5py.Group:
+        """A step; while the run has not finished it is a link to a file in snapshots/."""
+        try:
+            return self._file[name]
+        except (KeyError, OSError) as error:
+            folder = self.path.parent / "snapshots"
+            raise RunError(f"{self.path}: /{name} cannot be opened; is {folder} missing?") from error
+
+    def _group_name(self, which: int | Literal["aligned", "final"], scenario: Scenario) -> str:
+        if which == "final":
+            if "final" not in self._file:
+                raise RunError(f"{self.path}: no final state, the run has not finished")
+            return "final"
+        if which == "aligned":
+            return self._aligned(scenario)
+        steps = self.steps()
+        if which not in steps:
+            raise RunError(f"{self.path}: step {which} is not stored (stored: {listed(steps)})")
+        return self._step_name(which)
+
+    def _step_name(self, step: int) -> str:
+        return next(f"steps/{name}" for name in self._file["steps"] if int(name) == step)
+
+    def _aligned(self, scenario: Scenario) -> str:
+        names = [self._step_name(step) for step in self.steps()]
+        if not names:
+            raise RunError(f"{self.path}: no stored step; [output] of the case chooses them")
+        rows = {name: row_of(self.group(name)) for name in names}
+        return min(names, key=lambda name: (rows[name]["pass"], distance_from_middle(scenario, rows[name])))

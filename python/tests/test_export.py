@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Image files of VTK, read back by VTK."""
+
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import brinell
+from brinell.errors import InputError
+from brinell.export import command, export_vti
+from vtk_images import vti_image
+
+
+def collection(path: Path) -> dict[float, Path]:
+    """Files by time."""
+    entries = ElementTree.parse(path).getroot().iter("DataSet")
+    return {float(entry.attrib["timestep"]): path.parent / entry.attrib["file"] for entry in entries}
+
+
+def test_all_states(real_folder: Path, tmp_path: Path) -> None:
+    run = brinell.open(real_folder)
+    written = export_vti(run, tmp_path / "new" / "folder")
+    assert [path.name for path in written] == [
+        "lower_volume.pvd",
+        "lower_surface.pvd",
+        "upper_volume.pvd",
+        "upper_surface.pvd",
+    ]
+    for path in written:
+        assert list(collection(path)) == [*run.steps, run.history.steps]
+    step = run.steps[1]
+    lower = run.snapshot(step, tensors=True).lower
+    volume = vti_image(collection(written[0])[step])
+    spacing = np.array([axis[1] - axis[0] for axis in (lower.x, lower.y, lower.z)])
+    assert volume.dimensions == (len(lower.x) + 1, len(lower.y) + 1, len(lower.z) + 1)
+    np.testing.assert_allclose(volume.spacing, spacing)
+    np.testing.assert_allclose(
+        volume.origin, (lower.x[0], lower.y[0], lower.z[0]) - 0.5 * spacing, atol=1e-9 * spacing[0]
+    )
+    np.testing.assert_array_equal(volume.cell_data["von_mises_stress"], lower.von_mises_stress)
+    np.testing.assert_array_equal(volume.cell_data["stress_xz"], lower.stress["xz"])
+    surface = vti_image(collection(written[1])[step])
+    assert surface.dimensions == (len(lower.x), len(lower.y), 1)
+    np.testing.assert_array_equal(surface.origin, (lower.x[0], lower.y[0], 0.0))
+    np.testing.assert_array_equal(surface.point_data["residual_displacement"][0], lower.residual_displacement)
+    assert surface.point_data["pressure"].max() == run.history["max_pressure"][step]
+
+
+def test_some_fields(real_folder: Path, tmp_path: Path) -> None:
+    run = brinell.open(real_folder)
+    (written,) = export_vti(run, tmp_path, fields=["pressure"])
+    image = vti_image(collection(written)[run.steps[0]])
+    assert set(image.point_data) == {"pressure"}
+    with pytest.raises(InputError, match="no field 'presure' to export; allowed: .*pressure"):
+        export_vti(run, tmp_path, fields=["presure"])
+
+
+def test_command(interrupted_folder: Path, tmp_path: Path) -> None:
+    result = CliRunner().invoke(command, [str(interrupted_folder), "-o", str(tmp_path / "out"), "--field", "gap"])
+    assert result.exit_code == 0, result.output
+    assert result.output.split() == [str(tmp_path / "out" / "lower_surface.pvd")]
+    assert list(collection(tmp_path / "out" / "lower_surface.pvd")) == [0, 4, 8]
+    wrong = CliRunner().invoke(command, [str(tmp_path / "nowhere")])
+    assert wrong.exit_code == 1
+    assert "nowhere: no such folder" in wrong.output
