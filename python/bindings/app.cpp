@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "module.hpp"
+#include "python_calls.hpp"
 
 #include "brinell/command_line.hpp"
 #include "brinell/foundation/error.hpp"
@@ -8,12 +9,10 @@
 #include "brinell/run_case.hpp"
 
 #include <nanobind/stl/filesystem.h>
-#include <nanobind/stl/function.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstdio>
-#include <optional>
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -24,41 +23,16 @@ namespace brinell::python
 namespace
 {
 
-using Step = std::optional<std::function<void(int, int, const std::string&, int)>>;
-
 /// Runs without the interpreter's lock, but takes it to tell of a step and to hear of Ctrl-C.
 std::string run(const io::Case& c, const std::filesystem::path& folder, bool resume, int threads,
                 const nb::object& on_step)
 {
-  // What Python raised meanwhile; kept until the run has come to its end.
-  std::optional<nb::python_error> raised;
-  const auto call = [&raised](auto&& function)
-  {
-    const nb::gil_scoped_acquire lock;
-    try
-    {
-      function();
-    }
-    catch (nb::python_error& error)
-    {
-      raised.emplace(std::move(error));
-    }
-  };
+  PythonCalls python;
   app::RunMonitor monitor;
   if (!on_step.is_none())
     monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
-    { call([&] { on_step(step, count, where, iterations); }); };
-  monitor.wants_stop = [&]
-  {
-    if (!raised)
-      call(
-          []
-          {
-            if (PyErr_CheckSignals() != 0)
-              nb::raise_python_error();
-          });
-    return raised.has_value();
-  };
+    { python.call([&] { on_step(step, count, where, iterations); }); };
+  monitor.wants_stop = [&] { return python.wants_stop(); };
   using Mode = io::ResultDirectory::Mode;
   try
   {
@@ -67,7 +41,7 @@ std::string run(const io::Case& c, const std::filesystem::path& folder, bool res
   }
   catch (const Interrupted&)
   {
-    throw std::move(raised).value();
+    python.rethrow();
   }
 }
 

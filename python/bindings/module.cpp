@@ -59,4 +59,10 @@ NB_MODULE(_core, m)
 #endif
   nb::register_exception_translator(translate);
   brinell::python::bind_app(m);
+  brinell::python::bind_reference(m);
+  brinell::python::bind_green(m);
+  brinell::python::bind_constitutive(m);
+  brinell::python::bind_halfspace(m);
+  brinell::python::bind_contact(m);
+  brinell::python::bind_elastoplastic(m);
 }

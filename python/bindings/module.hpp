@@ -8,5 +8,11 @@ namespace brinell::python
 {
 
 void bind_app(nanobind::module_& m);
+void bind_reference(nanobind::module_& m);
+void bind_green(nanobind::module_& m);
+void bind_constitutive(nanobind::module_& m);
+void bind_halfspace(nanobind::module_& m);
+void bind_contact(nanobind::module_& m);
+void bind_elastoplastic(nanobind::module_& m);
 
 } // namespace brinell::python

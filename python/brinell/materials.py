@@ -10,6 +10,7 @@ equivalent plastic strain, sigma_y(e) the yield stress in uniaxial tension.
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Callable, Iterable, Sequence
@@ -21,6 +22,7 @@ import numpy as np
 import tomli_w
 
 from brinell import _core
+from brinell.bodies import Quantity
 from brinell.case import plain
 from brinell.errors import InputError
 
@@ -34,12 +36,8 @@ __all__ = [
     "Perfect",
     "Swift",
     "Table",
-    "Value",
     "Voce",
 ]
-
-Value: TypeAlias = float | str
-"""A number in SI, or a text with its unit, "200 GPa"."""
 
 Law: TypeAlias = Callable[[Any], Any]
 """A hardening law of one's own: sigma_y(e) [Pa]. Called with one strain at a time."""
@@ -60,7 +58,7 @@ class Perfect(Hardening):
     """sigma_y(e) = yield_stress [Pa]."""
 
     law: ClassVar[str] = "perfect"
-    yield_stress: Value
+    yield_stress: Quantity
 
 
 @dataclass(frozen=True)
@@ -68,8 +66,8 @@ class Linear(Hardening):
     """sigma_y(e) = yield_stress + modulus e, both in Pa."""
 
     law: ClassVar[str] = "linear"
-    yield_stress: Value
-    modulus: Value
+    yield_stress: Quantity
+    modulus: Quantity
 
 
 @dataclass(frozen=True)
@@ -77,7 +75,7 @@ class Swift(Hardening):
     """sigma_y(e) = coefficient (offset + e)^exponent (Swift 1952); coefficient in Pa."""
 
     law: ClassVar[str] = "swift"
-    coefficient: Value
+    coefficient: Quantity
     offset: float
     exponent: float
 
@@ -87,8 +85,8 @@ class Hollomon(Hardening):
     """sigma_y(e) = coefficient (e_0 + e)^exponent, e_0 such that it begins at yield_stress (Hollomon 1945); in Pa."""
 
     law: ClassVar[str] = "hollomon"
-    yield_stress: Value
-    coefficient: Value
+    yield_stress: Quantity
+    coefficient: Quantity
     exponent: float
 
 
@@ -97,8 +95,8 @@ class Ludwik(Hardening):
     """sigma_y(e) = yield_stress + coefficient e^exponent (Ludwik 1909); both in Pa."""
 
     law: ClassVar[str] = "ludwik"
-    yield_stress: Value
-    coefficient: Value
+    yield_stress: Quantity
+    coefficient: Quantity
     exponent: float
 
 
@@ -107,8 +105,8 @@ class Voce(Hardening):
     """sigma_y(e) = yield_stress + saturation (1 - exp(-rate e)) (Voce 1948); yield_stress and saturation in Pa."""
 
     law: ClassVar[str] = "voce"
-    yield_stress: Value
-    saturation: Value
+    yield_stress: Quantity
+    saturation: Quantity
     rate: float
 
 
@@ -123,7 +121,7 @@ class Table(Hardening):
 
     law: ClassVar[str] = "table"
     plastic_strain: Sequence[float]
-    stress: Sequence[Value]
+    stress: Sequence[Quantity]
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "plastic_strain", tuple(plain(self.plastic_strain)))
@@ -146,6 +144,11 @@ class Table(Hardening):
         return cls(strain, stress)
 
 
+def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
+    """Pairs or lists as what can be compared and does not change."""
+    return tuple(tuple(plain(entry)) for entry in values)
+
+
 @dataclass(frozen=True)
 class Material:
     """An elastic material, elastic-plastic if it has a hardening law.
@@ -161,12 +164,12 @@ class Material:
         initial_stress: (depths [m], stresses xx = yy before the first load [Pa]), tension positive.
     """
 
-    young_modulus: Value
+    young_modulus: Quantity
     poisson_ratio: float
     hardening: Hardening | Law | None = None
-    kinematic: Sequence[tuple[Value, float]] = ()
-    yield_profile: tuple[Sequence[Value], Sequence[float]] | None = None
-    initial_stress: tuple[Sequence[Value], Sequence[Value]] | None = None
+    kinematic: Sequence[tuple[Quantity, float]] = ()
+    yield_profile: tuple[Sequence[Quantity], Sequence[float]] | None = None
+    initial_stress: tuple[Sequence[Quantity], Sequence[Quantity]] | None = None
 
     def __post_init__(self) -> None:
         if callable(self.hardening):
@@ -219,11 +222,6 @@ class Material:
             raise InputError(text.replace("lower.material", "material")) from None
 
 
-def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
-    """Pairs or lists as what can be compared and does not change."""
-    return tuple(tuple(plain(entry)) for entry in values)
-
-
 RIGID = Material(math.inf, 0.0)
 """A body that does not deform at all."""
 
@@ -240,7 +238,9 @@ class _Checked:
             with np.errstate(all="ignore"):
                 value = np.asarray(self._law(np.float64(e)), dtype=np.float64)
             if value.size != 1 or not (np.isfinite(value).all() and value.item() > 0):
-                raise InputError(f"the hardening law gives {value} at a plastic strain of {e:g}; allowed: a stress in Pa")
+                raise InputError(
+                    f"the hardening law gives {value} at a plastic strain of {e:g}; allowed: a stress in Pa"
+                )
             self._known[e] = value.item()
         return self._known[e]
 
@@ -248,7 +248,7 @@ class _Checked:
         """Of all the values so far, but for rounding."""
         rounding = 1e-12
         points = sorted(self._known.items())
-        for (_, before), (e, after) in zip(points, points[1:], strict=False):
+        for (_, before), (e, after) in itertools.pairwise(points):
             if after < before * (1 - rounding):
                 raise InputError(
                     f"the hardening law falls from {before:g} Pa to {after:g} Pa before a plastic strain of {e:g}; "

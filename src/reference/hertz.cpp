@@ -170,6 +170,29 @@ SymTensor point_contact_stress(double x, double y, double z, double contact_radi
           (radial - hoop) * c * s};
 }
 
+LineContact line_contact_at_load(double radius, double contact_modulus, double load_per_length)
+{
+  require_contact(radius, radius, contact_modulus);
+  require_not_negative(load_per_length, "load per length");
+  const double a = std::sqrt(4.0 * load_per_length * radius / (pi * contact_modulus));
+  return {.load_per_length = load_per_length, .half_width = a, .peak_pressure = contact_modulus * a / (2.0 * radius)};
+}
+
+SymTensor line_contact_stress(double x, double z, double half_width, double peak_pressure, double poisson_ratio)
+{
+  x /= half_width;
+  z /= half_width;
+  const auto [xi, eta] = spheroidal(x * x, z);
+  const double c = std::sqrt(1.0 + xi * xi);
+  const double S = xi * xi + eta * eta;
+  const double share = S > 0.0 ? eta * eta / S : 0.0; // at the contact's edge all stresses are zero
+  const double zz = -c * eta * share;
+  const double xx = -2.0 * eta / (c + xi) - zz;
+  const double xz = -x * xi * share / c;
+  const double p0 = peak_pressure;
+  return {p0 * xx, p0 * poisson_ratio * (xx + zz), p0 * zz, 0.0, p0 * xz, 0.0};
+}
+
 FirstYield first_yield(double poisson_ratio)
 {
   require_within(poisson_ratio, -1e-300, 0.5, "Poisson's ratio");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot.hpp"
 
+#include "brinell/elastoplastic/body_stress.hpp"
+
 namespace brinell::simulation
 {
 
@@ -43,18 +45,9 @@ BodySnapshot body_snapshot(const elastoplastic::CoupledContact& pair, const elas
     return s;
   s.equivalent_plastic_strain = body.state().equivalent;
   s.residual_displacement = body.state().residual_displacement;
-  std::vector<double> pressure;
-  pair.spread_pressure(body, place, pressure);
-  std::vector<double> deviator(Deviator::size * s.grid.size());
-  std::vector<double> trace(s.grid.size(), 0.0);
-  s.plastic_strain = expand(body.state().plastic_strain, trace);
-  const halfspace::HalfSpace& half_space = *body.shared_half_space();
-  halfspace::HalfSpace::Work work = half_space.make_work();
-  half_space.full_stress(pressure, body.state().plastic_strain, work, deviator, trace);
-  body.add_initial_stress(s.grid.nz, deviator);
-  for (std::size_t i = 0; i < trace.size(); ++i)
-    trace[i] += 2.0 * body.initial_stress()[i / s.grid.surface.size()];
-  s.stress = expand(deviator, trace);
+  s.plastic_strain = expand(body.state().plastic_strain, std::vector<double>(s.grid.size()));
+  const elastoplastic::BodyStress stress = elastoplastic::body_stress(pair, body, place);
+  s.stress = expand(stress.deviator, stress.trace);
   return s;
 }
 

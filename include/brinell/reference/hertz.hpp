@@ -63,6 +63,31 @@ struct EllipticalContact
 [[nodiscard]] SymTensor point_contact_stress(double x, double y, double z, double contact_radius, double peak_pressure,
                                              double poisson_ratio);
 
+/// Hertz contact along a line (y), plane strain. The approach of distant points has no value: it depends on the bodies' size.
+struct LineContact
+{
+  double load_per_length = 0.0; ///< W [N/m]
+  double half_width = 0.0;      ///< a = sqrt(4 W R/(pi E')) [m]
+  double peak_pressure = 0.0;   ///< p0 = 2 W/(pi a) [Pa]; p = p0 sqrt(1 - x^2/a^2)
+};
+
+/// Line contact under a load (Hertz 1882; Johnson 1985, Eqs. 4.43-4.45).
+/// @param radius           equivalent radius R [m], > 0.
+/// @param contact_modulus  E' [Pa], > 0.
+/// @param load_per_length  [N/m], >= 0.
+/// @throws InputError
+[[nodiscard]] LineContact line_contact_at_load(double radius, double contact_modulus, double load_per_length);
+
+/// Stress under the pressure p0 sqrt(1 - x^2/a^2) on the strip |x| < a in plane strain [Pa], tension positive (McEwen 1949;
+/// Johnson 1985, Eqs. 4.49). In units of a, with z = xi eta, x^2 = (1 + xi^2)(1 - eta^2), c = sqrt(1 + xi^2), and per p0,
+///     sigma_zz = -c eta^3/(xi^2 + eta^2)          sigma_xz = -x xi eta^2/((xi^2 + eta^2) c)
+///     sigma_xx = -2 eta/(c + xi) - sigma_zz       sigma_yy = nu (sigma_xx + sigma_zz)
+/// @param x, z           point, the contact's middle at the origin [m], z >= 0 into the body.
+/// @param half_width     a [m], > 0.
+/// @param peak_pressure  p0 [Pa].
+[[nodiscard]] SymTensor line_contact_stress(double x, double z, double half_width, double peak_pressure,
+                                            double poisson_ratio);
+
 /// Where a frictionless point contact yields first.
 struct FirstYield
 {

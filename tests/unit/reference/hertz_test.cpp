@@ -167,6 +167,56 @@ TEST(HertzStressTest, OnTheAxis)
   }
 }
 
+TEST(LineContactTest, CarriesItsLoadAndIsThatOfALongEllipse)
+{
+  const double R = 0.01, E = 1.1e11, W = 2e4;
+  const LineContact line = line_contact_at_load(R, E, W);
+  EXPECT_NEAR(0.5 * std::numbers::pi * line.half_width * line.peak_pressure, W, 8.0 * epsilon * W);
+  // Johnson 1985, Section 4.2 (d): in the middle of a long ellipse the load per length is 3/4 P/b.
+  const EllipticalContact ellipse = elliptical_contact_at_load(R, 1e8 * R, E, 1.0);
+  const LineContact middle = line_contact_at_load(R, E, 0.75 / ellipse.semi_axis_y);
+  EXPECT_NEAR(ellipse.semi_axis_x / middle.half_width, 1.0, 1e-6); // order (a/b)^2 ln(b/a)
+  EXPECT_NEAR(ellipse.peak_pressure / middle.peak_pressure, 1.0, 1e-6);
+  EXPECT_THROW((void)line_contact_at_load(R, E, -1.0), InputError);
+}
+
+TEST(LineContactTest, StressIsTheSumOfLineLoads)
+{
+  // Flamant's line loads of x = a sin t (Johnson 1985, Eq. 2.21), a smooth periodic integrand away from the surface.
+  const double a = 2.0, p0 = 3.0, nu = 0.3;
+  for (const auto& [x, z] : {std::array{0.0, 1.5}, {0.7, 0.9}, {-2.0, 1.0}, {3.0, 2.0}, {-40.0, 30.0}})
+  {
+    SymTensor sum{};
+    constexpr int points = 400;
+    for (int i = 0; i < points; ++i)
+    {
+      const double t = 2.0 * std::numbers::pi * (i + 0.5) / points;
+      const double X = x - a * std::sin(t), r2 = X * X + z * z;
+      const double load = p0 * a * std::cos(t) * std::cos(t) * std::numbers::pi / points; // each place comes twice
+      const double radial = -2.0 * load * z / (std::numbers::pi * r2 * r2);
+      sum[0] += radial * X * X;
+      sum[2] += radial * z * z;
+      sum[4] += radial * X * z;
+    }
+    sum[1] = nu * (sum[0] + sum[2]);
+    const SymTensor stress = line_contact_stress(x, z, a, p0, nu);
+    for (std::size_t c = 0; c < 6; ++c)
+      EXPECT_NEAR(stress[c], sum[c], 100.0 * epsilon * p0) << c << " at " << x << ' ' << z;
+  }
+}
+
+TEST(LineContactTest, SurfaceCarriesThePressureAlone)
+{
+  for (const double x : {0.0, 0.5, -0.9, 1.0, 1.7})
+  {
+    const SymTensor stress = line_contact_stress(x, 0.0, 1.0, 1.0, 0.3);
+    const double p = std::sqrt(std::max(0.0, 1.0 - x * x));
+    EXPECT_NEAR(stress[2], -p, 8.0 * epsilon) << x;
+    EXPECT_NEAR(stress[0], -p, 8.0 * epsilon) << x;
+    EXPECT_EQ(std::abs(stress[4]), 0.0) << x;
+  }
+}
+
 TEST(FirstYieldTest, Table)
 {
   // Five digits given. The value at nu = 0 is 1.299305 at 0.381936 (mpmath).

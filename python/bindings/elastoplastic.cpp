@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "arrays.hpp"
+#include "grids.hpp"
+#include "module.hpp"
+#include "python_calls.hpp"
+
+#include "brinell/elastoplastic/body_stress.hpp"
+#include "brinell/elastoplastic/increment.hpp"
+
+#include <nanobind/stl/optional.h>
+
+#include <atomic>
+#include <optional>
+
+using namespace nanobind::literals;
+
+namespace brinell::python
+{
+
+namespace
+{
+
+using constitutive::Material;
+using elastoplastic::Body;
+using elastoplastic::CoupledContact;
+using elastoplastic::IncrementReport;
+using elastoplastic::Place;
+using elastoplastic::Twin;
+
+std::vector<double> texture(const std::optional<Input>& given, const VolumeGrid& grid, const char* name)
+{
+  if (!given)
+    return {};
+  const auto heights = values(*given, shape(grid.surface), name);
+  return {heights.begin(), heights.end()};
+}
+
+void require_same_cells(const SurfaceGrid& contact, const SurfaceGrid& body, const char* name)
+{
+  if (body.ny != contact.ny || body.dx != contact.dx || body.dy != contact.dy)
+    throw InputError(
+        fmt::format("{} has {} rows of cells of {:g} x {:g} m; it must have those of the contact grid, {} rows "
+                    "of {:g} x {:g} m",
+                    name, body.ny, body.dx, body.dy, contact.ny, contact.dx, contact.dy));
+}
+
+/// The contact of two bodies, advanced by one thread at a time, and where its grid was last.
+class Pair
+{
+public:
+  Pair(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper, const Material& lower_material,
+       const Material& upper_material, const elastoplastic::Scales& scales, const elastoplastic::Settings& settings,
+       Twin twin, elastoplastic::Textures textures)
+      : contact_(contact, lower, upper, lower_material, upper_material, scales, settings, twin, std::move(textures))
+  {
+  }
+
+  /// Nothing may be read or changed while another thread advances the state.
+  class Use
+  {
+  public:
+    explicit Use(std::atomic<bool>& busy) : busy_(busy)
+    {
+      if (busy_.exchange(true))
+        throw InputError("this contact is in use by another thread; give each thread a contact of its own");
+    }
+    ~Use() { busy_ = false; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+  private:
+    std::atomic<bool>& busy_;
+  };
+
+  IncrementReport advance(const Input& distance, const contact::Drive& drive, const elastoplastic::Placement& placement,
+                          elastoplastic::Strategy strategy)
+  {
+    const Use use(busy_);
+    const auto d = values(distance, shape(contact_.grid()), "distance");
+    PythonCalls python;
+    strategy.wants_stop = [&] { return python.wants_stop(); };
+    try
+    {
+      IncrementReport report = without_lock([&] { return contact_.advance(d, drive, placement, strategy); });
+      if (report.converged)
+        placement_ = placement;
+      return report;
+    }
+    catch (const Interrupted&)
+    {
+      python.rethrow();
+    }
+  }
+
+  /// A function of the contact as it is now.
+  template <typename Function>
+  auto read(const Function& function)
+  {
+    const Use use(busy_);
+    return function(static_cast<const CoupledContact&>(contact_));
+  }
+
+  /// The same of one of its bodies.
+  template <typename Function>
+  auto read(bool upper, const Function& function)
+  {
+    return read([&](const CoupledContact& c) { return function(upper ? c.upper() : c.lower()); });
+  }
+
+  /// @throws InputError for a rigid body
+  Output stress(bool upper)
+  {
+    const Use use(busy_);
+    const Body& body = upper ? contact_.upper() : contact_.lower();
+    if (!body.shared_half_space())
+      throw InputError("the body is rigid: it has no stress");
+    const Place& place = upper ? placement_.upper : placement_.lower;
+    return array(without_lock(
+                     [&]
+                     {
+                       const elastoplastic::BodyStress s = elastoplastic::body_stress(contact_, body, place);
+                       return six_fields(s.deviator, s.trace);
+                     }),
+                 tensor_shape(body.grid()));
+  }
+
+private:
+  CoupledContact contact_;
+  elastoplastic::Placement placement_;
+  std::atomic<bool> busy_ = false;
+};
+
+Output copy_of(std::span<const double> field, const Shape& shape)
+{
+  return array({field.begin(), field.end()}, shape);
+}
+
+/// Back stresses, [term, component, z, y, x].
+Output backstress(const Body& body)
+{
+  const std::size_t terms = body.material().kinematic.size();
+  const std::size_t n = body.grid().size();
+  std::vector<double> fields;
+  for (std::size_t term = 0; term < terms; ++term)
+  {
+    const auto field = std::span(body.state().backstress).subspan(term * Deviator::size * n, Deviator::size * n);
+    const std::vector<double> of_term = six_fields(field);
+    fields.insert(fields.end(), of_term.begin(), of_term.end());
+  }
+  Shape s = tensor_shape(body.grid());
+  s.insert(s.begin(), terms);
+  return array(std::move(fields), s);
+}
+
+void construct(Pair* self, const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
+               const Material& lower_material, const Material& upper_material, const elastoplastic::Scales& scales,
+               const elastoplastic::Settings& settings, Twin twin, const std::optional<Input>& lower_texture,
+               const std::optional<Input>& upper_texture)
+{
+  require_same_cells(contact, lower.surface, "lower");
+  require_same_cells(contact, upper.surface, "upper");
+  if (lower_material.elastic.is_rigid() && upper_material.elastic.is_rigid())
+    throw InputError("both bodies are rigid; at least one must deform");
+  if (twin != Twin::none && !(lower == upper && lower_material == upper_material))
+    throw InputError("twin: the bodies differ in grid or material; only bodies that are alike can be twins");
+  elastoplastic::Textures textures{texture(lower_texture, lower, "lower_texture"),
+                                   texture(upper_texture, upper, "upper_texture")};
+  without_lock(
+      [&]
+      {
+        return new (self)
+            Pair(contact, lower, upper, lower_material, upper_material, scales, settings, twin, std::move(textures));
+      });
+}
+
+void bind_values(nb::module_& m)
+{
+  nb::class_<Place>(m, "Place")
+      .def(
+          "__init__",
+          [](Place* self, int column, double fraction) {
+            new (self) Place{column, fraction};
+          },
+          "column"_a, "fraction"_a);
+  nb::enum_<elastoplastic::Integration>(m, "Integration")
+      .value("path", elastoplastic::Integration::path)
+      .value("backward_euler", elastoplastic::Integration::backward_euler);
+  nb::enum_<Twin>(m, "Twin")
+      .value("none", Twin::none)
+      .value("mirror_image", Twin::mirror_image)
+      .value("alike", Twin::alike);
+  nb::class_<elastoplastic::Scales>(m, "Scales")
+      .def(
+          "__init__",
+          [](elastoplastic::Scales* self, double displacement, double gap) {
+            new (self) elastoplastic::Scales{displacement, gap};
+          },
+          "displacement"_a, "gap"_a);
+  nb::class_<elastoplastic::Settings>(m, "Settings")
+      .def(
+          "__init__",
+          [](elastoplastic::Settings* self, double yield_tolerance, double displacement_tolerance,
+             double contact_tolerance)
+          {
+            new (self) elastoplastic::Settings{.yield_tolerance = yield_tolerance,
+                                               .displacement_tolerance = displacement_tolerance,
+                                               .contact_tolerance = contact_tolerance};
+          },
+          "yield_tolerance"_a, "displacement_tolerance"_a, "contact_tolerance"_a);
+  nb::class_<IncrementReport>(m, "IncrementReport")
+      .def_ro("converged", &IncrementReport::converged)
+      .def_ro("contact_converged", &IncrementReport::contact_converged)
+      .def_ro("approach", &IncrementReport::approach)
+      .def_ro("evaluations", &IncrementReport::evaluations)
+      .def_ro("contact_iterations", &IncrementReport::contact_iterations)
+      .def_ro("yield_error", &IncrementReport::yield_error)
+      .def_ro("displacement_error", &IncrementReport::displacement_error)
+      .def_ro("gap_error", &IncrementReport::gap_error)
+      .def_ro("energy", &IncrementReport::energy);
+}
+
+void bind_contact_state(nb::class_<Pair>& pair)
+{
+  pair.def_prop_ro("pressure",
+                   [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.pressure(), shape(c.grid())); }); })
+      .def_prop_ro("gap",
+                   [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.gap(), shape(c.grid())); }); })
+      .def_prop_ro("approach", [](Pair& p) { return p.read([](const auto& c) { return c.approach(); }); })
+      .def_prop_ro("load", [](Pair& p) { return p.read([](const auto& c) { return c.load(); }); })
+      .def_prop_ro("elastic_energy", [](Pair& p) { return p.read([](const auto& c) { return c.elastic_energy(); }); })
+      .def_prop_ro("reaches_edge", [](Pair& p) { return p.read([](const auto& c) { return c.reaches_edge(); }); });
+}
+
+void bind_body_state(nb::class_<Pair>& pair)
+{
+  pair.def(
+          "plastic_strain",
+          [](Pair& p, bool upper)
+          {
+            return p.read(upper, [](const Body& b)
+                          { return array(six_fields(b.state().plastic_strain), tensor_shape(b.grid())); });
+          },
+          "upper"_a)
+      .def(
+          "equivalent_plastic_strain",
+          [](Pair& p, bool upper)
+          { return p.read(upper, [](const Body& b) { return copy_of(b.state().equivalent, shape(b.grid())); }); },
+          "upper"_a)
+      .def(
+          "residual_displacement",
+          [](Pair& p, bool upper)
+          {
+            return p.read(upper, [](const Body& b)
+                          { return copy_of(b.state().residual_displacement, shape(b.grid().surface)); });
+          },
+          "upper"_a)
+      .def(
+          "backstress", [](Pair& p, bool upper) { return p.read(upper, backstress); }, "upper"_a)
+      .def("stress", &Pair::stress, "upper"_a)
+      .def(
+          "dissipation",
+          [](Pair& p, bool upper) { return p.read(upper, [](const Body& b) { return b.state().dissipation; }); },
+          "upper"_a)
+      .def(
+          "locked_in_energy",
+          [](Pair& p, bool upper) { return p.read(upper, [](const Body& b) { return b.state().locked_in_energy; }); },
+          "upper"_a);
+}
+
+} // namespace
+
+void bind_elastoplastic(nb::module_& m)
+{
+  bind_values(m);
+  nb::class_<Pair> pair(m, "CoupledContact");
+  pair.def("__init__", &construct, "contact"_a, "lower"_a, "upper"_a, "lower_material"_a, "upper_material"_a,
+           "scales"_a, "settings"_a, "twin"_a, "lower_texture"_a.none(), "upper_texture"_a.none())
+      .def(
+          "advance",
+          [](Pair& p, const Input& distance, const contact::Drive& drive, const Place& lower, const Place& upper,
+             elastoplastic::Integration integration, int max_evaluations, int anderson_depth, double stiffness_share)
+          {
+            return p.advance(distance, drive, {lower, upper},
+                             {.integration = integration,
+                              .max_evaluations = max_evaluations,
+                              .anderson_depth = anderson_depth,
+                              .stiffness_share = stiffness_share});
+          },
+          "distance"_a, "drive"_a, "lower"_a, "upper"_a, "integration"_a, "max_evaluations"_a, "anderson_depth"_a,
+          "stiffness_share"_a);
+  bind_contact_state(pair);
+  bind_body_state(pair);
+}
+
+} // namespace brinell::python

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "arrays.hpp"
+#include "grids.hpp"
+#include "module.hpp"
+
+#include "brinell/constitutive/material.hpp"
+#include "brinell/halfspace/half_space.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
+
+#include <cmath>
+#include <nanobind/stl/optional.h>
+#include <optional>
+
+using namespace nanobind::literals;
+
+namespace brinell::python
+{
+
+namespace
+{
+
+using halfspace::HalfSpace;
+using halfspace::SurfaceCompliance;
+
+Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
+{
+  const auto p = values(pressure, shape(compliance.grid()), "pressure");
+  std::vector<double> u(p.size());
+  without_lock(
+      [&]
+      {
+        SurfaceCompliance::Scratch scratch = compliance.make_scratch();
+        compliance.apply(p, u, scratch);
+      });
+  return array(std::move(u), shape(compliance.grid()));
+}
+
+/// Six components -> the engine's five.
+/// @throws InputError if the strain changes the volume
+std::vector<double> traceless(std::span<const double> fields)
+{
+  constexpr double rounding = 1e-12;
+  const std::size_t n = fields.size() / 6;
+  std::vector<double> result(Deviator::size * n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const SymTensor t = tensor_at(fields, n, i);
+    if (!(std::abs(trace(t)) <= rounding * (std::abs(t[0]) + std::abs(t[1]) + std::abs(t[2]))))
+      throw InputError(fmt::format(
+          "eigenstrain has the trace {:g} in cell {}; it must be plastic, with xx + yy + zz = 0", trace(t), i));
+    const Deviator d = five(t);
+    for (int c = 0; c < Deviator::size; ++c)
+      result[static_cast<std::size_t>(c) * n + i] = d[c];
+  }
+  return result;
+}
+
+Output stress(const HalfSpace& half_space, const std::optional<Input>& pressure,
+              const std::optional<Input>& eigenstrain)
+{
+  const VolumeGrid& g = half_space.grid();
+  std::vector<double> zeros;
+  std::span<const double> p;
+  if (pressure)
+    p = values(*pressure, shape(g.surface), "pressure");
+  else
+    p = zeros = std::vector<double>(g.surface.size());
+  std::span<const double> given;
+  if (eigenstrain)
+    given = values(*eigenstrain, tensor_shape(g), "eigenstrain");
+  return array(without_lock(
+                   [&]
+                   {
+                     const std::vector<double> strain =
+                         eigenstrain ? traceless(given) : std::vector<double>(Deviator::size * g.size());
+                     std::vector<double> deviator(strain.size());
+                     std::vector<double> trace(g.size());
+                     HalfSpace::Work work = half_space.make_work();
+                     half_space.full_stress(p, strain, work, deviator, trace);
+                     return six_fields(deviator, trace);
+                   }),
+               tensor_shape(g));
+}
+
+Output residual_displacement(const HalfSpace& half_space, const Input& eigenstrain)
+{
+  const VolumeGrid& g = half_space.grid();
+  const auto given = values(eigenstrain, tensor_shape(g), "eigenstrain");
+  std::vector<double> u(g.surface.size());
+  without_lock(
+      [&]
+      {
+        HalfSpace::Work work = half_space.make_work();
+        half_space.load_strain(traceless(given), g.nz, work, u);
+      });
+  return array(std::move(u), shape(g.surface));
+}
+
+} // namespace
+
+void bind_halfspace(nb::module_& m)
+{
+  nb::class_<SurfaceGrid>(m, "SurfaceGrid")
+      .def(
+          "__init__",
+          [](SurfaceGrid* self, int nx, int ny, double dx, double dy) {
+            new (self) SurfaceGrid{nx, ny, dx, dy};
+          },
+          "nx"_a, "ny"_a, "dx"_a, "dy"_a);
+  nb::class_<VolumeGrid>(m, "VolumeGrid")
+      .def(
+          "__init__",
+          [](VolumeGrid* self, const SurfaceGrid& surface, int nz, double dz) {
+            new (self) VolumeGrid{surface, nz, dz};
+          },
+          "surface"_a, "nz"_a, "dz"_a);
+  nb::class_<SurfaceCompliance>(m, "SurfaceCompliance")
+      .def(nb::init<const SurfaceGrid&, double>(), "grid"_a, "contact_modulus"_a)
+      .def("displacement", &displacement, "pressure"_a);
+  nb::class_<HalfSpace>(m, "HalfSpace")
+      .def(
+          "__init__",
+          [](HalfSpace* self, const VolumeGrid& grid, const constitutive::Material& material)
+          { new (self) HalfSpace(grid, material.elastic); },
+          "grid"_a, "material"_a)
+      .def("stress", &stress, "pressure"_a.none(), "eigenstrain"_a.none())
+      .def("residual_displacement", &residual_displacement, "eigenstrain"_a);
+}
+
+} // namespace brinell::python

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "arrays.hpp"
+#include "module.hpp"
+
+#include "brinell/reference/critical.hpp"
+#include "brinell/reference/elastic_tugging.hpp"
+#include "brinell/reference/hertz.hpp"
+#include "brinell/reference/spherical_indentation.hpp"
+
+#include <nanobind/stl/tuple.h>
+
+#include <tuple>
+
+using namespace nanobind::literals;
+
+namespace brinell::python
+{
+
+namespace
+{
+
+namespace ref = brinell::reference;
+
+auto as_tuple(const ref::PointContact& c)
+{
+  return std::tuple{c.load, c.approach, c.contact_radius, c.peak_pressure};
+}
+
+auto as_tuple(const ref::EllipticalContact& c)
+{
+  return std::tuple{c.load, c.approach, c.semi_axis_x, c.semi_axis_y, c.peak_pressure};
+}
+
+Output point_contact_stress(const Input& x, const Input& y, const Input& z, double contact_radius, double peak_pressure,
+                            double poisson_ratio)
+{
+  const std::size_t n = x.size();
+  const auto xs = values(x, {n}, "x");
+  const auto ys = values(y, {n}, "y");
+  const auto zs = values(z, {n}, "z");
+  std::vector<double> stress(6 * n);
+  without_lock(
+      [&]
+      {
+        for (std::size_t i = 0; i < n; ++i)
+          store(ref::point_contact_stress(xs[i], ys[i], zs[i], contact_radius, peak_pressure, poisson_ratio), stress, n,
+                i);
+      });
+  return array(std::move(stress), {6, n});
+}
+
+Output line_contact_stress(const Input& x, const Input& z, double half_width, double peak_pressure,
+                           double poisson_ratio)
+{
+  const std::size_t n = x.size();
+  const auto xs = values(x, {n}, "x");
+  const auto zs = values(z, {n}, "z");
+  std::vector<double> stress(6 * n);
+  without_lock(
+      [&]
+      {
+        for (std::size_t i = 0; i < n; ++i)
+          store(ref::line_contact_stress(xs[i], zs[i], half_width, peak_pressure, poisson_ratio), stress, n, i);
+      });
+  return array(std::move(stress), {6, n});
+}
+
+/// Rows: load, F_X, F_Z, interference.
+Output elastic_tugging_forces(const ref::ElasticTugging& tugging, const Input& X)
+{
+  const std::size_t n = X.size();
+  const auto Xs = values(X, {n}, "X");
+  ref::require_valid(tugging);
+  std::vector<double> rows(4 * n);
+  without_lock(
+      [&]
+      {
+        for (std::size_t i = 0; i < n; ++i)
+        {
+          const ref::TuggingForces f = ref::elastic_tugging_forces(tugging, Xs[i]);
+          rows[i] = f.load;
+          rows[n + i] = f.F_X;
+          rows[2 * n + i] = f.F_Z;
+          rows[3 * n + i] = f.interference;
+        }
+      });
+  return array(std::move(rows), {4, n});
+}
+
+/// A function of the ratio of the approach to that at first yield, over an array.
+template <typename Function>
+Output over(const Input& interference_ratio, const Function& function)
+{
+  const std::size_t n = interference_ratio.size();
+  const auto ratio = values(interference_ratio, {n}, "interference_ratio");
+  std::vector<double> result(n);
+  for (std::size_t i = 0; i < n; ++i)
+    result[i] = function(ratio[i]);
+  return array(std::move(result), {n});
+}
+
+void bind_tugging(nb::module_& m)
+{
+  nb::class_<ref::ElasticTugging>(m, "ElasticTugging")
+      .def(
+          "__init__",
+          [](ref::ElasticTugging* self, double radius_lower, double radius_upper, double contact_modulus,
+             double interference)
+          {
+            const ref::ElasticTugging tugging{radius_lower, radius_upper, contact_modulus, interference};
+            ref::require_valid(tugging);
+            new (self) ref::ElasticTugging(tugging);
+          },
+          "radius_lower"_a, "radius_upper"_a, "contact_modulus"_a, "interference"_a)
+      .def("half_sliding_distance", &ref::half_sliding_distance)
+      .def("forces", &elastic_tugging_forces, "X"_a)
+      .def("peak",
+           [](const ref::ElasticTugging& t)
+           {
+             const ref::TuggingPeak peak = ref::elastic_tugging_peak(t);
+             return std::tuple{peak.F_X, peak.X};
+           })
+      .def("work", &ref::elastic_tugging_work, "X1"_a, "X2"_a);
+}
+
+} // namespace
+
+void bind_reference(nb::module_& m)
+{
+  m.def(
+      "point_contact_at_load",
+      [](double radius, double contact_modulus, double load)
+      { return as_tuple(ref::point_contact_at_load(radius, contact_modulus, load)); },
+      "radius"_a, "contact_modulus"_a, "load"_a);
+  m.def(
+      "point_contact_at_approach",
+      [](double radius, double contact_modulus, double approach)
+      { return as_tuple(ref::point_contact_at_approach(radius, contact_modulus, approach)); },
+      "radius"_a, "contact_modulus"_a, "approach"_a);
+  m.def(
+      "elliptical_contact_at_load",
+      [](double radius_x, double radius_y, double contact_modulus, double load)
+      { return as_tuple(ref::elliptical_contact_at_load(radius_x, radius_y, contact_modulus, load)); },
+      "radius_x"_a, "radius_y"_a, "contact_modulus"_a, "load"_a);
+  m.def(
+      "elliptical_contact_at_approach",
+      [](double radius_x, double radius_y, double contact_modulus, double approach)
+      { return as_tuple(ref::elliptical_contact_at_approach(radius_x, radius_y, contact_modulus, approach)); },
+      "radius_x"_a, "radius_y"_a, "contact_modulus"_a, "approach"_a);
+  m.def(
+      "line_contact_at_load",
+      [](double radius, double contact_modulus, double load_per_length)
+      {
+        const ref::LineContact c = ref::line_contact_at_load(radius, contact_modulus, load_per_length);
+        return std::tuple{c.load_per_length, c.half_width, c.peak_pressure};
+      },
+      "radius"_a, "contact_modulus"_a, "load_per_length"_a);
+  m.def("point_contact_stress", &point_contact_stress, "x"_a, "y"_a, "z"_a, "contact_radius"_a, "peak_pressure"_a,
+        "poisson_ratio"_a);
+  m.def("line_contact_stress", &line_contact_stress, "x"_a, "z"_a, "half_width"_a, "peak_pressure"_a,
+        "poisson_ratio"_a);
+  m.def(
+      "first_yield",
+      [](double poisson_ratio)
+      {
+        const ref::FirstYield y = ref::first_yield(poisson_ratio);
+        return std::tuple{y.pressure_ratio, y.depth_ratio};
+      },
+      "poisson_ratio"_a);
+  m.def("critical_pressure_ratio", &ref::critical_pressure_ratio, "poisson_ratio"_a);
+  m.def(
+      "critical_values",
+      [](double radius, double contact_modulus, double C, double yield_stress)
+      {
+        const ref::CriticalValues c = ref::critical_values(radius, contact_modulus, C, yield_stress);
+        return std::tuple{c.C, c.interference, c.load, c.energy, c.contact_radius, c.peak_pressure};
+      },
+      "radius"_a, "contact_modulus"_a, "C"_a, "yield_stress"_a);
+  m.def("jackson_green_pressure_ratio", &ref::jackson_green_pressure_ratio, "poisson_ratio"_a);
+  m.def(
+      "jackson_green_area",
+      [](const Input& interference_ratio, double young_modulus, double poisson_ratio, double yield_stress)
+      {
+        const ref::IndentedSphere sphere{{young_modulus, poisson_ratio}, yield_stress};
+        return over(interference_ratio, [&](double ratio) { return ref::jackson_green_area(ratio, sphere); });
+      },
+      "interference_ratio"_a, "young_modulus"_a, "poisson_ratio"_a, "yield_stress"_a);
+  m.def(
+      "jackson_green_load",
+      [](const Input& interference_ratio, double young_modulus, double poisson_ratio, double yield_stress)
+      {
+        const ref::IndentedSphere sphere{{young_modulus, poisson_ratio}, yield_stress};
+        return over(interference_ratio, [&](double ratio) { return ref::jackson_green_load(ratio, sphere); });
+      },
+      "interference_ratio"_a, "young_modulus"_a, "poisson_ratio"_a, "yield_stress"_a);
+  m.def(
+      "kogut_etsion_load",
+      [](const Input& interference_ratio)
+      { return over(interference_ratio, [](double ratio) { return ref::kogut_etsion_load(ratio); }); },
+      "interference_ratio"_a);
+  bind_tugging(m);
+}
+
+} // namespace brinell::python

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays on their way to the engine, which takes contiguous ones of doubles and uses them where they lie."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from brinell.errors import InputError
+
+__all__ = ["Array", "contiguous", "points", "require_below", "require_positive"]
+
+Array: TypeAlias = NDArray[np.float64]
+
+
+def contiguous(values: ArrayLike, name: str) -> Array:
+    """The same values, x fastest in memory; not copied if they already lie so.
+
+    Args:
+        values: of any real type.
+        name: for the message.
+
+    Raises:
+        InputError: they are not real and finite.
+    """
+    try:
+        given = np.asarray(values)
+        array = np.asarray(given, dtype=np.float64, order="C") if given.dtype.kind in "biuf" else None
+    except ValueError:  # ragged lists
+        array = None
+    if array is None:
+        raise InputError(f"{name} is not an array of real numbers")
+    if not np.isfinite(array).all():
+        raise InputError(f"{name} has values that are not finite")
+    return array
+
+
+def points(**coordinates: ArrayLike) -> tuple[tuple[int, ...], list[Array]]:
+    """Coordinates of points, broadcast against each other.
+
+    Returns:
+        Their common shape, and each of them as one row of that many numbers.
+
+    Raises:
+        InputError: the shapes do not go together.
+    """
+    arrays = [contiguous(values, name) for name, values in coordinates.items()]
+    try:
+        spread = np.broadcast_arrays(*arrays)
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(coordinates, arrays, strict=True))
+        raise InputError(f"the shapes of the coordinates do not go together: {shapes}") from None
+    return spread[0].shape, [np.ascontiguousarray(array).reshape(-1) for array in spread]
+
+
+def require_positive(**values: float) -> None:
+    """Raises InputError unless all the values are above 0."""
+    for name, value in values.items():
+        if not value > 0:
+            raise InputError(f"{name} = {value}; allowed: above 0")
+
+
+def require_below(z: Array) -> None:
+    """Raises InputError if a depth is negative."""
+    if (z < 0).any():
+        raise InputError(f"z has the value {z.min()}; allowed: not below 0, z points into the body")

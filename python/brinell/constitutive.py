@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plasticity of a point: yield curves, and the return mappings of the engine.
+
+Tensors have six components, first in an array: xx, yy, zz, yz, xz, xy. Stress is positive in tension.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from brinell import _core
+from brinell._arrays import Array, contiguous, points
+from brinell.errors import InputError
+from brinell.materials import Hardening, Law, Material
+
+__all__ = ["Integration", "PlasticIncrement", "hardening_modulus", "plastic_work", "return_mapping", "yield_stress"]
+
+Integration: TypeAlias = Literal["path", "backward_euler"]
+
+
+def yield_stress(law: Hardening | Law, equivalent_plastic_strain: ArrayLike) -> Array:
+    """The yield curve sigma_y(e).
+
+    Args:
+        law: of `brinell.materials`, or a function.
+        equivalent_plastic_strain: e (...), >= 0 [-].
+
+    Returns:
+        (...) [Pa].
+    """
+    shape, (e,) = points(equivalent_plastic_strain=equivalent_plastic_strain)
+    return _core.yield_stress(_material(law), e).reshape(shape)
+
+
+def hardening_modulus(law: Hardening | Law, equivalent_plastic_strain: ArrayLike) -> Array:
+    """The slope d sigma_y / d e of the yield curve.
+
+    Args:
+        law: of `brinell.materials`, or a function.
+        equivalent_plastic_strain: e (...), >= 0 [-].
+
+    Returns:
+        (...) [Pa]; may be infinite at e = 0.
+    """
+    shape, (e,) = points(equivalent_plastic_strain=equivalent_plastic_strain)
+    return _core.hardening_modulus(_material(law), e).reshape(shape)
+
+
+def plastic_work(law: Hardening | Law, equivalent_plastic_strain: ArrayLike) -> Array:
+    """The work under the yield curve, the integral of sigma_y from 0 to e.
+
+    Args:
+        law: of `brinell.materials`, or a function.
+        equivalent_plastic_strain: e (...), >= 0 [-].
+
+    Returns:
+        (...) [J/m^3].
+    """
+    shape, (e,) = points(equivalent_plastic_strain=equivalent_plastic_strain)
+    return _core.plastic_work(_material(law), e).reshape(shape)
+
+
+@dataclass(frozen=True)
+class PlasticIncrement:
+    """What one increment does to points.
+
+    Attributes:
+        plastic_strain: (6, ...) increment, traceless [-].
+        equivalent_plastic_strain: (...) increment of e, >= 0 [-].
+        dissipation: (...) plastic work of the increment [J/m^3].
+        stress: (6, ...) after it, the trial stress less 2 mu times the increment of the strain [Pa].
+        backstress: (terms, 6, ...) after it [Pa].
+    """
+
+    plastic_strain: Array
+    equivalent_plastic_strain: Array
+    dissipation: Array
+    stress: Array
+    backstress: Array
+
+
+def return_mapping(
+    material: Material,
+    trial: ArrayLike,
+    *,
+    stress: ArrayLike | None = None,
+    equivalent_plastic_strain: ArrayLike = 0.0,
+    backstress: ArrayLike | None = None,
+    integration: Integration = "backward_euler",
+) -> PlasticIncrement:
+    """The plastic strain of an increment at each of many points (J2, associated flow).
+
+    Args:
+        material: with a hardening law, and back stresses if it has `kinematic` terms; its profiles over depth do not
+            count here.
+        trial: (6, ...) stress that would act if the increment left no plastic strain [Pa]; only its deviator counts.
+        stress: (6, ...) before the increment [Pa]; None: zero. Backward Euler without back stress does not need it.
+        equivalent_plastic_strain: e before the increment (...) [-].
+        backstress: (terms, 6, ...) before it [Pa]; None: zero.
+        integration: "backward_euler": flow along the normal at the end (Wilkins 1964); "path": along the mean of the
+            normals where the straight path leaves the elastic domain and at the end, second order (Ortiz, Popov 1985).
+
+    Returns:
+        The increment.
+
+    Raises:
+        InputError: shapes that do not go together, or a material without a hardening law.
+    """
+    if integration not in ("path", "backward_euler"):
+        raise InputError(f'integration = "{integration}"; allowed: "path" or "backward_euler"')
+    engine = material._engine
+    q = contiguous(trial, "trial")
+    shape = q.shape[1:]
+    n = int(np.prod(shape))
+    terms = engine.back_stresses
+    s = np.zeros((6, *shape)) if stress is None else contiguous(stress, "stress")
+    e = contiguous(equivalent_plastic_strain, "equivalent_plastic_strain")
+    back = np.zeros((terms, 6, *shape)) if backstress is None else contiguous(backstress, "backstress")
+    e = np.full(shape, e.item()) if e.ndim == 0 else e
+    wanted = {"trial": (q, (6, *shape)), "stress": (s, (6, *shape))}
+    wanted |= {"equivalent_plastic_strain": (e, shape), "backstress": (back, (terms, 6, *shape))}
+    for name, (array, right) in wanted.items():
+        if array.shape != right:
+            raise InputError(f"{name} has the shape {array.shape}; it must be {right}")
+    strain, de, work, after, back = _core.return_mapping(
+        engine, s.reshape(6, n), q.reshape(6, n), e.reshape(n), back.reshape(terms, 6, n), integration == "path"
+    )
+    return PlasticIncrement(
+        strain.reshape(6, *shape),
+        de.reshape(shape),
+        work.reshape(shape),
+        after.reshape(6, *shape),
+        back.reshape(terms, 6, *shape),
+    )
+
+
+def _material(law: Hardening | Law) -> _core.Material:
+    return Material(1.0, 0.0, law)._engine  # its elastic constants do not count

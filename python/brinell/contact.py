@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Frictionless, non-adhesive contact of two elastic bodies.
+
+grid = SurfaceGrid(65, 65, 1e-6, 1e-6)
+ball = (grid.x**2 + grid.y**2) / (2 * 0.01)
+result = ElasticContact(grid, Material("210 GPa", 0.3)).solve(ball, load=0.5)
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from brinell import _core
+from brinell._arrays import Array, contiguous
+from brinell.errors import ConvergenceError, InputError
+from brinell.halfspace import SurfaceCompliance, SurfaceGrid
+from brinell.materials import RIGID, Material
+
+__all__ = ["ContactResult", "ElasticContact"]
+
+
+@dataclass(frozen=True)
+class ContactResult:
+    """A solved contact.
+
+    Attributes:
+        pressure: (ny, nx), >= 0 [Pa].
+        gap: (ny, nx) between the deformed surfaces [m].
+        approach: imposed or found [m]; without load that at which the surfaces touch.
+        load: sum of the pressure [N].
+        iterations: of the conjugate gradients.
+        converged: whether the residual is within the tolerance.
+        residual: largest |gap| under pressure or penetration elsewhere [m].
+    """
+
+    pressure: Array
+    gap: Array
+    approach: float
+    load: float
+    iterations: int
+    converged: bool
+    residual: float
+
+
+class ElasticContact:
+    """Contact of two bodies by the constrained conjugate gradient method (Polonsky, Keer 1999).
+
+    Finds p >= 0, gap = distance - approach + A p >= 0, p gap = 0, with A the surface compliance.
+    """
+
+    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID):
+        """Plans the contact.
+
+        Args:
+            grid: wide enough that the contact ends on it.
+            lower: one body; of its material only the elastic constants count.
+            upper: the other one.
+
+        Raises:
+            InputError: both are rigid, or a material is impossible.
+        """
+        self.grid = grid
+        self.compliance = SurfaceCompliance(grid, lower, upper)
+        """The `SurfaceCompliance` of the pair."""
+
+    def solve(
+        self,
+        distance: ArrayLike,
+        *,
+        load: float | None = None,
+        approach: float | None = None,
+        tolerance: float | None = None,
+        max_iterations: int = 2000,
+        guess: ArrayLike | None = None,
+    ) -> ContactResult:
+        """Solves the contact.
+
+        Args:
+            distance: (ny, nx) of the undeformed surfaces at no approach [m].
+            load: [N], >= 0.
+            approach: instead of the load: how far the bodies have come together [m].
+            tolerance: largest residual [m]. None: 1e-7 of the overlap of the undeformed surfaces if the approach is
+                given; of load/(E' sqrt(area of the grid)), less than the bodies come together, if the load is.
+            max_iterations: after which it gives up.
+            guess: (ny, nx) a pressure to begin with, as that of a neighbouring problem [Pa].
+
+        Raises:
+            ConvergenceError: the residual did not reach the tolerance.
+            InputError: a wrong shape, a negative load, or not one of load and approach is given.
+        """
+        distance = contiguous(distance, "distance")
+        drive = drive_of(load, approach)
+        pressure, gap, report = _core.solve_contact(
+            self.compliance._engine,
+            distance,
+            drive,
+            self._tolerance(distance, load, approach) if tolerance is None else tolerance,
+            max_iterations,
+            None if guess is None else contiguous(guess, "guess"),
+        )
+        residual = max(report.gap_error, report.penetration)
+        if not report.converged:
+            raise ConvergenceError(
+                f"no convergence after {report.iterations} iterations: the contact's residual is {residual:.2e} m. "
+                "A larger tolerance or max_iterations may help"
+            )
+        return ContactResult(
+            pressure,
+            gap,
+            report.approach,
+            float(pressure.sum()) * self.grid.cell_area,
+            report.iterations,
+            report.converged,
+            residual,
+        )
+
+    def _tolerance(self, distance: Array, load: float | None, approach: float | None) -> float:
+        if load is not None:
+            length = math.sqrt(distance.size * self.grid.cell_area)
+            return 1e-7 * load / (self.compliance.contact_modulus * length)
+        overlap = (approach or 0.0) - float(distance.min())
+        return 1e-7 * max(overlap, 0.0)
+
+
+def drive_of(load: float | None, approach: float | None) -> _core.Drive:
+    """What is imposed on two bodies.
+
+    Raises:
+        InputError: not one of them is given, the load is negative, or a value is not finite.
+    """
+    if load is not None and approach is None:
+        return _core.Drive.of_load(load)
+    if approach is not None and load is None:
+        return _core.Drive.of_approach(approach)
+    raise InputError("a contact needs either load or approach")

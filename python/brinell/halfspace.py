@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Half spaces on a regular grid: what a pressure and a plastic strain do to one elastic body.
+
+Arrays on a grid are [y, x] or [z, y, x]; a tensor field is [component, z, y, x] with the six components xx, yy, zz, yz,
+xz, xy (tensor components, not engineering shear). z points into the body, pressure is positive in compression, stress
+in tension. Values belong to the middle of a cell; there are no periodic images. What comes back is a new array each
+time. An operator is planned once and may be applied by several threads.
+
+    grid = VolumeGrid(SurfaceGrid(64, 64, 1e-6, 1e-6), nz=32, dz=1e-6)
+    body = HalfSpace(grid, Material("210 GPa", 0.3))
+    stress = body.pressure_to_stress(pressure)
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from brinell import _core
+from brinell._arrays import Array, contiguous
+from brinell.errors import InputError
+from brinell.materials import RIGID, Material
+
+__all__ = ["HalfSpace", "SurfaceCompliance", "SurfaceGrid", "VolumeGrid"]
+
+
+@dataclass(frozen=True)
+class SurfaceGrid:
+    """Rectangles dx * dy of a surface, with the origin of x and y in the middle of the grid.
+
+    Attributes:
+        nx: cells along x, the direction of rolling or sliding.
+        ny: cells along y.
+        dx: size along x [m].
+        dy: size along y [m].
+    """
+
+    nx: int
+    ny: int
+    dx: float
+    dy: float
+
+    def __post_init__(self) -> None:
+        _check_cells(self, counts=("nx", "ny"), sizes=("dx", "dy"))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(ny, nx), of an array on this grid."""
+        return self.ny, self.nx
+
+    @property
+    def x(self) -> Array:
+        """(nx,), the middles of the columns [m]."""
+        return _middles(self.nx, self.dx)
+
+    @property
+    def y(self) -> Array:
+        """(ny, 1), the middles of the rows [m]: an expression of x and y is an array on the grid."""
+        return _middles(self.ny, self.dy)[:, None]
+
+    @property
+    def cell_area(self) -> float:
+        """The area dx dy of a cell [m^2]."""
+        return self.dx * self.dy
+
+    @cached_property
+    def _engine(self) -> _core.SurfaceGrid:
+        return _core.SurfaceGrid(self.nx, self.ny, self.dx, self.dy)
+
+
+@dataclass(frozen=True)
+class VolumeGrid:
+    """Layers of cuboids under a surface; layer k spans the depths from k dz to (k + 1) dz.
+
+    Attributes:
+        surface: cells of each layer.
+        nz: layers.
+        dz: their thickness [m].
+    """
+
+    surface: SurfaceGrid
+    nz: int
+    dz: float
+
+    def __post_init__(self) -> None:
+        _check_cells(self, counts=("nz",), sizes=("dz",))
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """(nz, ny, nx), of an array on this grid."""
+        return self.nz, *self.surface.shape
+
+    @property
+    def z(self) -> Array:
+        """(nz, 1, 1), the middles of the layers [m]."""
+        return np.asarray((np.arange(self.nz) + 0.5) * self.dz, dtype=np.float64)[:, None, None]
+
+    @property
+    def cell_volume(self) -> float:
+        """The volume dx dy dz of a cell [m^3]."""
+        return self.surface.cell_area * self.dz
+
+    @cached_property
+    def _engine(self) -> _core.VolumeGrid:
+        return _core.VolumeGrid(self.surface._engine, self.nz, self.dz)
+
+
+class SurfaceCompliance:
+    """Pressure -> sum of the elastic normal displacements of two bodies (Love 1929).
+
+    The operator is symmetric and positive definite, so it is its own transpose.
+    """
+
+    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID):
+        """Plans the operator.
+
+        Args:
+            grid: of pressure and displacement.
+            lower: one body; of its material only the elastic constants count.
+            upper: the other one.
+
+        Raises:
+            InputError: both are rigid, or a material is impossible.
+        """
+        self.grid = grid
+        self.contact_modulus = _core.contact_modulus(lower._engine, upper._engine)
+        """E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
+        self._engine = _core.SurfaceCompliance(grid._engine, self.contact_modulus)
+
+    def pressure_to_displacement(self, pressure: ArrayLike) -> Array:
+        """Normal displacement, u = 1/(pi E') integral of p/r.
+
+        Args:
+            pressure: (ny, nx) [Pa].
+
+        Returns:
+            (ny, nx) [m], the approach that it takes up.
+        """
+        return self._engine.displacement(contiguous(pressure, "pressure"))
+
+
+class HalfSpace:
+    """One elastic body with a surface pressure and a plastic strain.
+
+    Three operators: B, pressure -> stress; its transpose B', plastic strain -> normal displacement of the surface; and
+    H, plastic strain -> residual stress, which is symmetric. With the same coefficients both ways Betti's theorem holds
+    to rounding: the sum of B p : eps dV is that of p B' eps dA, and the sum of H eps1 : eps2 that of H eps2 : eps1.
+    """
+
+    def __init__(self, grid: VolumeGrid, material: Material):
+        """Plans the operators.
+
+        Args:
+            grid: of stress and strain; the pressure is on its surface.
+            material: of it only the elastic constants count.
+
+        Raises:
+            InputError: the material is rigid or impossible.
+        """
+        if material.is_rigid:
+            raise InputError("a rigid body has no stress; allowed: an elastic material")
+        self.grid = grid
+        self.material = material
+        self._engine = _core.HalfSpace(grid._engine, material._engine)
+
+    def stress(self, pressure: ArrayLike | None, eigenstrain: ArrayLike | None) -> Array:
+        """Stress of a pressure and a plastic strain together.
+
+        Args:
+            pressure: (ny, nx) [Pa]; None: zero.
+            eigenstrain: (6, nz, ny, nx) plastic strain, xx + yy + zz = 0 [-]; None: zero.
+
+        Returns:
+            (6, nz, ny, nx) [Pa], mean over the thickness of a layer, at the middle of a cell in x and y.
+        """
+        return self._engine.stress(
+            None if pressure is None else contiguous(pressure, "pressure"),
+            None if eigenstrain is None else contiguous(eigenstrain, "eigenstrain"),
+        )
+
+    def pressure_to_stress(self, pressure: ArrayLike) -> Array:
+        """Stress under a pressure (Love 1929), B.
+
+        Args:
+            pressure: (ny, nx) [Pa].
+
+        Returns:
+            (6, nz, ny, nx) [Pa].
+        """
+        return self.stress(pressure, None)
+
+    def eigenstrain_to_stress(self, eigenstrain: ArrayLike) -> Array:
+        """Residual stress of a plastic strain in a body with a free surface, H (docs/theory.md, section 4).
+
+        Args:
+            eigenstrain: (6, nz, ny, nx), xx + yy + zz = 0 [-].
+
+        Returns:
+            (6, nz, ny, nx) [Pa].
+        """
+        return self.stress(None, eigenstrain)
+
+    def eigenstrain_to_displacement(self, eigenstrain: ArrayLike) -> Array:
+        """Normal displacement of the surface of a plastic strain, B' (Betti's theorem).
+
+        Args:
+            eigenstrain: (6, nz, ny, nx), xx + yy + zz = 0 [-].
+
+        Returns:
+            (ny, nx) [m], into the body positive.
+        """
+        return self._engine.residual_displacement(contiguous(eigenstrain, "eigenstrain"))
+
+
+def _middles(count: int, size: float) -> Array:
+    return np.asarray((np.arange(count) - 0.5 * (count - 1)) * size, dtype=np.float64)
+
+
+def _check_cells(grid: SurfaceGrid | VolumeGrid, counts: tuple[str, ...], sizes: tuple[str, ...]) -> None:
+    for name in counts:
+        count = getattr(grid, name)
+        try:
+            whole = operator.index(count)
+        except TypeError:
+            whole = 0
+        if not 1 <= whole <= 100_000:
+            raise InputError(f"{name} = {count} of a grid; allowed: a whole number of cells from 1 to 100000")
+        object.__setattr__(grid, name, whole)
+    for name in sizes:
+        size = getattr(grid, name)
+        if not (math.isfinite(size) and size > 0):
+            raise InputError(f"{name} = {size} of a grid; allowed: a length above 0, in m")
