@@ -11,7 +11,7 @@ plastic strain. How much load does hardening add, and where do elastic and perfe
 # A law as a function
 # -------------------
 # Any function of the equivalent plastic strain is a hardening law, if it is positive, continuous and does not fall. This
-# one rises fast to a plateau that goes on rising slowly, as many steels do.
+# one rises fast at first and slowly later, as many steels do.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -24,7 +24,7 @@ young_modulus, poisson_ratio, yield_stress = 210e9, 0.3, 600e6
 
 def hardening(e):
     """Yield stress [Pa] at the equivalent plastic strain e."""
-    return yield_stress + 400e6 * (1 - np.exp(-25 * e)) + 500e6 * e
+    return yield_stress + 400e6 * (1 - np.exp(-200 * e)) + 2e9 * e
 
 
 # %%
@@ -35,11 +35,11 @@ hardening_steel = brinell.Material(young_modulus, poisson_ratio, hardening)
 perfect_steel = brinell.Material(young_modulus, poisson_ratio, brinell.Perfect(yield_stress))
 
 table = hardening_steel.hardening
-strain = np.linspace(0, 0.2, 201)
+strain = np.linspace(0, 0.05, 201)
 figure, axes = plt.subplots(figsize=(5, 3), layout="constrained")
 axes.plot(strain, hardening(strain) / 1e6, label="function")
 axes.plot(table.plastic_strain, np.divide(table.stress, 1e6), ".", label=f"table, {len(table.stress)} points")
-axes.set(xlabel="equivalent plastic strain", ylabel="yield stress [MPa]", xlim=(0, 0.2), ylim=(0, 1200))
+axes.set(xlabel="equivalent plastic strain", ylabel="yield stress [MPa]", xlim=(0, 0.05), ylim=(0, 1200))
 axes.legend()
 plt.show()
 
@@ -58,7 +58,7 @@ def indentation(material):
         approach=[25, 0],
         normalised=True,
         steps=15,
-        grid={"resolution": 6},
+        grid={"resolution": 8},
     )
 
 
