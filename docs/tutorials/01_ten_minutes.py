@@ -122,5 +122,5 @@ print(f"left over    {(work - dissipated - locked_in) / work:7.1%}")
 #
 # and ``brinell.open("results/steel")`` reads. What each key means: :doc:`/docs/reference/case-file`.
 #
-# Where to go from here: a harder question, :doc:`indentation with a hardening law of your own </docs/_tutorials/02_indentation>`;
-# or the same asperities pass after pass, ``brinell.Tugging(..., passes=3)``.
+# From here: the same asperities pass after pass, ``brinell.Tugging(..., passes=3)``; or
+# :doc:`indentation with a hardening law of your own </docs/_tutorials/02_indentation>`.
