@@ -10,8 +10,8 @@ plastic strain. How much load does hardening add, and where do elastic and perfe
 # %%
 # A law as a function
 # -------------------
-# Any function of the equivalent plastic strain is a hardening law, if it is positive, continuous and does not fall. This
-# one rises fast at first and slowly later, as many steels do.
+# Any function of the equivalent plastic strain is a hardening law, if it is positive, continuous and does not fall.
+# This one rises fast at first and slowly later, as many steels do.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -112,5 +112,5 @@ for name, indent in indents.items():
 # The mean pressure of the hardening ball is above that of the other one, and less of the approach stays. How both fits
 # compare on finer grids: :doc:`/docs/verification`.
 #
-# From here: ``load=["2 N", "0.5 N", "2 N", 0]`` imposes loads instead, ``cycles`` repeats them, ``places`` makes several
-# indents; ``brinell.Vickers("1 um")`` and ``brinell.Cone(70.3, "1 um")`` are other indenters.
+# From here: ``load=["2 N", "0.5 N", "2 N", 0]`` imposes loads instead, ``cycles`` repeats them, ``places`` makes
+# several indents; ``brinell.Vickers("1 um")`` and ``brinell.Cone(70.3, "1 um")`` are other indenters.

@@ -37,9 +37,8 @@ grid = SurfaceGrid(nx=49, ny=31, dx=cell, dy=cell)
 distance = (grid.x**2 + grid.y**2) / (2 * radius)
 
 elastic = ElasticContact(grid, steel).solve(distance, load=load)
-print(
-    f"approach {elastic.approach / hertz.approach:.4f} of Hertz', peak pressure {elastic.pressure.max() / hertz.peak_pressure:.4f}"
-)
+print(f"approach over Hertz': {elastic.approach / hertz.approach:.4f}")
+print(f"peak pressure over Hertz': {elastic.pressure.max() / hertz.peak_pressure:.4f}")
 
 # %%
 # ``grid.x`` is a row and ``grid.y`` a column, so that an expression of both is a field on the grid. Hertz' pressure is
@@ -59,9 +58,9 @@ plt.show()
 # %%
 # The half space: what the pressure does below
 # --------------------------------------------
-# An operator is planned once for a grid and a material, and applied as often as you like. The tensor comes first: xx, yy,
-# zz, yz, xz, xy. Below, von Mises' stress on the axis, beside Huber's closed form: largest about half a contact radius
-# below the surface, where the first point yields.
+# An operator is planned once for a grid and a material, and applied as often as you like. The tensor comes first: xx,
+# yy, zz, yz, xz, xy. Below, von Mises' stress on the axis, beside Huber's closed form: largest about half a contact
+# radius below the surface, where the first point yields.
 
 volume = VolumeGrid(grid, nz=20, dz=cell)
 half_space = HalfSpace(volume, steel)
@@ -92,8 +91,8 @@ plt.show()
 #
 # Both together: press, lift, move, press again
 # ---------------------------------------------
-# ``CoupledContact`` has the history of both bodies. An increment is one call: the distance of the smooth surfaces, and a
-# load or an approach. Contact, plastic strain and residual displacement agree when it returns, or it says why not.
+# ``CoupledContact`` has the history of both bodies. An increment is one call: the distance of the smooth surfaces, and
+# a load or an approach. Contact, plastic strain and residual displacement agree when it returns, or it says why not.
 #
 # The scenario is the loop: six steps up, three down, at two places 1.5 contact radii apart. The steps are even in
 # load\ :sup:`2/3`, so nearly even in depth.
@@ -157,6 +156,7 @@ edge = max(strain[-1].max(), strain[:, [0, -1]].max(), strain[:, :, [0, -1]].max
 print(f"pressure at the edge: {pair.reaches_edge}; strain at the edge over the largest: {edge / strain.max():.1e}")
 
 # %%
-# From here: ``Place`` moves the contact grid over bodies that are longer than it, ``twin`` halves the work of two bodies
-# that are alike, and the pages of the theory say what each block solves: :doc:`the half space </docs/theory/half-space>`,
-# :doc:`the contact </docs/theory/contact>`, :doc:`the coupled increment </docs/theory/elastoplastic>`.
+# From here: ``Place`` moves the contact grid over bodies that are longer than it, ``twin`` halves the work of two
+# bodies that are alike, and the pages of the theory say what each block solves: :doc:`the half space
+# </docs/theory/half-space>`, :doc:`the contact </docs/theory/contact>`, :doc:`the coupled increment
+# </docs/theory/elastoplastic>`.

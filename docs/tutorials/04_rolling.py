@@ -5,8 +5,8 @@ Rolling passes and shakedown
 
 A ball rolls again and again over the same track. The first pass leaves a rut and residual stresses. Do later passes
 still find something to deform? If not, the track has *shaken down*: residual stresses, a rut that makes the contact
-conform, and hardening together keep every later pass elastic. If yes, the strain may run to and fro in a closed cycle, or
-the rut deepens with every pass.
+conform, and hardening together keep every later pass elastic. If yes, the strain may run to and fro in a closed cycle,
+or the rut deepens with every pass.
 """
 
 # %%
@@ -15,9 +15,9 @@ the rut deepens with every pass.
 # Both flats begin to yield at the same stress. One does not harden at all. The other has a back stress (Prager): its
 # yield surface moves with the plastic strain and remembers the direction in which it has flowed.
 #
-# The load is given by the peak pressure :math:`p_0` of its elastic contact. A ball's track yields at
-# :math:`p_0 = 1.6\,S_y`, and the published limit of elastic shakedown is :math:`p_0 = 4.7\,k` with the shear yield stress
-# :math:`k = S_y/\sqrt{3}` (Johnson 1985): 2.6 and 4.3 GPa here. One load is below that limit, one well above it.
+# The load is given by the peak pressure :math:`p_0` of its elastic contact. A ball's track yields at :math:`p_0 =
+# 1.6\,S_y`, and the published limit of elastic shakedown is :math:`p_0 = 4.7\,k` with the shear yield stress :math:`k =
+# S_y/\sqrt{3}` (Johnson 1985): 2.6 and 4.3 GPa here. One load is below that limit, one well above it.
 
 import matplotlib.pyplot as plt
 import numpy as np
