@@ -66,10 +66,21 @@ def test_a_rolling_over_a_dent_runs() -> None:
         upper=body_of_radius("100 um", brinell.Material("300 GPa", 0.25)),
         distance="30 um",
         hertz_pressure="2.5 GPa",
-        grid={"resolution": 5},
+        grid={"resolution": 5, "extent": 1.5},
     ).run()
     assert len(run.passes) == 1
     assert run.case("lower", "texture", "depth") == pytest.approx(0.2e-6)
+
+
+def test_a_grid_that_turns_out_too_small_is_an_error_of_its_own() -> None:
+    with pytest.raises(brinell.GridError, match="enlarge it by grid.extent"):
+        brinell.Rolling(
+            lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", radius="10 um")),
+            upper=body_of_radius("100 um", brinell.Material("300 GPa", 0.25)),
+            distance="30 um",
+            hertz_pressure="4 GPa",
+            grid={"resolution": 4, "extent": 0.6},
+        ).run()
 
 
 def test_with_values_keeps_the_class() -> None:

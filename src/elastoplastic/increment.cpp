@@ -333,7 +333,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     return report;
   }
   if (leaves_grid_)
-    throw InputError(
+    throw GridError(
         "the contact has reached the end of a material grid: enlarge it by grid.extent. All steps so far are kept");
   report.energy = energy(imposed_approach);
   lower_.commit(lower_pressure_);

@@ -39,10 +39,9 @@ void check_extent(const char* name, const Body& body)
   for (const auto& [share, where] :
        {std::pair{edge.ends, "end, along x,"}, {edge.sides, "side, along y,"}, {edge.bottom, "bottom"}})
     if (share > tolerated)
-      throw InputError(
-          fmt::format("the plastic zone of the {} body has reached the {} of its grid ({:.0f} % of the "
-                      "largest plastic strain there): enlarge it by grid.extent. All steps so far are kept",
-                      name, where, 100.0 * share));
+      throw GridError(fmt::format("the plastic zone of the {} body has reached the {} of its grid ({:.0f} % of the "
+                                  "largest plastic strain there): enlarge it by grid.extent. All steps so far are kept",
+                                  name, where, 100.0 * share));
 }
 
 double largest(const std::vector<double>& values)
@@ -105,7 +104,7 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
   check_extent("lower", pair_.lower());
   check_extent("upper", pair_.upper());
   if (pair_.reaches_edge())
-    throw InputError(
+    throw GridError(
         "the contact has reached the edge of its grid: enlarge it by grid.extent. All steps so far are kept");
   return evaluations_;
 }

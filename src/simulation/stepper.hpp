@@ -65,7 +65,7 @@ public:
   /// by its energy.
   /// @param where  for messages.
   /// @returns the evaluations it took.
-  /// @throws ConvergenceError, InputError if the plastic zone reaches an edge of its grid.
+  /// @throws ConvergenceError, GridError if the plastic zone reaches an edge of its grid.
   int advance(const std::function<Target(double)>& path, double finest, const std::string& where);
 
   /// Smallest distance of the surfaces, with texture and residual displacement, at no approach [m].
