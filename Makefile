@@ -66,7 +66,7 @@ run: .venv/.setup-done
 cxx_files = $(shell find include src apps tests bench python/bindings -name '*.[ch]pp')
 
 format: build/.setup-packages .venv/.setup-done
-	clang-format -i $(cxx_files)
+	@clang-format -i $(cxx_files)
 	.venv/bin/ruff check --quiet --fix-only python
 	.venv/bin/ruff format --quiet python
 

@@ -28,7 +28,7 @@ def body_of_radius(radius: float | str, material: brinell.Material = STEEL) -> b
 
 
 def keys_of(table: str) -> set[str]:
-    """Keys of a table of the case file, as its reference page lists them (made from the schema, which a test checks)."""
+    """Keys of a table of the case file, as its reference page lists them: that is made from the schema."""
     section = PAGE.split(f"## `[{table}]`")[1].split("\n## ")[0]
     return set(re.findall(r"^\| `([\w.]+)` \|", section, flags=re.MULTILINE))
 
