@@ -195,7 +195,7 @@ class HalfSpace:
         return self.stress(pressure, None)
 
     def eigenstrain_to_stress(self, eigenstrain: ArrayLike) -> Array:
-        """Residual stress of a plastic strain in a body with a free surface, H (docs/theory/half-space.md, section 4).
+        """Residual stress of a plastic strain in a body with a free surface, H (docs/theory/half-space.md).
 
         Args:
             eigenstrain: (6, nz, ny, nx), xx + yy + zz = 0 [-].

@@ -2,6 +2,7 @@
 #include "brinell/foundation/blocked_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/planner_lock.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -37,6 +38,7 @@ struct BlockedFft::Plans
   {
     // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
     const unsigned flags = FFTW_ESTIMATE;
+    const auto lock = planner_lock();
     const int width = f.width();
     const int pitch = f.planes_ * lane_count;
     auto* half = as_fftw(scratch.half.data());
@@ -57,6 +59,7 @@ struct BlockedFft::Plans
   }
   ~Plans()
   {
+    const auto lock = planner_lock();
     for (fftw_plan p : {rows_forward, rows_inverse, columns_forward, columns_inverse})
       fftw_destroy_plan(p);
   }

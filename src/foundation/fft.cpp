@@ -2,6 +2,7 @@
 #include "brinell/foundation/fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/planner_lock.hpp"
 
 #include <algorithm>
 #include <fftw3.h>
@@ -47,6 +48,7 @@ struct PaddedFft::Plans
   {
     // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
     const unsigned flags = FFTW_ESTIMATE;
+    const auto lock = planner_lock();
     AlignedVector<Complex> spectrum(plane);
     AlignedVector<double> real(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
     auto* c = as_fftw(spectrum.data());
@@ -64,6 +66,7 @@ struct PaddedFft::Plans
   }
   ~Plans()
   {
+    const auto lock = planner_lock();
     for (fftw_plan p : {rows_forward, rows_inverse, all_rows_forward, columns_forward, columns_inverse})
       fftw_destroy_plan(p);
   }

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Materials: what they write into a case, which values they allow, functions as hardening laws."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import brinell
+from brinell.constitutive import yield_stress
+from brinell.materials import RIGID, Hardening, Hollomon, Linear, Ludwik, Material, Perfect, Swift, Table, Voce
+
+LAWS: list[tuple[Hardening, Callable[[Any], Any]]] = [
+    (Perfect("600 MPa"), lambda e: 600e6 + 0 * e),
+    (Linear("600 MPa", "2 GPa"), lambda e: 600e6 + 2e9 * e),
+    (Swift("1.2 GPa", 4e-3, 0.1), lambda e: 1.2e9 * (4e-3 + e) ** 0.1),
+    (Hollomon(6e8, 1.2e9, 0.2), lambda e: 1.2e9 * ((6e8 / 1.2e9) ** 5 + e) ** 0.2),
+    (Ludwik(6e8, "500 MPa", 0.5), lambda e: 6e8 + 5e8 * np.sqrt(e)),
+    (Voce(6e8, 2e8, 40), lambda e: 6e8 + 2e8 * (1 - np.exp(-40 * e))),
+    (Table([0, 0.1, 0.4], ["600 MPa", 700e6, 7.5e8]), lambda e: np.interp(e, [0, 0.1, 0.4], [6e8, 7e8, 7.5e8])),
+]
+STRAINS = np.concatenate([[0.0], np.geomspace(1e-9, 1.0, 1001)])
+
+
+@pytest.mark.parametrize(("law", "formula"), LAWS)
+def test_a_law_has_the_yield_curve_of_its_formula(law: Hardening, formula: Callable[[Any], Any]) -> None:
+    np.testing.assert_allclose(yield_stress(law, STRAINS), formula(STRAINS), rtol=1e-14)
+
+
+@pytest.mark.parametrize(("law", "formula"), LAWS)
+def test_a_function_is_the_same_law_to_what_is_promised(law: Hardening, formula: Callable[[Any], Any]) -> None:
+    np.testing.assert_allclose(yield_stress(formula, STRAINS), yield_stress(law, STRAINS), rtol=1e-4)
+
+
+def test_the_table_of_a_function_is_not_finer_than_it_need_be() -> None:
+    straight = Table.of(lambda e: 6e8 + 2e9 * e)
+    assert len(straight.stress) == 33
+    # An interval of the width w has the error w^2 f''/8: 1e-4 of f = 1 + e^2 needs 36 intervals; halving takes up to four
+    # times as many, and half of the tolerance is kept for what the three points do not see.
+    assert len(Table.of(lambda e: 1e9 * (1 + e**2)).stress) < 200
+
+
+def test_a_function_is_constant_beyond_the_last_strain() -> None:
+    law = Table.of(lambda e: 1e9 * (1 + e), max_strain=0.25)
+    assert law.plastic_strain[-1] == 0.25
+    np.testing.assert_array_equal(yield_stress(law, [0.25, 0.5]), 1.25e9)
+
+
+@pytest.mark.parametrize(
+    ("law", "message"),
+    [
+        (lambda e: 1e9 - 1e8 * e, "falls from .* softening is not modelled"),
+        (lambda e: 1e9 * (1 + np.sin(20 * e)), "falls from"),
+        (lambda e: 1e9 * (1 + (e > 0.3)), "jumps from 1e\\+09 Pa to 2e\\+09 Pa at a plastic strain of 0.3"),
+        (lambda e: 1e9 / e, "gives inf at a plastic strain of 0"),
+        (lambda e: 1e9 * np.log(e - 0.5), "gives nan"),
+        (lambda e: -1e9, "gives -1000000000.0 at a plastic strain of 0; allowed: a stress in Pa"),
+        (lambda e: [1e9, 2e9], "gives"),
+    ],
+)
+def test_a_function_that_is_no_law_is_told_where(law: Callable[[Any], Any], message: str) -> None:
+    with pytest.raises(brinell.InputError, match=message):
+        Material(2e11, 0.3, hardening=law)
+
+
+def test_what_a_function_raises_comes_through() -> None:
+    def law(e: float) -> float:
+        raise LookupError("no data")
+
+    with pytest.raises(LookupError, match="no data"):
+        Material(2e11, 0.3, hardening=law)
+
+
+@pytest.mark.parametrize("max_strain", [0.0, -1.0, float("inf"), float("nan")])
+def test_a_table_needs_an_end(max_strain: float) -> None:
+    with pytest.raises(brinell.InputError, match="max_strain"):
+        Table.of(lambda e: 1e9, max_strain)
+
+
+def test_a_case_has_the_values_of_its_material() -> None:
+    material = Material(
+        "210 GPa",
+        np.float64(0.3),
+        Voce("600 MPa", 2e8, 40),
+        kinematic=[("20 GPa", 100), (1e9, 0)],
+        yield_profile=(["0 mm", "1 mm"], [1.2, 1]),
+        initial_stress=([0.0], ["-100 MPa"]),
+    )
+    ball = brinell.bodies.Sphere("1 mm")
+    case = brinell.scenarios.Indentation(
+        brinell.bodies.Body(ball, material), brinell.bodies.Body(ball, RIGID), load=["1 N"], steps=1
+    )
+    lower = tomllib.loads(case.to_toml())["lower"]["material"]
+    assert lower["young_modulus"] == 210e9
+    assert lower["hardening"] == {
+        "law": "voce",
+        "yield_stress": 600e6,
+        "saturation": 200e6,
+        "rate": 40.0,
+        "kinematic_moduli": [20e9, 1e9],
+        "kinematic_recall": [100.0, 0.0],
+    }
+    assert lower["yield_profile"] == {"depth": [0.0, 1e-3], "factor": [1.2, 1.0]}
+    assert lower["initial_stress"] == {"depth": [0.0], "value": [-100e6]}
+    assert tomllib.loads(case.to_toml())["upper"]["material"]["rigid"]
+
+
+@pytest.mark.parametrize(
+    ("material", "message"),
+    [
+        (Material(-1.0, 0.3), r"^material.young_modulus = -1 is out of range; allowed: pressure > 0"),
+        (Material("210 mm", 0.3), r'^material.young_modulus = "210 mm" is a length'),
+        (Material("210 GPA", 0.3), "unknown unit"),
+        (Material(2e11, 0.5), r"^material.poisson_ratio = 0.5 is out of range"),
+        (Material(2e11, 0.3, Perfect(0.0)), r"^material.hardening.yield_stress = 0 is out of range"),
+        (Material(2e11, 0.3, Table([0, 1], [2, 1])), "must not fall"),
+        (Material(2e11, 0.3, Table([0, 1], [2])), "as many stresses as plastic strains"),
+        (Material(2e11, 0.3, kinematic=[(1e9, 0)]), "applies only with"),
+        (Material(2e11, 0.3, Perfect(1e9), initial_stress=([0.0], [2e9])), "where the material yields"),
+    ],
+)
+def test_a_material_is_checked_as_in_a_case_file(material: Material, message: str) -> None:
+    with pytest.raises(brinell.InputError, match=message):
+        brinell.reference.contact_modulus(material)
+
+
+def test_materials_can_be_compared() -> None:
+    def steel(factor: float) -> Material:
+        return Material(2e11, 0.3, Table(np.array([0.0, 1.0]), np.array([1e9, 2e9])), yield_profile=([0], [factor]))
+
+    assert steel(1) == steel(1.0)
+    assert len({steel(1), steel(1.0), steel(2)}) == 2
