@@ -15,6 +15,7 @@ from importlib.metadata import version
 # OpenMP reads this when the extension is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
+from brinell import constitutive, contact, elastoplastic, green, halfspace, reference
 from brinell.bodies import Berkovich, Body, Bump, Cone, Cylinder, Dent, Ellipsoid, Flat, Sphere, Vickers
 from brinell.case import Case, CaseWarning
 from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
@@ -59,5 +60,11 @@ __all__ = [
     "Vickers",
     "Voce",
     "__version__",
+    "constitutive",
+    "contact",
+    "elastoplastic",
+    "green",
+    "halfspace",
     "open",
+    "reference",
 ]

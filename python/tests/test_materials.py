@@ -90,10 +90,8 @@ def test_a_case_has_the_values_of_its_material() -> None:
         yield_profile=(["0 mm", "1 mm"], [1.2, 1]),
         initial_stress=([0.0], ["-100 MPa"]),
     )
-    ball = brinell.bodies.Sphere("1 mm")
-    case = brinell.scenarios.Indentation(
-        brinell.bodies.Body(ball, material), brinell.bodies.Body(ball, RIGID), load=["1 N"], steps=1
-    )
+    ball = brinell.Sphere("1 mm")
+    case = brinell.Indentation(brinell.Body(ball, material), brinell.Body(ball, RIGID), load=["1 N"], steps=1)
     lower = tomllib.loads(case.to_toml())["lower"]["material"]
     assert lower["young_modulus"] == 210e9
     assert lower["hardening"] == {
@@ -112,11 +110,11 @@ def test_a_case_has_the_values_of_its_material() -> None:
 @pytest.mark.parametrize(
     ("material", "message"),
     [
-        (Material(-1.0, 0.3), r"^material.young_modulus = -1 is out of range; allowed: pressure > 0"),
+        (Material(-1.0, 0.3), r"^material.young_modulus = -1.0 is out of range; allowed: pressure > 0"),
         (Material("210 mm", 0.3), r'^material.young_modulus = "210 mm" is a length'),
         (Material("210 GPA", 0.3), "unknown unit"),
         (Material(2e11, 0.5), r"^material.poisson_ratio = 0.5 is out of range"),
-        (Material(2e11, 0.3, Perfect(0.0)), r"^material.hardening.yield_stress = 0 is out of range"),
+        (Material(2e11, 0.3, Perfect(0.0)), r"^material.hardening.yield_stress = 0.0 is out of range"),
         (Material(2e11, 0.3, Table([0, 1], [2, 1])), "must not fall"),
         (Material(2e11, 0.3, Table([0, 1], [2])), "as many stresses as plastic strains"),
         (Material(2e11, 0.3, kinematic=[(1e9, 0)]), "applies only with"),

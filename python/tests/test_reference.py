@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
+import brinell
+from brinell import reference
 from brinell.reference import elastic_tugging_forces, elastic_tugging_reach
 
 ALPHA_C = 2.214290e-4  # R1 = R2 = 1 m, E = 200 GPa, nu = 0.32, S_y = 0.9115 GPa
@@ -35,3 +39,103 @@ def test_no_force_without_overlap() -> None:
     f_x, f_z = elastic_tugging_forces([-1.1 * reach, 1.1 * reach], 1.0, 2.0, 1e-3, 1e-4)
     assert not np.any(f_x)
     assert not np.any(f_z)
+
+
+def test_point_contact_meets_its_equations() -> None:
+    R, E = 0.01, 1.1e11
+    contact = reference.point_contact(R, E, load=50.0)
+    a = contact.contact_radius
+    assert a == pytest.approx((0.75 * 50.0 * R / E) ** (1 / 3), rel=1e-14)  # Johnson 1985, Eq. 4.22
+    assert contact.approach == pytest.approx(a * a / R, rel=1e-14)
+    assert contact.peak_pressure == pytest.approx(1.5 * 50.0 / (np.pi * a * a), rel=1e-14)
+    again = reference.point_contact(R, E, approach=contact.approach)
+    assert again.load == pytest.approx(50.0, rel=1e-13)
+
+
+def test_elliptical_contact_of_equal_radii_is_a_circle() -> None:
+    circle = reference.point_contact(0.01, 1.1e11, load=50.0)
+    ellipse = reference.elliptical_contact(0.01, 0.01, 1.1e11, load=50.0)
+    assert ellipse.semi_axis_x == pytest.approx(circle.contact_radius, rel=1e-12)
+    assert ellipse.approach == pytest.approx(circle.approach, rel=1e-12)
+    long = reference.elliptical_contact(0.01, 0.1, 1.1e11, approach=1e-6)
+    assert long.semi_axis_y > long.semi_axis_x
+    assert long.load == pytest.approx(2 / 3 * np.pi * long.semi_axis_x * long.semi_axis_y * long.peak_pressure)
+
+
+def test_line_contact_carries_its_load() -> None:
+    line = reference.line_contact(0.01, 1.1e11, 2e4)
+    a, p0 = line.half_width, line.peak_pressure
+    z = np.linspace(0.0, 5 * a, 11)
+    xx, yy, zz, _, xz, _ = reference.line_contact_stress(0.0, z, a, p0, 0.3)
+    s = z / a  # Johnson 1985, Eqs. 4.46
+    np.testing.assert_allclose(zz, -p0 / np.hypot(1, s), rtol=1e-13)
+    np.testing.assert_allclose(xx, -p0 * ((1 + 2 * s**2) / np.hypot(1, s) - 2 * s), rtol=1e-11)
+    np.testing.assert_allclose(yy, 0.3 * (xx + zz), rtol=1e-14)
+    np.testing.assert_array_equal(xz, 0.0)
+    points, weights = np.polynomial.legendre.leggauss(200)  # the load at a depth, in t = arctan(x/z)
+    t = 0.5 * np.pi * points
+    below = reference.line_contact_stress(2 * a * np.tan(t), 2 * a, a, p0, 0.3)[2]
+    assert -np.sum(0.5 * np.pi * weights * below * 2 * a / np.cos(t) ** 2) == pytest.approx(2e4, rel=1e-10)
+
+
+def test_first_yield_is_where_the_field_is_largest() -> None:
+    first = reference.first_yield(0.3)
+    assert first.pressure_ratio == pytest.approx(1.6128, abs=1e-4)
+    assert reference.critical_pressure_ratio(0.3) == pytest.approx(first.pressure_ratio, rel=1.5e-3)
+    z = np.linspace(0, 2, 2001)
+    xx, _, zz, *_ = reference.point_contact_stress(0, 0, z, 1.0, 1.0, 0.3)  # xx = yy on the axis
+    assert z[np.argmax(xx - zz)] == pytest.approx(first.depth_ratio, abs=1e-3)
+    assert (xx - zz).max() * first.pressure_ratio == pytest.approx(1.0, rel=1e-6)
+
+
+def test_critical_values_are_those_of_hertz() -> None:
+    critical = reference.critical_values(0.01, 1.1e11, 8e8, poisson_ratio=0.3)
+    hertz = reference.point_contact(0.01, 1.1e11, approach=critical.interference)
+    assert critical.peak_pressure == pytest.approx(reference.critical_pressure_ratio(0.3) * 8e8)
+    assert hertz.peak_pressure == pytest.approx(critical.peak_pressure, rel=1e-13)
+    assert hertz.load == pytest.approx(critical.load, rel=1e-13)
+    assert reference.critical_values(0.01, 1.1e11, 8e8, C=1.6).C == 1.6
+
+
+def test_indented_spheres_are_hertz_at_first() -> None:
+    ratio = np.array([[0.5, 1.0], [1.5, 1.8]])  # the fits begin at 1.9
+    load = reference.jackson_green_load(ratio, 2e11, 0.3, 1e9)
+    np.testing.assert_allclose(load, ratio**1.5, rtol=1e-14)
+    np.testing.assert_allclose(reference.jackson_green_area(ratio, 2e11, 0.3, 1e9), ratio, rtol=1e-14)
+    assert reference.jackson_green_pressure_ratio(0.3) == pytest.approx(1.295 * np.exp(0.736 * 0.3))
+    np.testing.assert_allclose(
+        reference.kogut_etsion_load([0.5, 3.0, 50.0]), [0.5**1.5, 1.03 * 3**1.425, 1.4 * 50**1.263], rtol=1e-14
+    )
+
+
+def test_peak_and_work_of_elastic_tugging_are_those_of_its_forces() -> None:
+    tugging = reference.ElasticTugging(1.0, 2.0, 1e11, 1e-3)
+    d0 = tugging.half_sliding_distance
+    X = np.linspace(-d0, d0, 100001)
+    forces = tugging.forces(X)
+    F_X, at = tugging.peak()
+    assert forces.F_X.max() == pytest.approx(F_X, rel=1e-8)
+    assert X[forces.F_X.argmax()] == pytest.approx(at, abs=2 * d0 / 100000)
+    half = X <= 0
+    assert tugging.work(-d0, 0.0) == pytest.approx(np.trapezoid(forces.F_X[half], X[half]), rel=1e-8)
+    np.testing.assert_allclose(np.hypot(forces.F_X, forces.F_Z), forces.load, rtol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: reference.point_contact(0.01, 1e11, load=-1.0), "load = -1"),
+        (lambda: reference.point_contact(0.01, 1e11), "either load or approach"),
+        (lambda: reference.point_contact(0.01, 1e11, load=1.0, approach=1e-6), "either load or approach"),
+        (lambda: reference.line_contact(0.0, 1e11, 1.0), "radius = 0"),
+        (lambda: reference.first_yield(0.6), "0.6 is outside"),
+        (lambda: reference.kogut_etsion_load([1.0, 111.0]), "111"),
+        (lambda: reference.critical_values(0.01, 1e11, 1e9), "either poisson_ratio or C"),
+        (lambda: reference.ElasticTugging(1.0, 1.0, 1e11, 3.0), "interference"),
+        (lambda: reference.point_contact_stress(0, 0, -1, 1, 1, 0.3), "z has the value -1"),
+        (lambda: reference.contact_modulus(brinell.RIGID), "both bodies are rigid"),
+    ],
+)
+def test_what_is_out_of_range_is_an_input_error(call: Callable[[], object], message: str) -> None:
+    with pytest.raises(brinell.InputError, match=message):
+        call()
