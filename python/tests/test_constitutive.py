@@ -64,7 +64,7 @@ def test_radial_return_ends_on_the_yield_surface(law: Hardening) -> None:
     result = return_mapping(Material(E, NU, law), trial, equivalent_plastic_strain=e)
     de = result.equivalent_plastic_strain
     flows = de > 0
-    assert 0 < flows.sum()
+    assert flows.any()
     np.testing.assert_array_equal(flows, von_mises(trial) > yield_stress(law, e))
     np.testing.assert_allclose(von_mises(result.stress)[flows], yield_stress(law, e + de)[flows], rtol=ROUNDING)
     np.testing.assert_allclose(von_mises(trial) - 3 * MU * de, von_mises(result.stress), rtol=ROUNDING)
@@ -119,7 +119,7 @@ def test_order_of_the_integration_on_a_path_that_turns(
 
 
 def test_back_stresses_of_proportional_flow() -> None:
-    """C/gamma (1 - exp(-gamma e)) in tension for each term, C e if gamma = 0 (Armstrong, Frederick 1966; Prager 1956)."""
+    """C/gamma (1 - exp(-gamma e)) in tension for each term (Armstrong, Frederick 1966), C e if gamma = 0."""
     material = Material(E, NU, Perfect(6e8), kinematic=[(2e10, 100.0), (5e9, 0.0)])
     trial = np.array([1, -0.5, -0.5, 0, 0, 0])[:, None] * np.array([1e9, 3e9])
     result = return_mapping(material, trial)

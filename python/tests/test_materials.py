@@ -39,8 +39,8 @@ def test_a_function_is_the_same_law_to_what_is_promised(law: Hardening, formula:
 def test_the_table_of_a_function_is_not_finer_than_it_need_be() -> None:
     straight = Table.of(lambda e: 6e8 + 2e9 * e)
     assert len(straight.stress) == 33
-    # An interval of the width w has the error w^2 f''/8: 1e-4 of f = 1 + e^2 needs 36 intervals; halving takes up to four
-    # times as many, and half of the tolerance is kept for what the three points do not see.
+    # An interval of the width w has the error w^2 f''/8: 1e-4 of f = 1 + e^2 needs 36 intervals; halving takes up to
+    # four times as many, and half of the tolerance is kept for what the three points do not see.
     assert len(Table.of(lambda e: 1e9 * (1 + e**2)).stress) < 200
 
 
