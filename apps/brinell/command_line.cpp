@@ -3,11 +3,13 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/versions.hpp"
 #include "commands.hpp"
+#include "options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
 #include <new>
 
@@ -29,17 +31,9 @@ Exit codes: 0 done; 1 no convergence, or a file could not be written; 2 an error
 130 or 143 interrupted (finished steps stay readable; --resume goes on).
 
 A first run:
-  brinell check cases/tugging-paper/case.toml
-  brinell run cases/tugging-paper/case.toml --set tugging.interference=4 -o results/alpha-4)";
-
-void add_case_arguments(CLI::App& command, CaseArguments& arguments)
-{
-  command.add_option("case", arguments.file, "Case file (TOML)")->required()->type_name("CASE.toml");
-  command.add_option("--set", arguments.overrides, "Replace or add a key of the case: --set tugging.interference=4")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false) // one value per --set, so that the case file may follow it
-      ->take_all();
-}
+  brinell new tugging -o first.toml
+  brinell check first.toml
+  brinell run first.toml --set tugging.interference=2 -o results/first)";
 
 /// An error's lines on stderr, each with the name of the program.
 int report(std::string_view text, int exit_code)
@@ -82,53 +76,59 @@ int guarded(const std::function<int()>& command)
   }
 }
 
+/// CLI11 would only say that there is no command.
+int unknown_command(const std::string& word, const std::vector<std::string>& names)
+{
+  return report(fmt::format("unknown command {}; there are {}", word, fmt::join(names, ", ")), exit_input);
+}
+
+int python_command(const std::string& name)
+{
+  return report(fmt::format("{} is a command of brinell's Python package, which is not this program; "
+                            "`pip install .` in brinell's source folder installs a brinell that has it",
+                            name),
+                exit_input);
+}
+
+int run_chosen(const CLI::App& app, const Arguments& arguments)
+{
+  const std::string name = app.get_subcommands().front()->get_name();
+  if (is_python_command(name))
+    return python_command(name);
+  if (name == "run")
+    return run_command(arguments.run);
+  if (name == "check")
+    return check_command(arguments.check);
+  if (name == "schema")
+    return schema_command(arguments.schema);
+  return name == "new" ? new_command(arguments.create) : cite_command(arguments.cite);
+}
+
 } // namespace
 
-int command_line(std::vector<std::string> arguments)
+int command_line(std::vector<std::string> words)
 {
   CLI::App app("brinell: elastic-plastic contact of bodies that are pressed, rolled or slid (semi-analytical method)",
                "brinell");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   app.footer(footer);
-
-  RunArguments run_arguments;
-  auto* run = app.add_subcommand("run", "Compute a case and write its results");
-  add_case_arguments(*run, run_arguments.input);
-  run->add_option("-o,--output", run_arguments.directory,
-                  "Folder of the results; default: the case's, or results/<name of the case>")
-      ->type_name("DIR");
-  run->add_option("--threads", run_arguments.threads, "Number of threads; default: all cores, or OMP_NUM_THREADS")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-  run->add_flag("--resume", run_arguments.resume, "Go on with a run of this case that was stopped in that folder");
-  run->add_flag("-q,--quiet", run_arguments.quiet, "Print nothing but warnings and errors");
-
-  CaseArguments check_arguments;
-  auto* check =
-      app.add_subcommand("check", "Show the resolved case, critical values, grids, memory and cost, without running");
-  add_case_arguments(*check, check_arguments);
-
-  bool markdown = false;
-  auto* schema = app.add_subcommand("schema", "List all keys of the case file with units, ranges and defaults");
-  schema->add_flag("--markdown", markdown, "As the page docs/reference/case-file.md");
-
+  Arguments arguments;
+  declare_commands(app, arguments);
+  const std::vector<std::string> names = command_names(app);
+  if (!words.empty() && !words.front().starts_with('-') &&
+      std::find(names.begin(), names.end(), words.front()) == names.end())
+    return unknown_command(words.front(), names);
   try
   {
-    std::reverse(arguments.begin(), arguments.end()); // as CLI11 takes a vector
-    app.parse(std::move(arguments));
+    std::reverse(words.begin(), words.end()); // as CLI11 takes a vector
+    app.parse(std::move(words));
   }
   catch (const CLI::ParseError& error)
   {
     return app.exit(error) == 0 ? exit_ok : exit_input;
   }
-  return guarded(
-      [&]
-      {
-        if (*run)
-          return run_command(run_arguments);
-        return *check ? check_command(check_arguments) : schema_command(markdown);
-      });
+  return guarded([&] { return run_chosen(app, arguments); });
 }
 
 } // namespace brinell::app

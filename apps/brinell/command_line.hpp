@@ -8,8 +8,8 @@ namespace brinell::app
 {
 
 /// The program, but for its start: prints, and turns errors into messages.
-/// @param arguments  without the program's name
+/// @param words  its arguments, without the program's name
 /// @returns the exit code
-[[nodiscard]] int command_line(std::vector<std::string> arguments);
+[[nodiscard]] int command_line(std::vector<std::string> words);
 
 } // namespace brinell::app

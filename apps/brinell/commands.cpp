@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands.hpp"
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/case_template.hpp"
+#include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
@@ -79,9 +81,40 @@ int check_command(const CaseArguments& arguments)
   return exit_ok;
 }
 
-int schema_command(bool markdown)
+int schema_command(const SchemaArguments& arguments)
 {
-  fmt::print("{}", markdown ? io::schema_markdown() : io::schema_text());
+  fmt::print("{}", arguments.markdown ? io::schema_markdown() : io::schema_text());
+  return exit_ok;
+}
+
+int new_command(const NewArguments& arguments)
+{
+  if (arguments.file.empty())
+    fmt::print("{}", io::case_template(arguments.scenario));
+  else
+  {
+    io::write_case_template(arguments.scenario, arguments.file, arguments.force);
+    fmt::print("{} is written; `brinell check {}` shows what it comes to\n", arguments.file, arguments.file);
+  }
+  return exit_ok;
+}
+
+int cite_command(const CiteArguments& arguments)
+{
+  const io::Case c = io::read_case(arguments.input.file, arguments.input.overrides);
+  print_warnings(c);
+  if (arguments.bibtex)
+  {
+    fmt::print("{}", io::bibtex(io::brinell_reference()));
+    for (const io::Citation& citation : io::citations(c))
+      fmt::print("\n% {}\n{}", citation.use, io::bibtex(citation.reference));
+    return exit_ok;
+  }
+  fmt::print("If you publish results of this case, please cite brinell\n\n{}\n\n"
+             "and the papers behind the models that it uses:\n",
+             io::reference_text(io::brinell_reference()));
+  for (const io::Citation& citation : io::citations(c))
+    fmt::print("\n{}\n    for: {}\n", io::reference_text(citation.reference), citation.use);
   return exit_ok;
 }
 

@@ -28,9 +28,29 @@ struct RunArguments
   bool resume = false; ///< go on from the last checkpoint
 };
 
+struct SchemaArguments
+{
+  bool markdown = false;
+};
+
+struct NewArguments
+{
+  std::string scenario;
+  std::string file; ///< empty: to stdout
+  bool force = false;
+};
+
+struct CiteArguments
+{
+  CaseArguments input;
+  bool bibtex = false;
+};
+
 /// Each returns the exit code and throws the errors of brinell.
 [[nodiscard]] int run_command(const RunArguments& arguments);
 [[nodiscard]] int check_command(const CaseArguments& arguments);
-[[nodiscard]] int schema_command(bool markdown);
+[[nodiscard]] int schema_command(const SchemaArguments& arguments);
+[[nodiscard]] int new_command(const NewArguments& arguments);
+[[nodiscard]] int cite_command(const CiteArguments& arguments);
 
 } // namespace brinell::app

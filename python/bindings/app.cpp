@@ -4,8 +4,11 @@
 
 #include "brinell/command_line.hpp"
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
+#include "brinell/io/schema.hpp"
 #include "brinell/io/versions.hpp"
+#include "brinell/options.hpp"
 #include "brinell/run_case.hpp"
 
 #include <nanobind/stl/filesystem.h>
@@ -57,10 +60,31 @@ int command_line(const std::vector<std::string>& arguments)
   return code;
 }
 
+/// For the completion of shells.
+void bind_commands(nb::module_& m)
+{
+  nb::class_<app::OptionInfo>(m, "OptionInfo")
+      .def_ro("flags", &app::OptionInfo::flags)
+      .def_ro("value", &app::OptionInfo::value)
+      .def_ro("help", &app::OptionInfo::help);
+  nb::class_<app::CommandInfo>(m, "CommandInfo")
+      .def_ro("name", &app::CommandInfo::name)
+      .def_ro("help", &app::CommandInfo::help)
+      .def_ro("options", &app::CommandInfo::options);
+  nb::class_<io::Entry>(m, "SchemaKey")
+      .def_ro("key", &io::Entry::key)
+      .def_ro("choices", &io::Entry::choices)
+      .def_ro("text", &io::Entry::text);
+  m.def("commands", &app::commands);
+  m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);
+  m.def("command_line", &command_line, "arguments"_a);
+}
+
 } // namespace
 
 void bind_app(nb::module_& m)
 {
+  bind_commands(m);
   nb::class_<io::Case>(m, "Case")
       .def_ro("name", &io::Case::name)
       .def_ro("title", &io::Case::title)
@@ -68,6 +92,7 @@ void bind_app(nb::module_& m)
       .def_prop_ro("scenario", [](const io::Case& c) { return c.values.get<std::string>("scenario"); })
       .def_prop_ro("default_folder", [](const io::Case& c) { return app::default_folder(c); })
       .def("resolved_text", [](const io::Case& c) { return io::resolved_text(c.values); })
+      .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
       .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
       .def("run", &run, "folder"_a, "resume"_a, "threads"_a, "on_step"_a.none());
   m.def(
@@ -80,7 +105,6 @@ void bind_app(nb::module_& m)
       [](const std::filesystem::path& file, const std::vector<std::string>& overrides)
       { return io::read_case(file, overrides); },
       "file"_a, "overrides"_a);
-  m.def("command_line", &command_line, "arguments"_a);
   m.def("library_versions",
         []
         {

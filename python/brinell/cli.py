@@ -1,15 +1,96 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command ``brinell``."""
+"""The command ``brinell``.
+
+The engine's commands (run, check, schema, new, cite), the help and the messages are those of the C++ program, which declares
+the options once. The others are click commands of this package, imported when they are called.
+"""
 
 from __future__ import annotations
 
+import importlib
+import signal
 import sys
+from collections.abc import Callable, Sequence
+from typing import Any, NoReturn
 
-from brinell import _core
+import click
 
-__all__ = ["main"]
+from brinell import _core, completion
+from brinell.errors import BrinellError, ConvergenceError, InputError, InternalError
+
+__all__ = ["main", "root"]
+
+COMMANDS = {
+    "plot": "brinell.plot.cli:plot",
+    "report": "brinell.report.cli:report",
+    "sweep": "brinell.sweep.cli:sweep",
+    "export": "brinell.export:export",
+    "completion": "brinell.completion:command",
+}
+"""Commands of this package, and where they are."""
+
+FAILURE, BAD_INPUT, INTERRUPTED = 1, 2, 130
+"""Exit codes, as in the C++ program."""
 
 
-def main() -> None:
-    """Runs the command with the arguments of the process."""
-    sys.exit(_core.command_line(sys.argv[1:]))
+class Commands(click.Group):
+    """All commands by name; those of the engine only for the completion of shells."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names in the order of the help."""
+        return [command.name for command in _core.commands()]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """One of them; it is imported only now."""
+        if cmd_name in COMMANDS:
+            module, name = COMMANDS[cmd_name].split(":")
+            command: click.Command = getattr(importlib.import_module(module), name)
+            return command
+        return next((completion.engine_command(c) for c in _core.commands() if c.name == cmd_name), None)
+
+
+root = Commands("brinell")
+
+
+def main(arguments: Sequence[str] | None = None) -> NoReturn:
+    """Runs the command and ends the process with its exit code.
+
+    Args:
+        arguments: without the program's name; those of the process if None.
+    """
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `brinell schema | head` ends quietly, as the C++ program
+    completion.answer(root)
+    arguments = sys.argv[1:] if arguments is None else list(arguments)
+    if arguments and arguments[0] in COMMANDS:
+        sys.exit(_guarded(lambda: root.main(arguments, "brinell", standalone_mode=False)))
+    sys.exit(_core.command_line(arguments))
+
+
+def _guarded(command: Callable[[], Any]) -> int:
+    """Runs a command of this package; turns its errors into lines on stderr and an exit code."""
+    try:
+        code = command()
+    except click.UsageError as error:
+        _report(error.format_message())
+        click.echo(f"Run {error.ctx.command_path if error.ctx else 'brinell'} --help for more information.", err=True)
+        return BAD_INPUT
+    except click.ClickException as error:
+        return _report(error.format_message(), error.exit_code)
+    except (click.Abort, KeyboardInterrupt):
+        return INTERRUPTED
+    except InputError as error:
+        return _report(str(error), BAD_INPUT)
+    except ConvergenceError as error:
+        return _report(f"no convergence: {error}")
+    except InternalError as error:
+        return _report(f"internal error, a bug of brinell, please report it: {error}")
+    except BrinellError as error:
+        return _report(str(error))
+    return code if isinstance(code, int) else 0
+
+
+def _report(text: str, exit_code: int = FAILURE) -> int:
+    """Prints each line of an error with the name of the program, as the C++ program does."""
+    for line in text.split("\n"):
+        click.echo(f"brinell: error: {line}", err=True)
+    return exit_code

@@ -33,46 +33,53 @@ std::vector<Entry> hardening_entries(const std::string& body)
        .required = true,
        .text = "Yield stress S_y in uniaxial tension, before any plastic strain.",
        .hint = "law = \"none\" keeps the body elastic",
-       .when = {law, {"perfect", "linear", "hollomon", "ludwik", "voce"}}},
+       .when = {law, {"perfect", "linear", "hollomon", "ludwik", "voce"}},
+       .example = R"("900 MPa")"},
       {.key = body + ".material.hardening.modulus",
        .type = Type::number,
        .dimension = dimension::pressure,
        .range = at_least(0.0),
        .required = true,
        .text = "Growth of the yield stress per unit of equivalent plastic strain.",
-       .when = {law, {"linear"}}},
+       .when = {law, {"linear"}},
+       .example = R"("2 GPa")"},
       {.key = body + ".material.hardening.coefficient",
        .type = Type::number,
        .dimension = dimension::pressure,
        .range = above(0.0),
        .required = true,
        .text = "Factor of the power law.",
-       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}}},
+       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}},
+       .example = R"("2 GPa")"},
       {.key = body + ".material.hardening.offset",
        .type = Type::number,
        .range = above(0.0),
        .required = true,
        .text = "Strain at which the power law begins; in millionths with swift_microstrain.",
-       .when = {law, {"swift", "swift_microstrain"}}},
+       .when = {law, {"swift", "swift_microstrain"}},
+       .example = "0.002"},
       {.key = body + ".material.hardening.exponent",
        .type = Type::number,
        .range = {.min = 0.0, .max = 1.0, .min_allowed = false},
        .required = true,
        .text = "Exponent of the power law.",
-       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}}},
+       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}},
+       .example = "0.1"},
       {.key = body + ".material.hardening.saturation",
        .type = Type::number,
        .dimension = dimension::pressure,
        .range = at_least(0.0),
        .required = true,
        .text = "Largest rise of the yield stress.",
-       .when = {law, {"voce"}}},
+       .when = {law, {"voce"}},
+       .example = R"("300 MPa")"},
       {.key = body + ".material.hardening.rate",
        .type = Type::number,
        .range = above(0.0),
        .required = true,
        .text = "How fast the yield stress saturates with plastic strain.",
-       .when = {law, {"voce"}}},
+       .when = {law, {"voce"}},
+       .example = "40"},
       {.key = body + ".material.hardening.file",
        .type = Type::text,
        .unset = "plastic_strain and stress",
@@ -85,14 +92,16 @@ std::vector<Entry> hardening_entries(const std::string& body)
        .unset = "from file",
        .text = "Equivalent plastic strains of the points, ascending from 0.",
        .when = {law, {"table"}},
-       .excludes = body + ".material.hardening.file"},
+       .excludes = body + ".material.hardening.file",
+       .example = "[0, 0.01, 0.05]"},
       {.key = body + ".material.hardening.stress",
        .type = Type::numbers,
        .dimension = dimension::pressure,
        .range = above(0.0),
        .unset = "from file",
        .text = "Yield stresses of the points, as many; they must not fall.",
-       .when = {law, {"table"}}},
+       .when = {law, {"table"}},
+       .example = R"(["900 MPa", "1 GPa", "1.2 GPa"])"},
       {.key = body + ".material.hardening.kinematic_moduli",
        .type = Type::numbers,
        .dimension = dimension::pressure,
@@ -101,13 +110,15 @@ std::vector<Entry> hardening_entries(const std::string& body)
        .text =
            "Kinematic hardening beside any law: moduli C of the back stresses, d alpha = 2/3 C d eps - recall alpha "
            "d e (Armstrong and Frederick; several: Chaboche).",
-       .when = yields},
+       .when = yields,
+       .example = R"(["90 GPa", "10 GPa"])"},
       {.key = body + ".material.hardening.kinematic_recall",
        .type = Type::numbers,
        .range = at_least(0.0),
        .unset = "zeros: linear (Prager)",
        .text = "Recall of each back stress; it saturates at C / recall in uniaxial tension.",
-       .when = yields},
+       .when = yields,
+       .example = "[600, 50]"},
   };
 }
 
@@ -124,26 +135,30 @@ std::vector<Entry> depth_entries(const std::string& body)
        .text =
            "Depths at which yield_profile.factor is given, ascending; linear between, constant beyond. For nitrided or "
            "case-hardened layers. alpha_c, P_c and U_c stay those of S_y.",
-       .when = yields},
+       .when = yields,
+       .example = R"(["0 um", "200 um"])"},
       {.key = body + ".material.yield_profile.factor",
        .type = Type::numbers,
        .range = above(0.0),
        .unset = "1",
        .text = "Factors on the yield stress at these depths.",
-       .when = yields},
+       .when = yields,
+       .example = "[1.3, 1]"},
       {.key = body + ".material.initial_stress.depth",
        .type = Type::numbers,
        .dimension = dimension::length,
        .range = at_least(0.0),
        .unset = "none",
        .text = "Depths at which initial_stress.value is given, ascending; linear between, constant beyond.",
-       .when = yields},
+       .when = yields,
+       .example = R"(["0 um", "200 um"])"},
       {.key = body + ".material.initial_stress.value",
        .type = Type::numbers,
        .dimension = dimension::pressure,
        .unset = "none",
        .text = "Residual stress xx = yy before the first load, tension positive, below the yield stress.",
-       .when = yields},
+       .when = yields,
+       .example = R"(["-300 MPa", 0])"},
   };
 }
 
@@ -151,18 +166,20 @@ std::vector<Entry> depth_entries(const std::string& body)
 std::vector<Entry> shape_entries(const std::string& body)
 {
   const std::string type = body + ".shape.type";
-  const auto length = [&](const char* key, std::vector<std::string> types, bool required, const char* text)
+  const auto length = [&](const char* key, std::vector<std::string> types, const char* example, const char* text)
   {
     return Entry{.key = body + ".shape." + key,
                  .type = Type::number,
                  .dimension = dimension::length,
                  .range = above(0.0),
-                 .required = required,
+                 .required = true,
                  .text = text,
-                 .when = {type, std::move(types)}};
+                 .when = {type, std::move(types)},
+                 .example = example};
   };
-  Entry tip = length("tip_radius", {"cone", "vickers", "berkovich"}, false,
+  Entry tip = length("tip_radius", {"cone", "vickers", "berkovich"}, "",
                      "Radius of the ball that rounds the tip, and the edges of a pyramid.");
+  tip.required = false;
   tip.range = at_least(0.0);
   tip.fallback = 0.0;
   return {
@@ -174,17 +191,18 @@ std::vector<Entry> shape_entries(const std::string& body)
            "Shape of the surface where it touches; near the apex, so a sphere is the paraboloid r^2/(2 R). cylinder: "
            "axis along y; vickers, berkovich: pyramids of four faces at 68 and three at 65.27 degrees to the axis, "
            "one of them facing x. Tugging takes spheres only."},
-      length("radius", {"sphere", "cylinder"}, true, "Radius of the sphere or cylinder."),
-      length("radius_x", {"ellipsoid"}, true, "Radius of curvature at the apex in the plane x z."),
-      length("radius_y", {"ellipsoid"}, true, "Radius of curvature at the apex in the plane y z."),
-      length("length", {"cylinder"}, true, "Length of the cylinder, which has plane ends."),
+      length("radius", {"sphere", "cylinder"}, R"("1 mm")", "Radius of the sphere or cylinder."),
+      length("radius_x", {"ellipsoid"}, R"("10 mm")", "Radius of curvature at the apex in the plane x z."),
+      length("radius_y", {"ellipsoid"}, R"("14 mm")", "Radius of curvature at the apex in the plane y z."),
+      length("length", {"cylinder"}, R"("10 mm")", "Length of the cylinder, which has plane ends."),
       {.key = body + ".shape.half_angle",
        .type = Type::number,
        .range = inside(0.0, 90.0),
        .required = true,
        .text = "Angle between axis and flank of the cone, in degrees.",
        .hint = "a blunt cone keeps strains small, as 70.3 of the same area as a Vickers pyramid",
-       .when = {type, {"cone"}}},
+       .when = {type, {"cone"}},
+       .example = "70.3"},
       tip,
   };
 }
@@ -193,16 +211,25 @@ std::vector<Entry> shape_entries(const std::string& body)
 std::vector<Entry> texture_entries(const std::string& body)
 {
   const std::string type = body + ".texture.type";
-  const auto length = [&](const char* key, std::vector<std::string> types, bool required, const char* text)
+  const auto length = [&](const char* key, std::vector<std::string> types, const char* example, const char* text)
   {
     return Entry{.key = body + ".texture." + key,
                  .type = Type::number,
                  .dimension = dimension::length,
-                 .range = required ? above(0.0) : Range{},
-                 .required = required,
-                 .fallback = required ? std::nullopt : std::optional<Value>(0.0),
+                 .range = above(0.0),
+                 .required = true,
                  .text = text,
-                 .when = {type, std::move(types)}};
+                 .when = {type, std::move(types)},
+                 .example = example};
+  };
+  const auto centre = [&](const char* key, const char* text)
+  {
+    return Entry{.key = body + ".texture." + key,
+                 .type = Type::number,
+                 .dimension = dimension::length,
+                 .fallback = 0.0,
+                 .text = text,
+                 .when = {type, {"dent", "bump", "height_map"}}};
   };
   return {
       {.key = type,
@@ -211,24 +238,27 @@ std::vector<Entry> texture_entries(const std::string& body)
        .fallback = "smooth",
        .text = "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi r/radius), "
                "with its shoulder; bump: the same upwards; height_map: heights from a file. Not in tugging."},
-      length("depth", {"dent"}, true, "Depth of the dent's centre."),
-      length("height", {"bump"}, true, "Height of the bump's centre."),
-      length("radius", {"dent", "bump"}, true, "Wavelength of the profile: the surface is crossed at a quarter of it."),
+      length("depth", {"dent"}, R"("3 um")", "Depth of the dent's centre."),
+      length("height", {"bump"}, R"("3 um")", "Height of the bump's centre."),
+      length("radius", {"dent", "bump"}, R"("200 um")",
+             "Wavelength of the profile: the surface is crossed at a quarter of it."),
       {.key = body + ".texture.file",
        .type = Type::text,
        .required = true,
        .text = "Text file of heights in m, outwards positive: a line per row along x, all of one length, one row "
                "after the other along y; from the folder of the case.",
-       .when = {type, {"height_map"}}},
+       .when = {type, {"height_map"}},
+       .example = R"("heights.txt")"},
       {.key = body + ".texture.spacing",
        .type = Type::numbers,
        .dimension = dimension::length,
        .range = above(0.0),
        .required = true,
        .text = "Distances [dx, dy] of the heights; linear between them, zero outside.",
-       .when = {type, {"height_map"}}},
-      length("x", {"dent", "bump", "height_map"}, false, "Centre on the body's surface along x."),
-      length("y", {"dent", "bump", "height_map"}, false, "Centre on the body's surface along y."),
+       .when = {type, {"height_map"}},
+       .example = R"(["5 um", "5 um"])"},
+      centre("x", "Centre on the body's surface along x."),
+      centre("y", "Centre on the body's surface along y."),
   };
 }
 
@@ -246,14 +276,16 @@ std::vector<Entry> material_entries(const std::string& body)
        .required = true,
        .text = "Young's modulus E.",
        .hint = "a steel has about 200 GPa",
-       .when = deforms},
+       .when = deforms,
+       .example = R"("210 GPa")"},
       {.key = body + ".material.poisson_ratio",
        .type = Type::number,
        .range = inside(-1.0, 0.5),
        .required = true,
        .text = "Poisson's ratio nu.",
        .hint = "a steel has about 0.3",
-       .when = deforms},
+       .when = deforms,
+       .example = "0.3"},
       {.key = law,
        .type = Type::choice,
        .choices = law_names(),

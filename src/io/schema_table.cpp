@@ -20,7 +20,11 @@ std::vector<Entry> root_entries()
        .text = "What is computed. tugging: the upper sphere is carried along x past the lower one at constant height "
                "or under a load; indentation: the upper body is pressed into the lower one; rolling: it rolls over "
                "it along x under load."},
-      {.key = "title", .type = Type::text, .unset = "no title", .text = "Free text, copied into the results."},
+      {.key = "title",
+       .type = Type::text,
+       .unset = "no title",
+       .text = "Free text, copied into the results.",
+       .example = R"("What this run is to show")"},
   };
 }
 
@@ -34,7 +38,8 @@ std::vector<Entry> grid_entries()
        .range = above(0.0),
        .unset = "from resolution",
        .text = "Size of the cells [dx, dy, dz]: along the motion, across it, in depth.",
-       .excludes = "grid.resolution"},
+       .excludes = "grid.resolution",
+       .example = R"(["20 um", "20 um", "10 um"])"},
       {.key = "grid.resolution",
        .type = Type::number,
        .range = between(1.0, 1000.0),
@@ -111,7 +116,8 @@ std::vector<Entry> output_entries()
        .unset = "results/NAME",
        .text = "Folder of the results, from the current directory; -o on the command line wins. NAME is that of the "
                "case file, or of "
-               "its folder if the file is called case.toml."},
+               "its folder if the file is called case.toml.",
+       .example = R"("results/first")"},
       {.key = "output.checkpoint_interval",
        .type = Type::number,
        .dimension = {.time = 1},

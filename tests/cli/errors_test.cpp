@@ -25,7 +25,7 @@ TEST_F(Errors, CommandLine)
 {
   expect_refused({}, {"subcommand is required", "--help"});
   expect_refused({"run"}, {"case is required"});
-  expect_refused({"walk", "case.toml"}, {"subcommand is required"});
+  expect_refused({"walk", "case.toml"}, {"unknown command walk", "run, check, "});
   write("case.toml", quick_case);
   expect_refused({"run", "case.toml", "--treads", "3"}, {"--treads"});
   expect_refused({"run", "case.toml", "--threads", "0"}, {"--threads"});

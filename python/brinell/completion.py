@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Completion of commands, options, case files and keys in bash, zsh and fish: ``brinell completion``.
+
+click asks for the words behind ``brinell`` through an environment variable; what it may offer for the engine's commands is
+read from their own declaration.
+"""
+
+from __future__ import annotations
+
+import glob
+import os
+import sys
+
+import click
+from click.shell_completion import CompletionItem, get_completion_class, shell_complete
+
+from brinell import _core
+
+__all__ = ["answer", "case_files", "command", "engine_command", "schema_keys"]
+
+VARIABLE = "_BRINELL_COMPLETE"
+"""Set by the shell's script when it asks."""
+
+PLACES = {
+    "bash": "~/.local/share/bash-completion/completions/brinell",
+    "zsh": "a folder of $fpath, under the name _brinell",
+    "fish": "~/.config/fish/completions/brinell.fish",
+}
+"""Where each shell looks for such a script."""
+
+_CASE_PATTERNS = ("*.toml", "*/*.toml", "*/*/*.toml")
+"""Case files below a folder: so deep that cases/NAME/case.toml is found from beside cases/."""
+
+_MOST_FILES = 100
+
+
+def answer(root: click.Command) -> None:
+    """Answers a shell that asks for completions, and ends the process; returns if none asks."""
+    instruction = os.environ.get(VARIABLE)
+    if instruction:
+        sys.exit(shell_complete(root, {}, "brinell", VARIABLE, instruction))
+
+
+def case_files(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """Case files whose path begins with `incomplete`, also in folders below; any file if there is none."""
+    folder = incomplete.rpartition("/")[0]
+    start = f"{glob.escape(incomplete)}*"
+    patterns = [f"{start}.toml", *(f"{start}/{pattern}" for pattern in _CASE_PATTERNS[:2])]
+    if incomplete.endswith("/") or not incomplete:
+        patterns = [f"{glob.escape(folder)}/{p}" if folder else p for p in _CASE_PATTERNS]
+    found = sorted({path for pattern in patterns for path in glob.glob(pattern)}, key=lambda p: (p.count("/"), p))
+    if not found:
+        return [CompletionItem(incomplete, type="file")]
+    return [CompletionItem(path) for path in found[:_MOST_FILES]]
+
+
+def schema_keys(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """Keys of the case file with an equals sign; behind that sign the values of a key that has a choice of them."""
+    key, equals, value = incomplete.partition("=")
+    if not equals:
+        return [CompletionItem(f"{k.key}=", help=k.text) for k in _core.schema_keys() if k.key.startswith(key)]
+    choices = next((k.choices for k in _core.schema_keys() if k.key == key), [])
+    return [CompletionItem(f"{key}={choice}") for choice in choices if choice.startswith(value)]
+
+
+def _scenarios(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    choices = next(k.choices for k in _core.schema_keys() if k.key == "scenario")
+    return [CompletionItem(choice) for choice in choices if choice.startswith(incomplete)]
+
+
+def _folders(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    return [CompletionItem(incomplete, type="dir")]
+
+
+_BY_VALUE = {"CASE.toml": case_files, "KEY=VALUE": schema_keys, "SCENARIO": _scenarios, "DIR": _folders}
+"""What may stand for a value, by its name in the help."""
+
+
+def engine_command(info: _core.CommandInfo) -> click.Command:
+    """What click must know of a command of the engine to complete its options; click never runs it."""
+    parameters: list[click.Parameter] = []
+    for option in info.options:
+        complete = _BY_VALUE.get(option.value)
+        if not option.flags:
+            parameters.append(click.Argument([option.value.lower().replace(".", "_")], shell_complete=complete))
+        else:
+            parameters.append(
+                click.Option(
+                    option.flags,
+                    help=option.help,
+                    is_flag=not option.value,
+                    multiple=option.value == "KEY=VALUE",
+                    shell_complete=complete,
+                )
+            )
+    return click.Command(info.name, params=parameters, help=info.help, add_help_option=False)
+
+
+@click.command()
+@click.argument("shell", type=click.Choice(list(PLACES)))
+def command(shell: str) -> None:
+    """Print what makes SHELL complete commands, options and keys.
+
+    The script says at its end where to put it.
+    """
+    completion_class = get_completion_class(shell)
+    assert completion_class is not None  # click has all of PLACES
+    click.echo(completion_class(click.Command("brinell"), {}, "brinell", VARIABLE).source().strip())
+    # At the end: zsh wants its own first line.
+    click.echo(f"\n# To have this in every new shell, write it into\n#   {PLACES[shell]}")

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/case_template.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/feasibility.hpp"
+#include "brinell/io/schema.hpp"
+#include "sample.hpp"
+
+#include <regex>
+#include <sstream>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+/// A line of a template that gives a key, in use or behind a #.
+struct KeyLine
+{
+  std::size_t index;
+  std::string section, key;
+  bool in_use;
+
+  [[nodiscard]] std::string full_key() const { return section.empty() ? key : section + "." + key; }
+};
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+std::vector<KeyLine> key_lines(const std::vector<std::string>& lines)
+{
+  static const std::regex section_line(R"(\[([a-z.]+)\])"), key_line("(# )?([a-z_]+) = .*");
+  std::vector<KeyLine> result;
+  std::string section;
+  std::smatch match;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (std::regex_match(lines[i], match, section_line))
+      section = match[1];
+    else if (std::regex_match(lines[i], match, key_line))
+      result.push_back({i, section, match[2], !match[1].matched});
+  return result;
+}
+
+/// The template with one commented line in use instead of what it would clash with.
+std::string with_line(std::vector<std::string> lines, const std::vector<KeyLine>& keys, const KeyLine& used)
+{
+  const Entry* entry = find_entry(used.full_key());
+  for (const KeyLine& other : keys)
+  {
+    const bool drives = used.section == "rolling" && other.key == "load" &&
+                        (used.key == "hertz_pressure" || used.key == "approach"); // one of the three
+    if (other.in_use && other.section == used.section &&
+        (other.key == used.key || drives || (entry && entry->excludes == other.full_key())))
+      lines[other.index] = "#";
+  }
+  lines[used.index].erase(0, 2);
+  std::string text;
+  for (const std::string& line : lines)
+    text += line + "\n";
+  return text;
+}
+
+class CaseTemplate : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(CaseTemplate, IsACaseWithoutWarningsThatCanBePlanned)
+{
+  const Case c = parse_case(case_template(GetParam()), "case.toml");
+  EXPECT_EQ(c.values.get<std::string>("scenario"), GetParam());
+  EXPECT_FALSE(c.title.empty());
+  EXPECT_TRUE(c.warnings.empty()) << c.warnings.front();
+  EXPECT_GT(std::visit([](const auto& plan) { return plan.steps; }, plan_case(c)), 5);
+}
+
+TEST_P(CaseTemplate, FitsAScreen)
+{
+  for (const std::string& line : lines_of(case_template(GetParam())))
+    EXPECT_LE(line.size(), 120u) << line;
+}
+
+// Every default and every example may be taken as it stands.
+TEST_P(CaseTemplate, EachCommentedKeyWorks)
+{
+  const sample::TemporaryFolder folder;
+  std::ofstream(folder.path() / "heights.txt") << "0 1e-7 0\n0 2e-7 0\n";
+  const auto lines = lines_of(case_template(GetParam()));
+  const auto keys = key_lines(lines);
+  int tried = 0;
+  for (const KeyLine& key : keys)
+    if (!key.in_use)
+    {
+      ++tried;
+      EXPECT_NO_THROW(static_cast<void>(parse_case(with_line(lines, keys, key), folder.path() / "case.toml")))
+          << lines[key.index];
+    }
+  EXPECT_GT(tried, 20);
+}
+
+TEST_P(CaseTemplate, KnowsEveryKeyOfTheScenario)
+{
+  const std::string text = case_template(GetParam());
+  for (const Entry& entry : case_schema())
+  {
+    const bool is_of_another = entry.when.key == "scenario" && entry.when.values.front() != GetParam();
+    const bool is_not_for_tugging =
+        GetParam() == "tugging" && (entry.key.find(".texture.") != entry.key.npos ||
+                                    (entry.key.find(".shape.") != entry.key.npos && !entry.key.ends_with("type") &&
+                                     !entry.key.ends_with(".radius")));
+    if (is_of_another || is_not_for_tugging || entry.key.starts_with("upper."))
+      continue;
+    const std::string key = entry.key.substr(entry.key.rfind('.') + 1);
+    EXPECT_TRUE(std::regex_search(text, std::regex("(\\b" + key + " = |#   " + key + "\\b)"))) << entry.key;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, CaseTemplate, testing::ValuesIn(scenario_names()));
+
+TEST(CaseTemplateFile, UnknownScenarioNamesThoseThatAre)
+{
+  try
+  {
+    static_cast<void>(case_template("walking"));
+    FAIL();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_STREQ(error.what(), "unknown scenario walking; allowed: tugging, indentation, rolling");
+  }
+}
+
+TEST(CaseTemplateFile, IsReplacedOnlyIfAsked)
+{
+  const sample::TemporaryFolder folder;
+  const auto file = folder.path() / "case.toml";
+  write_case_template("rolling", file, false);
+  EXPECT_EQ(sample::file_text(file), case_template("rolling"));
+  EXPECT_THROW(write_case_template("tugging", file, false), InputError);
+  EXPECT_EQ(sample::file_text(file), case_template("rolling"));
+  write_case_template("tugging", file, true);
+  EXPECT_EQ(sample::file_text(file), case_template("tugging"));
+  EXPECT_THROW(write_case_template("tugging", folder.path() / "nowhere" / "case.toml", false), IoError);
+}
+
+TEST(Schema, KeysWithoutDefaultHaveAnExample)
+{
+  for (const Entry& entry : case_schema())
+    if (entry.required && entry.type != Type::choice)
+    {
+      EXPECT_FALSE(entry.example.empty()) << entry.key;
+    }
+}
+
+} // namespace
+
+} // namespace brinell::io
