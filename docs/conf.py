@@ -49,14 +49,13 @@ templates_path = [str(ROOT / "docs/_templates")]
 
 # --- Python API -------------------------------------------------------------------------------------------------------
 default_role = "code"  # `name` in a docstring
-smartquotes = False  # --set stays --set
 autosummary_generate = True
 autosummary_ignore_module_all = False
 autosummary_imported_members = True
 autodoc_default_options = {"members": True, "member-order": "bysource"}
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
-autodoc_type_aliases = {"ArrayLike": "ArrayLike", "FloatArray": "FloatArray"}
+autodoc_type_aliases = {"Array": "Array", "ArrayLike": "ArrayLike", "FloatArray": "FloatArray"}
 autodoc_preserve_defaults = True
 napoleon_google_docstring = True
 napoleon_numpy_docstring = False
@@ -113,8 +112,8 @@ def restore_summary(_app: Sphinx, _what: str, name: str, _obj: object, _options:
     lines[:] = _summaries.pop(name, lines)
 
 
-def mark_code(_app: Sphinx, _what: str, _name: str, _obj: object, _options: object, lines: list[str]) -> None:
-    """An indented block after a paragraph is code, as in Markdown."""
+def mark_up(_app: Sphinx, _what: str, _name: str, _obj: object, _options: object, lines: list[str]) -> None:
+    """Reads a docstring as Markdown would: an indented block is code, bars and options are only what they are."""
     marked: list[str] = []
     paragraph = ""  # last line that was not indented
     for line in lines:
@@ -123,6 +122,8 @@ def mark_code(_app: Sphinx, _what: str, _name: str, _obj: object, _options: obje
             marked += ["::", ""]
         if line:
             paragraph = "" if is_indented else line
+        if not is_indented and "`" not in line:
+            line = re.sub(r"(?<!\S)--[a-z][\w-]*", r"``\g<0>``", line.replace("|", "\\|"))
         marked.append(line)
     lines[:] = marked
 
@@ -134,7 +135,9 @@ def name_arrays(
 
     def short(text: str | None) -> str | None:
         text = text and re.sub(r"TypeAliasForwardRef\('(\w+)'\)", r"\1", text)
-        return text and re.sub(r"ndarray\[tuple\[Any, \.\.\.\], ~?(?:numpy\.)?dtype\[float64\]\]", "FloatArray", text)
+        return text and re.sub(
+            r"[~\w.]*ndarray\[tuple\[[~\w.]*Any, \.\.\.\], [~\w.]*dtype\[[~\w.]*float64\]\]", "Array", text
+        )
 
     return short(signature), short(result)
 
@@ -146,4 +149,4 @@ def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-signature", name_arrays)
     app.connect("autodoc-process-docstring", keep_summary, priority=400)  # Napoleon has 500
     app.connect("autodoc-process-docstring", restore_summary, priority=600)
-    app.connect("autodoc-process-docstring", mark_code, priority=700)
+    app.connect("autodoc-process-docstring", mark_up, priority=700)
