@@ -15,7 +15,7 @@ def curve(ax: Axes, label: str) -> Line2D:
 
 def texts(fig: Figure) -> list[str]:
     """All visible text; drawing proves that every formula in it is valid."""
-    fig.canvas.draw()
+    fig.draw_without_rendering()  # lays out every text; the canvas of a figure without a window draws nothing
     return [t.get_text() for t in fig.findobj(matplotlib.text.Text) if t.get_text() and t.get_visible()]
 
 

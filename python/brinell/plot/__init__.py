@@ -2,27 +2,41 @@
 """Figures of results; each function returns a matplotlib Figure, `style.save` writes it.
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling` (several runs of these
-scenarios), `fields` and `sections` (one state of any scenario), `history` (one run step by step), `cli` (the command
-brinell-plot). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by), `overlay`
-(several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
+scenarios), `fields`, `sections` and `depth` (one state of any scenario), `history` and `energy` (one run step by step),
+`animation` (one pass as a moving picture), `standard` (what suits a run), `cli` (`brinell plot`). Below them:
+`style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name),
+`planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which
+bodies), `cells` (cell values as pictures).
 """
 
-from brinell.plot.fields import pressure_map, residual_surfaces, section
+from brinell.plot.animation import animate, save_animation
+from brinell.plot.depth import stress_over_depth
+from brinell.plot.energy import energy_balance
+from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
 from brinell.plot.history import run_history
 from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
+from brinell.plot.planes import Plane
+from brinell.plot.quantities import QUANTITIES
 from brinell.plot.rolling import along_track, depth_profiles, pass_by_pass, track_profile
+from brinell.plot.sections import section
+from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 
 __all__ = [
+    "QUANTITIES",
+    "Plane",
     "along_track",
+    "animate",
     "contact_pressure",
     "depth_profiles",
+    "energy_balance",
     "fig11",
     "fig12",
     "fig13",
     "fig14",
     "fig15",
+    "gap_map",
     "imprint",
     "load_depth",
     "overview",
@@ -31,6 +45,9 @@ __all__ = [
     "residual_surfaces",
     "run_history",
     "save",
+    "save_animation",
     "section",
+    "standard_figures",
+    "stress_over_depth",
     "track_profile",
 ]

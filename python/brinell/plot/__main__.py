@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""``python -m brinell.plot``, the same as ``brinell-plot``."""
+"""``python -m brinell.plot``, the same as ``brinell plot``."""
 
-import sys
+from brinell.plot.cli import plot
 
-from brinell.plot.cli import main
-
-sys.exit(main())
+plot(prog_name="brinell plot")

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
@@ -38,18 +40,26 @@ def contact_edge(contact: ContactFields) -> FloatArray:
     return inside - slope * outside
 
 
-def contact_span(contact: ContactFields) -> tuple[float, float]:
-    """Where the contact begins and ends on y = 0, x' [m]."""
-    edge = at_centre(contact.y, contact_edge(contact))
-    inside = np.flatnonzero(edge > 0.0)
+def contact_span(contact: ContactFields, along: Literal["x", "y"] = "x", at: float = 0.0) -> tuple[float, float]:
+    """Where the contact begins and ends on a line in the plane of contact [m]; (0, 0) if the line misses it.
+
+    Args:
+        contact: where.
+        along: direction of the line.
+        at: the other coordinate of the line [m].
+    """
+    edge = contact_edge(contact)
+    x, others, table = (contact.x, contact.y, edge.T) if along == "x" else (contact.y, contact.x, edge)
+    line = np.array([np.interp(at, others, values) for values in table])
+    inside = np.flatnonzero(line > 0.0)
     if inside.size == 0:
         return 0.0, 0.0
 
     def crossing(i: int, j: int) -> float:
-        if not 0 <= j < len(edge):
-            return float(contact.x[i])
-        t = edge[i] / (edge[i] - edge[j])
-        return float(contact.x[i] + t * (contact.x[j] - contact.x[i]))
+        if not 0 <= j < len(line):
+            return float(x[i])
+        t = line[i] / (line[i] - line[j])
+        return float(x[i] + t * (x[j] - x[i]))
 
     first, last = int(inside[0]), int(inside[-1])
     return crossing(first, first - 1), crossing(last, last + 1)

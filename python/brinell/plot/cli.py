@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Command line of the figures: ``brinell-plot`` or ``python -m brinell.plot``.
+"""Command line of the figures: ``brinell plot``, or ``python -m brinell.plot``.
 
 Exit code 0: all figures are written (their paths are printed); 2: something about the request or a folder is wrong,
 with one line on the standard error stream that says what.
@@ -7,84 +7,55 @@ with one line on the standard error stream that says what.
 
 from __future__ import annotations
 
-import argparse
-import sys
+import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any, get_args
 
+import click
 import matplotlib
 from matplotlib.figure import Figure
 
-from brinell.plot import fields, history, indentation, paper, rolling, style
-from brinell.results import Run, RunError, Snapshot, open_run
+from brinell.commands import tells_errors
+from brinell.plot import animation as moving
+from brinell.plot import fields as state
+from brinell.plot import history as course
+from brinell.plot import indentation as indents
+from brinell.plot import paper as of_paper
+from brinell.plot import rolling as tracks
+from brinell.plot import style
+from brinell.plot.planes import Plane, plane_of
+from brinell.plot.quantities import QUANTITIES, needs_tensors, quantity_of
+from brinell.plot.sections import section as draw_section
+from brinell.plot.standard import standard_figures
+from brinell.plot.states import Bodies
+from brinell.results import Run, open_run
 
-__all__ = ["main"]
-
-
-_OF_SEVERAL_RUNS: Mapping[str, tuple[str, Mapping[str, Callable[[Sequence[Run]], Figure | None]]]] = {
-    "paper": (
-        "Figs. 11 to 15 of Boucly, Nelias, Green (2006) and an overview, from one run per interference.",
-        paper.FIGURES,
-    ),
-    "indentation": (
-        "Load over depth, imprint and contact pressure of one indentation or several.",
-        indentation.FIGURES,
-    ),
-    "rolling": (
-        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it.",
-        rolling.FIGURES,
-    ),
-}
-"""Commands that take several runs: what they draw, and their figures by file name."""
+__all__ = ["plot"]
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="brinell-plot", description="Draws the results of 'brinell run'.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+class _PlotGroup(click.Group):
+    """``brinell plot RUN`` is ``brinell plot all RUN``."""
 
-    def command(name: str, text: str) -> argparse.ArgumentParser:
-        sub = commands.add_parser(name, help=text, description=text)
-        sub.add_argument(
-            "--format",
-            default="png",
-            metavar="LIST",
-            type=_formats,
-            help=f"file formats, separated by commas, out of {', '.join(style.FORMATS)} (default: png)",
-        )
-        return sub
-
-    for name, (text, _) in _OF_SEVERAL_RUNS.items():
-        several = command(name, text)
-        several.add_argument("runs", nargs="+", type=Path, metavar="RUN_DIR", help="result folders")
-        several.add_argument(
-            "-o", "--output", type=Path, default=Path("figures"), metavar="DIR", help="default: figures"
-        )
-
-    state = command("fields", "Contact pressure, residual surfaces, stress and plastic strain of one state.")
-    state.add_argument("run", type=Path, metavar="RUN_DIR", help="result folder, may be of a run not yet finished")
-    state.add_argument(
-        "--step",
-        action="append",
-        type=_step,
-        metavar="N|aligned|final",
-        help="a stored step; aligned (default): the one in the middle of the first pass, or under the largest load of "
-        "the first indent; or the final state; may be given several times",
-    )
-    state.add_argument("--cells", action="store_true", help="one colour per cell instead of interpolation")
-    state.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: RUN_DIR/figures")
-
-    course = command("history", "Forces, energies, deformation and cost of one run, step by step.")
-    course.add_argument("run", type=Path, metavar="RUN_DIR", help="result folder, may be of a run not yet finished")
-    course.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: RUN_DIR/figures")
-    return parser
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Adds the command `all` where the arguments begin with a folder or an option of its own."""
+        if args and args[0] not in (*self.commands, "--help"):
+            word = args[0]
+            if word.startswith("-") or os.sep in word or Path(word).exists():
+                args = ["all", *args]
+        return super().parse_args(ctx, args)
 
 
-def _formats(text: str) -> list[str]:
-    formats = [item.strip() for item in text.split(",")]
-    for item in formats:
-        if item not in style.FORMATS:
-            raise argparse.ArgumentTypeError(f"{item!r} is not one of {', '.join(style.FORMATS)}")
-    return formats
+def _checked(convert: Callable[[str], Any]) -> Callable[[click.Context, click.Parameter, Any], Any]:
+    """Callback of an option: turns its text, or each of its texts, into a value; a ValueError is wrong usage."""
+
+    def callback(_context: click.Context, _parameter: click.Parameter, value: Any) -> Any:
+        try:
+            return tuple(convert(text) for text in value) if isinstance(value, tuple) else convert(value)
+        except ValueError as error:
+            raise click.BadParameter(str(error)) from error
+
+    return callback
 
 
 def _step(text: str) -> int | str:
@@ -92,58 +63,232 @@ def _step(text: str) -> int | str:
         return text
     if text.isdecimal():
         return int(text)
-    raise argparse.ArgumentTypeError(f"{text!r} is neither a step number nor 'aligned' nor 'final'")
+    raise ValueError(f"{text!r} is neither a step number nor 'aligned' nor 'final'")
 
 
-def _draw_several_runs(arguments: argparse.Namespace) -> list[Path]:
-    runs = [open_run(path) for path in arguments.runs]
-    written = []
-    for name, draw in _OF_SEVERAL_RUNS[arguments.command][1].items():
-        figure = draw(runs)
-        if figure is not None:
-            written += style.save(figure, arguments.output, name, arguments.format)
-    return written
+def _file_endings(text: str) -> list[str]:
+    formats = [item.strip() for item in text.split(",")]
+    for item in formats:
+        if item not in style.FORMATS:
+            raise ValueError(f"{item!r} is not one of {', '.join(style.FORMATS)}")
+    return formats
 
 
-def _draw_fields(arguments: argparse.Namespace) -> list[Path]:
-    run = open_run(arguments.run, allow_unfinished=True)
-    folder = arguments.output or arguments.run / "figures"
-    written = []
-    for which in arguments.step or ["aligned"]:
-        snapshot: Snapshot = run.snapshot(which)
-        prefix = which if isinstance(which, str) else f"step-{which:06d}"
-        for name, draw in fields.FIGURES.items():
-            if draw is fields.pressure_map and not snapshot.in_contact:
-                continue
-            written += style.save(
-                draw(run, snapshot, cells=arguments.cells), folder, f"{prefix}-{name}", arguments.format
-            )
-    return written
+def _field(text: str) -> str:
+    return quantity_of(text).name
 
 
-def _draw_history(arguments: argparse.Namespace) -> list[Path]:
-    run = open_run(arguments.run, allow_unfinished=True)
-    return style.save(
-        history.run_history(run), arguments.output or arguments.run / "figures", "history", arguments.format
-    )
+_run_folder = click.argument("run", type=click.Path(path_type=Path), metavar="RUN")
+_run_folders = click.argument("runs", type=click.Path(path_type=Path), metavar="RUN...", nargs=-1, required=True)
+_into_run = click.option("-o", "--output", type=click.Path(path_type=Path), help="Folder; by default RUN/figures.")
+_into_figures = click.option(
+    "-o", "--output", type=click.Path(path_type=Path), default=Path("figures"), help="Folder; by default figures."
+)
+_formats = click.option(
+    "--format",
+    "formats",
+    metavar="LIST",
+    callback=_checked(_file_endings),
+    default="png",
+    help=f"Out of {', '.join(style.FORMATS)}, with commas; by default png.",
+)
+_cells = click.option("--cells", is_flag=True, help="One colour per cell instead of interpolation.")
+_plane = click.option(
+    "--plane",
+    callback=_checked(plane_of),
+    metavar="PLANE",
+    default="y=0",
+    help="As in 'y=0' (the default), 'x = 0.1 mm', 'z = 20 um'.",
+)
+_bodies = click.option("--body", "bodies", type=click.Choice(get_args(Bodies)), default="both", help="By default both.")
+_steps = click.option(
+    "--step",
+    "steps",
+    callback=_checked(_step),
+    metavar="N|aligned|final",
+    multiple=True,
+    default=["aligned"],
+    help="A stored step by its number; aligned (the default): the one in the middle of the first pass, or under the "
+    "largest load of the first indent; or final. May be given several times.",
+)
 
 
-def main(argv: Sequence[str] | None = None) -> int:
-    """Runs the command.
+@click.group(cls=_PlotGroup)
+def plot() -> None:
+    """Draw results of 'brinell run'.
 
-    Args:
-        argv: arguments without the program's name; those of the process if None.
-
-    Returns:
-        The exit code.
+    'brinell plot RUN' draws what suits the run; the commands below draw one kind of figure each.
     """
-    arguments = _parser().parse_args(argv)
     matplotlib.use("Agg")
-    draw = {"fields": _draw_fields, "history": _draw_history}.get(arguments.command, _draw_several_runs)
+
+
+def _print(paths: Sequence[Path]) -> None:
+    for path in paths:
+        click.echo(path)
+
+
+@plot.command("all")
+@_run_folder
+@_into_run
+@_formats
+@tells_errors
+def _all(run: Path, output: Path | None, formats: list[str]) -> None:
+    """All figures that suit a run, finished or not."""
+    for named in standard_figures(open_run(run, allow_unfinished=True)):
+        _print(style.save(named.figure, output or run / "figures", named.name, formats))
+
+
+def _several(text: str, figures: Mapping[str, Callable[[Sequence[Run]], Figure | None]]) -> click.Command:
+    """A command that takes several runs: what it draws, and its figures by file name."""
+
+    @_run_folders
+    @_into_figures
+    @_formats
+    @tells_errors
+    def draw_them(runs: Sequence[Path], output: Path, formats: list[str]) -> None:
+        opened = [open_run(path) for path in runs]
+        for name, draw in figures.items():
+            figure = draw(opened)
+            if figure is not None:
+                _print(style.save(figure, output, name, formats))
+
+    return click.command(help=text)(draw_them)
+
+
+plot.add_command(
+    _several(
+        "Figures 11 to 15 of Boucly, Nelias, Green (2006) and an overview, from one run per interference.",
+        of_paper.FIGURES,
+    ),
+    "paper",
+)
+plot.add_command(
+    _several("Load over depth, imprint and contact pressure of one indentation or several.", indents.FIGURES),
+    "indentation",
+)
+plot.add_command(
+    _several(
+        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it.",
+        tracks.FIGURES,
+    ),
+    "rolling",
+)
+
+
+def _state_name(which: int | str) -> str:
+    return which if isinstance(which, str) else f"step-{which:06d}"
+
+
+@plot.command("fields")
+@_run_folder
+@_steps
+@_cells
+@_into_run
+@_formats
+@tells_errors
+def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, formats: list[str]) -> None:
+    """Contact pressure, gap, residual surfaces, stress and plastic strain of one state."""
+    opened = open_run(run, allow_unfinished=True)
+    for which in steps:
+        snapshot = opened.snapshot(which)
+        for name, draw in state.FIGURES.items():
+            if draw in state.NEED_CONTACT and not snapshot.in_contact:
+                continue
+            figure = draw(opened, snapshot, cells=cells)
+            _print(style.save(figure, output or run / "figures", f"{_state_name(which)}-{name}", formats))
+
+
+@plot.command("section")
+@_run_folder
+@click.option(
+    "--field",
+    "names",
+    callback=_checked(_field),
+    metavar="FIELD",
+    multiple=True,
+    help=f"Out of {', '.join(QUANTITIES)}. May be given several times; by default von Mises stress and plastic strain.",
+)
+@_plane
+@_bodies
+@_steps
+@_cells
+@_into_run
+@_formats
+@tells_errors
+def _section(
+    run: Path,
+    names: Sequence[str],
+    plane: Plane,
+    bodies: Bodies,
+    steps: Sequence[Any],
+    cells: bool,
+    output: Path | None,
+    formats: list[str],
+) -> None:
+    """Fields of the bodies on any plane."""
+    opened = open_run(run, allow_unfinished=True)
+    for which in steps:
+        snapshot = opened.snapshot(which, tensors=needs_tensors([quantity_of(name) for name in names]))
+        figure = draw_section(opened, snapshot, field=names or None, plane=plane, bodies=bodies, cells=cells)
+        name = "-".join([_state_name(which), "section", plane.axis, f"{1e6 * plane.value:g}um", *names])
+        _print(style.save(figure, output or run / "figures", name, formats))
+
+
+@plot.command("animate")
+@_run_folder
+@click.option(
+    "--field",
+    callback=_checked(_field),
+    metavar="FIELD",
+    default="von_mises_stress",
+    help="As for section; by default von_mises_stress.",
+)
+@_plane
+@_bodies
+@click.option("--pass", "pass_", type=click.IntRange(min=1), default=1, help="Which pass; counts from 1, the default.")
+@click.option(
+    "--follow",
+    type=click.Choice(get_args(moving.Follow)),
+    help="Keep the contact in the middle (default for both bodies), or let it pass over the body (for one).",
+)
+@_cells
+@click.option("--fps", type=click.IntRange(min=1), default=8, help="Frames per second; by default 8.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="A .gif, or an .mp4 (needs ffmpeg); by default RUN/figures/FIELD.gif.",
+)
+@tells_errors
+def _animate(
+    run: Path,
+    field: str,
+    plane: Plane,
+    bodies: Bodies,
+    pass_: int,
+    follow: moving.Follow | None,
+    cells: bool,
+    fps: int,
+    output: Path | None,
+) -> None:
+    """A moving picture of one pass, from its stored states ([output] snapshots = "all" stores all)."""
+    opened = open_run(run, allow_unfinished=True)
+    path = output or run / "figures" / f"{field}.gif"
     try:
-        for path in draw(arguments):
-            print(path)
-    except (RunError, OSError) as error:
-        print(f"brinell-plot: error: {error}", file=sys.stderr)
-        return 2
-    return 0
+        animation = moving.animate(
+            opened, field=field, plane=plane, pass_=pass_ - 1, bodies=bodies, follow=follow, cells=cells
+        )
+        click.echo(moving.save_animation(animation, path, frames_per_second=fps))
+    except ValueError as error:  # of options that do not go together
+        raise click.UsageError(str(error)) from error
+
+
+@plot.command("history")
+@_run_folder
+@_into_run
+@_formats
+@tells_errors
+def _history(run: Path, output: Path | None, formats: list[str]) -> None:
+    """Forces, energies, deformation and cost of one run, step by step."""
+    opened = open_run(run, allow_unfinished=True)
+    _print(style.save(course.run_history(opened), output or run / "figures", "history", formats))

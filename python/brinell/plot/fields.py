@@ -19,7 +19,7 @@ from brinell.plot.sections import section
 from brinell.plot.states import Side, sides, state_title
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
 
-__all__ = ["FIGURES", "pressure_map", "residual_surfaces", "section"]
+__all__ = ["FIGURES", "NEED_CONTACT", "gap_map", "pressure_map", "residual_surfaces", "section"]
 
 FloatArray = NDArray[np.float64]
 
@@ -48,8 +48,7 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
     draw = _pressure_cells if cells else _smooth_pressure
     image = draw(ax, contact, length.size, pressure.size)
     _crop(ax, *_patch(contact, length.size))
-    ax.set_xlabel(length.label("along the motion" if snapshot.scenario != "indentation" else "", "x'"))
-    ax.set_ylabel(length.label("across" if snapshot.scenario != "indentation" else "", "y'", value=False))
+    _name_axes(ax, length, snapshot)
     ax.set_title(f"Contact pressure:  {state_title(run, snapshot)}")
     fig.colorbar(image, ax=ax, label=pressure.label("", "p"), pad=0.02)
     return fig
@@ -95,6 +94,64 @@ def _patch(contact: ContactFields, scale: float) -> tuple[tuple[float, float], t
 def _crop(ax: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
     ax.set_xlim(*x)
     ax.set_ylim(*y)
+
+
+@style.figure
+def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+    """Gap between the deformed surfaces around the contact, with the edge of contact.
+
+    Args:
+        run: where the scales come from.
+        snapshot: the state to draw; its bodies must touch.
+        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+
+    Raises:
+        RunError: the bodies do not touch in this state.
+    """
+    contact = snapshot.contact
+    if not snapshot.in_contact:
+        raise RunError(f"{run.path}: no contact in the state at step {snapshot.step}, so no gap around it to draw")
+    scales = Scales(run)
+    length = scales.length(max(np.abs(contact.x).max(), np.abs(contact.y).max()))
+    ranges = _patch(contact, length.size)
+    shown = [
+        (low <= c / length.size) & (c / length.size <= high)
+        for c, (low, high) in zip((contact.x, contact.y), ranges, strict=True)
+    ]
+    largest = float(contact.gap[np.ix_(shown[1], shown[0])].max())
+    gap = scales.displacement(largest)
+    fig = style.new_figure(5.4, 4.3, to_scale=True)
+    ax = fig.subplots()
+    image = draw_cells(
+        ax,
+        contact.x,
+        contact.y,
+        contact.gap / gap.size,
+        length.size,
+        cmap=style.GAP_MAP,
+        norm=Normalize(0.0, largest / gap.size or 1.0),
+        interpolation="nearest" if cells else "bilinear",
+    )
+    ax.contour(
+        contact.x / length.size,
+        contact.y / length.size,
+        contact_edge(contact),
+        levels=[0.0],
+        colors=style.CONTACT_LINE,
+        linewidths=1.0,
+    )
+    _crop(ax, *ranges)
+    _name_axes(ax, length, snapshot)
+    ax.set_title(f"Gap:  {state_title(run, snapshot)}")
+    fig.colorbar(image, ax=ax, label=gap.label("", "h"), pad=0.02)
+    return fig
+
+
+def _name_axes(ax: Axes, length: Scale, snapshot: Snapshot) -> None:
+    """Of a map of the contact."""
+    moves = snapshot.scenario != "indentation"
+    ax.set_xlabel(length.label("along the motion" if moves else "", "x'"))
+    ax.set_ylabel(length.label("across" if moves else "", "y'", value=False))
 
 
 def _height(body: BodyFields) -> FloatArray:
@@ -193,7 +250,11 @@ def _active_range(
 
 FIGURES: dict[str, Callable[..., Figure]] = {
     "pressure": pressure_map,
+    "gap": gap_map,
     "residual-surfaces": residual_surfaces,
     "section": section,
 }
 """What the command `fields` writes: end of the file name and function."""
+
+NEED_CONTACT = (pressure_map, gap_map)
+"""Those that have nothing to draw while the bodies do not touch."""

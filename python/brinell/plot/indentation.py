@@ -13,12 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, looks, zero_line
-from brinell.plot.scales import Scale, si
+from brinell.plot.scales import Scale, common_scales, si, twin_axis
 from brinell.results import BodyFields, History, Run
 
 __all__ = ["FIGURES", "contact_pressure", "imprint", "load_depth"]
@@ -87,13 +88,16 @@ def _hertz_line(runs: Sequence[Run], load: float) -> _Line | None:
 
 @style.figure
 def load_depth(runs: Sequence[Run]) -> Figure:
-    """Load over depth of the indenter, loading and unloading of all cycles; elastic spheres dashed."""
+    """Load over depth of the indenter, loading and unloading of all cycles; elastic spheres dashed.
+
+    Where first yield exists and is the same for all runs, second axes give both over its values.
+    """
     shown = entries(runs, "indentation")
     lines = [line for entry in shown for line in _load_lines(entry, alone=len(shown) == 1)]
     elastic = _hertz_line(runs, largest(line.load for line in lines))
     lines += [elastic] if elastic else []
     depth, load = si(largest(line.depth for line in lines), "m"), si(largest(line.load for line in lines), "N")
-    fig = style.new_figure(5.6, 3.9)
+    fig = style.new_figure(5.8, 4.3)
     ax = fig.subplots()
     for line in lines:
         ax.plot(line.depth / depth.size, line.load / load.size, **line.look)
@@ -102,7 +106,13 @@ def load_depth(runs: Sequence[Run]) -> Figure:
         ax.set_xlim(left=0.0)
     ax.set_xlabel(depth.label("depth of the indenter", r"\delta"))
     ax.set_ylabel(load.label("load", "F_n"))
-    legend_beside(ax, list({line.look["label"]: line.look for line in lines}.values()))
+    common = common_scales(runs)
+    if common:
+        twin_axis(ax, "x", depth, common.displacement(0.0), r"\delta")
+        twin_axis(ax, "y", load, common.force(0.0), "F_n")
+    handles = list({line.look["label"]: line.look for line in lines}.values())
+    if len(handles) > 1:  # above the curves, which begin at the lower left
+        ax.legend(handles=[Line2D([], [], **look) for look in handles], loc="upper left")
     return fig
 
 

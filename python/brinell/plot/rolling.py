@@ -18,14 +18,12 @@ from numpy.typing import NDArray
 from brinell.plot import style
 from brinell.plot.cells import at_centre
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, zero_line
-from brinell.plot.scales import Scale, si
+from brinell.plot.scales import PERCENT, Scale, si
 from brinell.results import BodyFields, History, Run
 
 __all__ = ["FIGURES", "along_track", "depth_profiles", "pass_by_pass", "track_profile"]
 
 FloatArray = NDArray[np.float64]
-
-_PERCENT = Scale(0.01, "", "%")
 
 
 def _of_passes(run: Run, name: str) -> FloatArray:
@@ -68,7 +66,7 @@ def pass_by_pass(runs: Sequence[Run]) -> Figure:
 
 def _draw_by_pass(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: str, unit: str) -> None:
     values = [_of_passes(entry.run, name) for entry in shown]
-    scale = _PERCENT if unit == "%" else si(largest(values), unit)
+    scale = PERCENT if unit == "%" else si(largest(values), unit)
     for entry, value in zip(shown, values, strict=True):
         ax.plot(np.arange(1, len(value) + 1), value / scale.size, **entry.look, marker="o", clip_on=False)
     ax.set_ylabel(scale.label("", symbol))
@@ -93,7 +91,7 @@ def depth_profiles(runs: Sequence[Run]) -> Figure:
     quantities: tuple[tuple[str, str, str, Scale], ...] = (
         ("residual_xx", "residual stress along the motion", r"\sigma^r_{xx}", stress),
         ("residual_yy", "residual stress across it", r"\sigma^r_{yy}", stress),
-        ("equivalent_plastic_strain", "equivalent plastic strain", r"\varepsilon^p_\mathrm{eq}", _PERCENT),
+        ("equivalent_plastic_strain", "equivalent plastic strain", r"\varepsilon^p_\mathrm{eq}", PERCENT),
     )
     for ax, (name, title, symbol, scale), letter in zip(panels, quantities, "abc", strict=True):
         zero_line(ax)

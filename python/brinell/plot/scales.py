@@ -7,14 +7,17 @@ do not exist (an elastic pair, a pyramid, a run that has not finished) the axis 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import astuple, dataclass
+from typing import Literal
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from brinell.plot import style
 from brinell.results import Run
 
-__all__ = ["Scale", "Scales", "si"]
+__all__ = ["PERCENT", "Scale", "Scales", "common_scales", "si", "twin_axis"]
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,30 @@ class Scale:
             return f"{head}${symbol}$  [{self.unit}]"
         note = f"    (${self.symbol}$ = {style.quantity(self.size, self.unit)})" if value else ""
         return f"{head}${symbol}/{self.symbol}${note}"
+
+
+PERCENT = Scale(0.01, "", "%")
+"""Of strains."""
+
+
+def twin_axis(ax: Axes, which: Literal["x", "y"], drawn: Scale, other: Scale, symbol: str) -> None:
+    """A second axis on the far side: the same quantity over another scale.
+
+    Args:
+        ax: drawn over `drawn`.
+        which: axis to double.
+        drawn: its scale.
+        other: scale of the second axis; without a symbol (SI) there is nothing more to say, and no second axis.
+        symbol: LaTeX of the quantity.
+    """
+    if not other.symbol:
+        return
+    ratio = drawn.size / other.size
+    functions = (lambda value: value * ratio, lambda value: value / ratio)
+    if which == "x":
+        ax.secondary_xaxis("top", functions=functions).set_xlabel(other.label("", symbol))
+    else:
+        ax.secondary_yaxis("right", functions=functions).set_ylabel(other.label("", symbol))
 
 
 def si(largest: float, unit: str) -> Scale:
@@ -96,3 +123,11 @@ class Scales:
         if self._critical:
             return Scale(float(np.pi) * self._critical.contact_radius**2, "A_c", "m²")
         return Scale(1e-6, "", "mm²") if largest < 1.0 else Scale(1.0, "", "m²")
+
+
+def common_scales(runs: Sequence[Run]) -> Scales | None:
+    """Values at first yield, if all runs have the same."""
+    if not all(run.complete and run.has_critical_values for run in runs):
+        return None
+    each = np.array([astuple(run.critical) for run in runs])
+    return Scales(runs[0]) if np.allclose(each, each[0], rtol=1e-6, atol=0.0) else None

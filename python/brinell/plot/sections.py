@@ -1,208 +1,223 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stress and plastic strain under the contact: a cut through both bodies along the motion."""
+"""Stress and plastic strain inside the bodies: cuts along any plane."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, MaxNLocator
-from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.cells import at_centre, contact_span, draw_cells, extent
-from brinell.plot.scales import Scales
-from brinell.plot.states import Side, both_sides, sides, state_title
-from brinell.results import Run, Snapshot
+from brinell.plot.cells import contact_edge, draw_cells
+from brinell.plot.cuts import Cut, Panel, Window, contact_on, from_contact, panel_of, usual_quantities, window_of
+from brinell.plot.planes import Plane, plane_of
+from brinell.plot.quantities import quantity_of
+from brinell.plot.scales import Scale, Scales
+from brinell.plot.states import Bodies, Side, both_sides, chosen_sides, state_title
+from brinell.results import ContactFields, Run, Snapshot
 
-__all__ = ["section"]
-
-FloatArray = NDArray[np.float64]
-
-_RIGID_SHARE = 0.15  # height of its strip, over the depth drawn of the other body
-
-
-@dataclass(frozen=True, eq=False)
-class _Field:
-    """One field of all bodies, over its scale."""
-
-    name: str
-    label: str
-    values: list[FloatArray | None]
-    """By body, [z][y][x]; None if it is not stored."""
-    colour_map: str
+__all__ = ["across_label", "draw_contact", "draw_panel", "section", "upright_axes"]
 
 
-@dataclass(frozen=True, eq=False)
-class _Window:
-    """Part of the plane that is drawn [m]."""
-
-    x: tuple[float, float]
-    deep: float
-
-    strip: float
-    """Height left for a body that is rigid."""
-
-    def vertical(self, bodies: Sequence[Side]) -> tuple[float, float]:
-        """Limits, with the surfaces at 0."""
-        drawn = {side.up for side in bodies}
-        down, up = (self.deep if sign in drawn else self.strip for sign in (-1.0, 1.0))
-        return -down, up
+_FLAT = 0.3
+"""Height over width below which a colour bar finds no room beside the picture."""
 
 
 @style.figure
-def section(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
-    """Von Mises stress over S_y and equivalent plastic strain of both bodies on the plane y = 0.
+def section(
+    run: Run,
+    snapshot: Snapshot,
+    *,
+    field: str | Sequence[str] | None = None,
+    plane: Plane | str | tuple[str, float] = "y=0",
+    bodies: Bodies = "both",
+    cells: bool = False,
+) -> Figure:
+    """Fields of the bodies on a plane, to scale.
 
-    The lower body lies below, the upper one is mirrored above it; they share the line of contact. A rigid body in
-    contact is a grey strip; a body without stress and strain is left out. Depth and length have the same scale. While
-    the bodies touch, x' is measured from the centre of contact; afterwards each body keeps its own coordinate.
+    On a plane along y or x the lower body lies below, the upper one is mirrored above it; they share the line of
+    contact. A rigid body in contact is a grey strip; a body without stress and strain is left out. On a plane z, at a
+    depth of each body, there is a picture per body, with the outline of the contact. While the bodies touch, x' is
+    measured from the centre of contact, also that of the plane; afterwards each body keeps its own coordinate.
 
     Args:
         run: where the scales come from.
-        snapshot: the state to draw.
+        snapshot: the state to draw; with tensors if a component is asked for.
+        field: one or several of `brinell.plot.QUANTITIES`; by default von Mises stress and equivalent plastic strain.
+        plane: "y=0", "x = 0.1 mm", ("z", 2e-5); see `planes.plane_of`.
+        bodies: "both", "lower" or "upper".
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-    """
-    scales = Scales(run)
-    bodies = _stressed(snapshot)
-    length = scales.length(max(float(np.abs(side.body.x).max()) for side in bodies))
-    panels = _fields(bodies, scales)
-    window = _window(snapshot, bodies)
-    low, high = window.vertical(bodies)
 
-    # Flat panels one above the other, tall ones side by side.
-    shape = (high - low) / (window.x[1] - window.x[0])
-    stacked = shape < 0.7
-    rows, columns = (len(panels), 1) if stacked else (1, len(panels))
-    panel_width = 5.5 if stacked else 4.0
-    fig = style.new_figure(columns * (panel_width + 1.1) + 0.8, rows * (panel_width * shape + 0.4) + 0.8, to_scale=True)
-    axes = np.atleast_1d(fig.subplots(rows, columns, sharex=True, sharey=True))
-    for ax, panel in zip(axes, panels, strict=True):
-        _draw(ax, panel, bodies, snapshot, length.size, interpolation="nearest" if cells else "bilinear")
-        ax.set_xlim(window.x[0] / length.size, window.x[1] / length.size)
-        ax.set_ylim(low / length.size, high / length.size)
-    touching = snapshot.in_contact
-    along = length.label("from the centre of contact", "x'") if touching else length.label("along each surface", "x")
-    for ax in axes if not stacked else axes[-1:]:
-        ax.set_xlabel(along)
-    for ax in axes if stacked else axes[:1]:
-        ax.set_ylabel(length.label("depth", "z", value=False))
-    fig.suptitle(f"Plane $y$ = 0:  {state_title(run, snapshot)}", fontsize=10)
+    Raises:
+        RunError: a field is not stored, the plane lies outside the grids, or the body is rigid.
+        ValueError: no such field or plane.
+    """
+    cut = plane_of(plane)
+    drawn = _with_content(chosen_sides(run, snapshot, bodies))
+    names = [field] if isinstance(field, str) else field
+    quantities = usual_quantities(drawn) if names is None else [quantity_of(name) for name in names]
+    origin = from_contact(snapshot)
+    panels = [panel_of(run, snapshot, drawn, quantity, cut, origin) for quantity in quantities]
+    window = window_of(snapshot, drawn, cut, origin)
+    interpolation = "nearest" if cells else "bilinear"
+    draw = _level if cut.axis == "z" else _upright
+    fig = draw(run, snapshot, panels, window, cut, interpolation)
+    place = cut.label(from_contact=snapshot.in_contact and cut.axis == "x")
+    fig.suptitle(f"{'Depth' if cut.axis == 'z' else 'Plane'} {place}:  {state_title(run, snapshot)}", fontsize=10)
     return fig
 
 
-def _stressed(snapshot: Snapshot) -> list[Side]:
+def _with_content(bodies: list[Side]) -> list[Side]:
     """The bodies with something to show: an elastic one has nothing once it is unloaded."""
 
     def has_content(side: Side) -> bool:
         stress = side.body.von_mises_stress
         return bool(np.any(side.body.equivalent_plastic_strain)) or (stress is not None and bool(np.any(stress)))
 
-    return [side for side in sides(snapshot) if has_content(side)] or sides(snapshot)
+    return [side for side in bodies if has_content(side)] or bodies
 
 
-def _fields(bodies: Sequence[Side], scales: Scales) -> list[_Field]:
-    """Stress and plastic strain, as far as there is any; at least one of them."""
-    stresses = [side.body.von_mises_stress for side in bodies]
-    largest_stress = max((float(s.max()) for s in stresses if s is not None), default=0.0)
-    largest_strain = max(float(side.body.equivalent_plastic_strain.max(initial=0.0)) for side in bodies)
-    result = []
-    if largest_stress > 0.0:
-        stress = scales.stress(largest_stress)
-        over = [s / stress.size if s is not None else None for s in stresses]
-        result.append(_Field("Von Mises stress", stress.label("", r"\sigma_\mathrm{vM}"), over, style.STRESS_MAP))
-    if largest_strain > 0.0 or not result:
-        percent: list[FloatArray | None] = [100.0 * side.body.equivalent_plastic_strain for side in bodies]
-        label = r"$\varepsilon^p_\mathrm{eq}$  [%]"
-        result.append(_Field("Equivalent plastic strain", label, percent, style.STRAIN_MAP))
-    return result
+def _upright(
+    run: Run, snapshot: Snapshot, panels: Sequence[Panel], window: Window, plane: Plane, interpolation: str
+) -> Figure:
+    """A plane normal to the surface: one picture per field. Flat ones stand one above the other, tall ones in a row."""
+    length = _length(run, panels)
+    bodies = max(len(panel.cuts) for panel in panels)
+    stacked = window.shape < 0.7
+    rows, columns = (len(panels), 1) if stacked else (1, len(panels))
+    width = 5.5 if stacked else 4.0
+    fig = style.new_figure(columns * (width + 1.1) + 0.8, rows * (width * window.shape + 0.4) + 0.8, to_scale=True)
+    axes = np.atleast_1d(fig.subplots(rows, columns, sharex=True, sharey=True))
+    for ax, panel in zip(axes, panels, strict=True):
+        draw_panel(ax, panel, window, length.size, interpolation)
+        upright_axes(ax, snapshot, panel, window, length.size)
+        if snapshot.in_contact:
+            draw_contact(ax, snapshot.contact, plane, length.size)
+    for ax in axes[-1:] if stacked else axes:
+        ax.set_xlabel(across_label(length, plane, from_contact=snapshot.in_contact, bodies=bodies))
+    for ax in axes if stacked else axes[:1]:
+        ax.set_ylabel(length.label("depth", "z", value=False))
+    return fig
 
 
-def _origin(side: Side, snapshot: Snapshot) -> float:
-    """Where x is counted from on a body [m]: under the contact while there is one."""
-    return side.body.contact_x if snapshot.in_contact else 0.0
+def _level(
+    run: Run, snapshot: Snapshot, panels: Sequence[Panel], window: Window, plane: Plane, interpolation: str
+) -> Figure:
+    """A plane at a depth: a row of pictures per body, a column per field."""
+    length = _length(run, panels)
+    bodies = max(len(panel.cuts) for panel in panels)
+    names = list(dict.fromkeys(cut.side.name for panel in panels for cut in panel.cuts))
+    width = 4.0
+    fig = style.new_figure(
+        len(panels) * (width + 1.1) + 0.8, len(names) * (width * window.shape + 0.4) + 0.8, to_scale=True
+    )
+    axes = fig.subplots(len(names), len(panels), sharex=True, sharey=True, squeeze=False)
+    for column, panel in zip(axes.T, panels, strict=True):
+        for ax, name in zip(column, names, strict=True):
+            cuts = [cut for cut in panel.cuts if cut.side.name == name]
+            _draw_cuts(ax, panel, cuts, length.size, interpolation)
+            ax.set_xlim(*(edge / length.size for edge in window.across))
+            ax.set_ylim(*(edge / length.size for edge in window.upward))
+            _name_body(ax, name, 0.96, "top")
+            if snapshot.in_contact:
+                _outline(ax, snapshot.contact, length.size)
+        column[0].set_title(panel.title)
+        _colour_bar(column, panel, below=len(names) * window.shape < _FLAT)
+    for ax in axes[-1]:
+        ax.set_xlabel(across_label(length, plane, from_contact=snapshot.in_contact, bodies=bodies))
+    for ax in axes[:, 0]:
+        ax.set_ylabel(length.label("across", "y'" if snapshot.in_contact else "y", value=False))
+    return fig
 
 
-def _draw(
-    ax: Axes, panel: _Field, bodies: Sequence[Side], snapshot: Snapshot, scale: float, *, interpolation: str
-) -> None:
-    planes = [
-        at_centre(side.body.y, values) if values is not None and values.size else None
-        for side, values in zip(bodies, panel.values, strict=True)
-    ]
-    top = max((float(plane.max()) for plane in planes if plane is not None), default=0.0)
-    norm = Normalize(0.0, top if top > 0.0 else 1.0)
-    for side, plane in zip(bodies, planes, strict=True):
-        if plane is not None:
-            draw_cells(
-                ax,
-                side.body.x - _origin(side, snapshot),
-                side.up * side.body.z,
-                plane,
-                scale,
-                cmap=panel.colour_map,
-                norm=norm,
-                interpolation=interpolation,
-            )
+def _length(run: Run, panels: Sequence[Panel]) -> Scale:
+    """Of both axes."""
+    return Scales(run).length(max(float(np.abs(cut.across).max()) for panel in panels for cut in panel.cuts))
+
+
+def across_label(length: Scale, plane: Plane, *, from_contact: bool, bodies: int) -> str:
+    """Of the axis from left to right, of so many bodies."""
+    if plane.axis == "x":
+        return length.label("across", "y'" if from_contact else "y")
+    if from_contact:
+        return length.label("from the centre of contact", "x'")
+    return length.label("along the surface" if bodies == 1 else "along each surface", "x")
+
+
+def draw_panel(ax: Axes, panel: Panel, window: Window, length: float, interpolation: str) -> list[AxesImage]:
+    """The bodies on a plane, with the colour bar and the title; a picture per body."""
+    images = _draw_cuts(ax, panel, panel.cuts, length, interpolation)
+    ax.set_title(panel.title)
+    _colour_bar(ax, panel, below=window.shape < _FLAT)
+    return images
+
+
+def _draw_cuts(ax: Axes, panel: Panel, cuts: Sequence[Cut], length: float, interpolation: str) -> list[AxesImage]:
     ax.set_facecolor("0.93")
+    return [
+        draw_cells(
+            ax,
+            cut.across,
+            cut.upward,
+            cut.values / panel.unit,
+            length,
+            cmap=panel.colour_map,
+            norm=panel.norm,
+            interpolation=interpolation,
+        )
+        for cut in cuts
+    ]
+
+
+def _colour_bar(ax: Axes | Sequence[Axes], panel: Panel, *, below: bool) -> None:
+    """Beside the axes, or below those that are too flat for its label."""
+    first = ax if isinstance(ax, Axes) else ax[0]
+    place: dict[str, Any] = {"location": "bottom", "aspect": 40.0, "shrink": 0.7} if below else {"pad": 0.02}
+    first.figure.colorbar(ScalarMappable(panel.norm, panel.colour_map), ax=ax, label=panel.label, **place)
+
+
+def upright_axes(ax: Axes, snapshot: Snapshot, panel: Panel, window: Window, length: float) -> None:
+    """Limits, depth counted from the middle, names of the bodies."""
+    ax.set_xlim(*(edge / length for edge in window.across))
+    ax.set_ylim(*(edge / length for edge in window.upward))
     ax.axhline(0.0, color="white", linewidth=0.8)
-    if snapshot.in_contact:
-        ends = [end / scale for end in contact_span(snapshot.contact)]
-        colour = "white" if len(bodies) == 2 else style.CONTACT_LINE  # white is lost beside the strip
-        ax.plot(ends, [0.0, 0.0], color=colour, linewidth=2.6, solid_capstyle="butt", label="contact")
     ax.yaxis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 5, 10]))
     ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{abs(value):g}"))
-    ax.set_title(panel.name)
-    _name_bodies(ax, bodies, snapshot)
-    ax.figure.colorbar(ScalarMappable(norm, panel.colour_map), ax=ax, label=panel.label, pad=0.02)
-
-
-def _name_bodies(ax: Axes, bodies: Sequence[Side], snapshot: Snapshot) -> None:
-    outline = withStroke(linewidth=1.6, foreground="black", alpha=0.6)
-    drawn = {side.name for side in bodies}
+    drawn = {cut.side.name for cut in panel.cuts}
     for side in both_sides(snapshot):
         height, anchor = (0.96, "top") if side.up > 0.0 else (0.04, "bottom")
         if side.name in drawn:
-            text = ax.text(0.015, height, side.name, transform=ax.transAxes, va=anchor, color="white")
-            text.set_path_effects([outline])
-        elif snapshot.in_contact:
+            _name_body(ax, side.name, height, anchor)
+        elif side.body.is_rigid and snapshot.in_contact:
             ax.text(0.015, height, f"{side.name}, rigid", transform=ax.transAxes, va=anchor, color="0.35")
 
 
-def _window(snapshot: Snapshot, bodies: Sequence[Side]) -> _Window:
-    """Part of the plane worth drawing: around the contact, or all that has yielded."""
-    low, high, deep = np.inf, -np.inf, 0.0
-    if snapshot.in_contact:
-        start, end = contact_span(snapshot.contact)
-        centre, reach = 0.5 * (start + end), 0.5 * (end - start)
-        low, high, deep = centre - 2.0 * reach, centre + 2.0 * reach, 1.2 * reach
-    for side in bodies:
-        x, z = _plastic_zone(side)
-        if z.size == 0:
-            continue
-        deep = max(deep, 1.15 * float(z.max()))
-        if not snapshot.in_contact:
-            margin = 0.1 * float(x.max() - x.min())
-            low, high = min(low, float(x.min()) - margin), max(high, float(x.max()) + margin)
-    full = [extent(side.body.x - _origin(side, snapshot), side.body.z, 1.0) for side in bodies if side.body.z.size]
-    left, right, bottom = min(e[0] for e in full), max(e[1] for e in full), max(e[3] for e in full)
-    if not np.isfinite(low):
-        low, high = left, right
-    deep = min(bottom, deep) if deep > 0.0 else bottom
-    strip = _RIGID_SHARE * deep if snapshot.in_contact else 0.0
-    return _Window((max(left, low), min(right, high)), deep, strip)
+def _name_body(ax: Axes, name: str, height: float, anchor: str) -> None:
+    """White with a dark rim: to be read on any colour."""
+    text = ax.text(0.015, height, name, transform=ax.transAxes, va=anchor, color="white")
+    text.set_path_effects([withStroke(linewidth=2.2, foreground="black", alpha=0.75)])
 
 
-def _plastic_zone(side: Side) -> tuple[FloatArray, FloatArray]:
-    """Places x and depths z of cells on y = 0 that have more than a hundredth of the largest plastic strain [m]."""
-    strain = side.body.equivalent_plastic_strain
-    if strain.size == 0 or strain.max() <= 0.0:
-        return np.empty(0), np.empty(0)
-    plastic = at_centre(side.body.y, strain) > 1e-2 * strain.max()
-    return side.body.x[np.any(plastic, axis=0)], side.body.z[np.any(plastic, axis=1)]
+def draw_contact(ax: Axes, contact: ContactFields, plane: Plane, length: float) -> Line2D:
+    """The line on which the bodies touch, on a plane normal to the surface; with a dark rim, to be seen on any map."""
+    ends = [end / length for end in contact_on(contact, plane)]
+    look: dict[str, Any] = {"color": "white", "linewidth": 2.2, "solid_capstyle": "butt", "label": "contact"}
+    (line,) = ax.plot(ends, [0.0, 0.0], clip_on=False, **look)  # of a single body it lies on the rim
+    line.set_path_effects([withStroke(linewidth=3.6, foreground="black", alpha=0.7)])
+    return line
+
+
+def _outline(ax: Axes, contact: ContactFields, length: float) -> None:
+    """The edge of contact, seen from above."""
+    lines = ax.contour(
+        contact.x / length, contact.y / length, contact_edge(contact), levels=[0.0], colors="white", linewidths=1.0
+    )
+    lines.set_path_effects([withStroke(linewidth=2.2, foreground="black", alpha=0.6)])

@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from brinell.plot import style
 from brinell.plot.scales import Scales
-from brinell.results import BodyFields, Run, Snapshot
+from brinell.results import BodyFields, Run, RunError, Snapshot
 
-__all__ = ["Side", "both_sides", "sides", "state_title"]
+__all__ = ["Bodies", "Side", "both_sides", "chosen_sides", "sides", "state_title"]
+
+Bodies = Literal["both", "lower", "upper"]
+"""Which bodies to draw."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +39,23 @@ def both_sides(snapshot: Snapshot) -> list[Side]:
 def sides(snapshot: Snapshot) -> list[Side]:
     """The bodies that deform: a rigid one has no fields."""
     return [side for side in both_sides(snapshot) if not side.body.is_rigid]
+
+
+def chosen_sides(run: Run, snapshot: Snapshot, bodies: Bodies) -> list[Side]:
+    """The bodies that deform, or one of them.
+
+    Raises:
+        RunError: the one asked for is rigid.
+        ValueError: `bodies` is not "both", "lower" or "upper".
+    """
+    if bodies == "both":
+        return sides(snapshot)
+    if bodies not in ("lower", "upper"):
+        raise ValueError(f"{bodies!r} is no choice of bodies; allowed: 'both', 'lower', 'upper'")
+    chosen = [side for side in sides(snapshot) if side.name == f"{bodies} body"]
+    if not chosen:
+        raise RunError(f"{run.path}: the {bodies} body is rigid, so it has no fields")
+    return chosen
 
 
 def state_title(run: Run, snapshot: Snapshot) -> str:

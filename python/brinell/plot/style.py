@@ -7,8 +7,9 @@ uniform maps for fields and for families of curves.
 
 from __future__ import annotations
 
+import contextlib
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
@@ -21,6 +22,7 @@ __all__ = [
     "CATEGORIES",
     "CONTACT_LINE",
     "FORMATS",
+    "GAP_MAP",
     "LOCKED_IN",
     "LOWER",
     "MINUS",
@@ -28,11 +30,13 @@ __all__ = [
     "PRESSURE_MAP",
     "REFERENCE",
     "RESIDUAL_MAP",
+    "SIGNED_MAP",
     "STRAIN_MAP",
     "STRESS_MAP",
     "UPPER",
     "family_colours",
     "figure",
+    "look",
     "new_figure",
     "number",
     "quantity",
@@ -49,6 +53,8 @@ CONTACT_LINE = "#000000"
 PRESSURE_MAP = "viridis"
 STRESS_MAP = "magma"
 STRAIN_MAP = "cividis"
+GAP_MAP = "Blues"
+SIGNED_MAP = "RdBu_r"  # compression blue, tension red
 RESIDUAL_MAP = "PuOr"  # diverging about the undeformed surface: pile-up against depth
 
 MINUS = "\N{MINUS SIGN}"
@@ -95,13 +101,20 @@ _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
 
+@contextlib.contextmanager
+def look() -> Iterator[None]:
+    """Within it matplotlib draws in this style, whatever the caller's settings are."""
+    with matplotlib.rc_context(), matplotlib.rc_context(rc=matplotlib.rcParamsDefault):
+        matplotlib.rcParams.update(_RC)
+        yield
+
+
 def figure(draw: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Decorator: draws within this style, whatever the caller's matplotlib settings are."""
+    """Decorator: draws within this style."""
 
     @functools.wraps(draw)
     def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
-        with matplotlib.rc_context(), matplotlib.rc_context(rc=matplotlib.rcParamsDefault):
-            matplotlib.rcParams.update(_RC)
+        with look():
             return draw(*args, **kwargs)
 
     return wrapper

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the commands of ``brinell`` that are written in Python share: how an error is told."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import IO, Any, ParamSpec, TypeVar
+
+import click
+
+from brinell.results import RunError
+
+__all__ = ["CommandError", "tells_errors"]
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+class CommandError(click.ClickException):
+    """Something about the request or a result is wrong: one line on the standard error stream, exit code 2."""
+
+    exit_code = 2
+
+    def show(self, file: IO[Any] | None = None) -> None:
+        """Writes the line."""
+        click.echo(f"brinell: error: {self.message}", file=file, err=file is None)
+
+
+def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Decorator of a command: what the user can mend is told in one line, without a traceback."""
+
+    @functools.wraps(command)
+    def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+        try:
+            return command(*args, **kwargs)
+        except (RunError, OSError) as error:
+            raise CommandError(str(error)) from error
+
+    return wrapper

@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cuts along any plane, profiles over the depth, gap maps, energy balances, animations."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from figure_parts import curve, texts
+from matplotlib.animation import FFMpegWriter
+
+from brinell.plot import animate, energy_balance, gap_map, load_depth, save_animation, section, stress_over_depth
+from brinell.plot.energy import balance_error
+from brinell.plot.planes import Plane, on_plane, plane_of
+from brinell.plot.quantities import QUANTITIES, quantity_of
+from brinell.results import History, RunError, open_run
+
+MakeRun = Callable[..., Path]
+A_C, S_Y, ALPHA_C, P_C, U_C = 1.052209e-2, 0.9115e9, 2.214290e-4, 3.460928e5, 30.65398
+
+
+# --- Planes -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("written", "axis", "value"),
+    [
+        ("y=0", "y", 0.0),
+        ("x = -0.1 mm", "x", -1e-4),
+        (" z=2.5e1um ", "z", 2.5e-5),
+        ("z = 3 µm", "z", 3e-6),
+        ("y = 0.002", "y", 0.002),
+        (("x", 0.5), "x", 0.5),
+        (Plane("z", 1.0), "z", 1.0),
+    ],
+)
+def test_planes_that_can_be_written(written: str, axis: str, value: float) -> None:
+    plane = plane_of(written)
+    assert plane.axis == axis
+    assert plane.value == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize("written", ["y", "w = 1", "y = 1 inch", "x = 1.2.3", "z = -1 um", ("r", 1.0), ("x", np.inf)])
+def test_what_is_no_plane(written: str) -> None:
+    with pytest.raises(ValueError, match=r"plane|could not convert"):
+        plane_of(written)
+
+
+@pytest.mark.parametrize(("axis", "name"), [("x", 2), ("y", 1), ("z", 0)])
+def test_a_linear_field_is_exact_on_any_plane(axis: str, name: int) -> None:
+    z, y, x = np.meshgrid(np.arange(3.0), np.arange(4.0), np.arange(5.0), indexing="ij")
+    field = 1.0 + 2.0 * x - 3.0 * y + 5.0 * z
+    coordinates = np.arange(field.shape[name], dtype=float)
+    value = on_plane(coordinates, field, plane_of((axis, 1.25)))
+    lower, upper = field.take(1, name), field.take(2, name)
+    np.testing.assert_allclose(value, lower + 0.25 * (upper - lower), rtol=1e-14)
+
+
+def test_a_plane_may_lie_in_the_outer_half_of_a_cell_but_not_beyond() -> None:
+    field, z = np.arange(3.0)[:, None, None], np.array([1.0, 3.0, 5.0])
+    assert on_plane(z, field, Plane("z", 0.0)) == 0.0
+    assert on_plane(z, field, Plane("z", 6.0)) == 2.0
+    assert on_plane(z, field, Plane("z", 6.1)) is None
+
+
+# --- Sections ---------------------------------------------------------------------------------------------------------
+
+
+def test_section_across_the_motion(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    snapshot = run.snapshot(6, tensors=True)
+    offset = 0.4 * A_C
+    fig = section(run, snapshot, field="stress_yy", plane=("x", offset))
+    ax = fig.axes[0]
+    for image, body in zip(ax.images, (snapshot.lower, snapshot.upper), strict=True):
+        place = body.contact_x + offset
+        i = int(np.searchsorted(body.x, place)) - 1
+        share = (place - body.x[i]) / (body.x[i + 1] - body.x[i])
+        expected = (1.0 - share) * body.stress["yy"][:, :, i] + share * body.stress["yy"][:, :, i + 1]
+        np.testing.assert_allclose(image.get_array(), expected / S_Y)  # type: ignore[arg-type]
+        left, right, *_ = image.get_extent()
+        assert left * A_C == pytest.approx(1.5 * body.y[0] - 0.5 * body.y[1])
+        assert right == pytest.approx(-left)
+    norm = ax.images[0].norm
+    assert norm.vmin == -norm.vmax  # type: ignore[operator]
+    written = texts(fig)
+    assert any("x'" in t and "= 4.21 mm" in t for t in written)
+    assert any(t.startswith("across") for t in written)
+
+
+def test_section_at_a_depth_has_a_picture_per_body(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    snapshot = run.snapshot("aligned")
+    depth = float(snapshot.lower.z[2])
+    fig = section(run, snapshot, field=["von_mises_stress", "equivalent_plastic_strain"], plane=("z", depth))
+    pictures = [ax for ax in fig.axes if ax.images]
+    assert len(pictures) == 4
+    assert snapshot.upper.von_mises_stress is not None
+    np.testing.assert_allclose(pictures[2].images[0].get_array(), snapshot.upper.von_mises_stress[2] / S_Y)  # type: ignore[arg-type]
+    written = texts(fig)
+    assert any(t.startswith("Depth $z$") for t in written)
+    assert written.count("lower body") == written.count("upper body") == 2
+
+
+def test_stress_that_is_left_is_called_residual(make_rolling: MakeRun) -> None:
+    run = open_run(make_rolling())
+    written = texts(section(run, run.snapshot("final", tensors=True), field="stress_xx"))
+    assert "Residual stress $xx$" in written
+    assert "upper body" not in written
+
+
+def test_a_single_body_leaves_no_room_for_the_other(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    fig = section(run, run.snapshot("aligned"), bodies="upper")
+    low, high = fig.axes[0].get_ylim()
+    assert low == 0.0 < high
+    assert "lower body" not in texts(fig)
+
+
+def test_a_plane_beside_the_contact_has_no_line_of_contact(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    snapshot = run.snapshot("aligned")
+    fig = section(run, snapshot, plane=("y", float(snapshot.lower.y[-1])))
+    start, end = np.asarray(curve(fig.axes[0], "contact").get_xdata())
+    assert start == end
+    texts(fig)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"plane": "y = 5 m"}, "the plane y = 5 m lies outside the grids"),
+        ({"field": "stress_xx"}, "stress_xx is not stored at step 12"),
+    ],
+)
+def test_sections_that_cannot_be_drawn(options: dict[str, str], message: str, make_run: MakeRun) -> None:
+    run = open_run(make_run())
+    with pytest.raises(RunError, match=message):
+        section(run, run.snapshot("aligned"), **options)  # type: ignore[arg-type]
+
+
+def test_an_unknown_field_names_the_known_ones() -> None:
+    with pytest.raises(ValueError, match=r"did you mean von_mises_stress.*stress_xz"):
+        quantity_of("von_mises")
+    assert len(QUANTITIES) == 14
+
+
+# --- Gap, depth, energy -----------------------------------------------------------------------------------------------
+
+
+def test_gap_map(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    snapshot = run.snapshot("aligned")
+    fig = gap_map(run, snapshot)
+    np.testing.assert_allclose(fig.axes[0].images[0].get_array(), snapshot.contact.gap / ALPHA_C)  # type: ignore[arg-type]
+    assert len(fig.axes[0].collections) == 1  # the edge of contact
+    with pytest.raises(RunError, match="no contact"):
+        gap_map(run, run.snapshot("final"))
+
+
+def test_stress_over_depth_is_that_of_the_cells_under_the_point(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    body = run.snapshot("final", tensors=True).lower
+    i = 20
+    fig = stress_over_depth(run, x=float(body.x[i]), y=float(body.y[3]))
+    line = curve(fig.axes[0], r"$\sigma_{yy}$")
+    np.testing.assert_allclose(line.get_xdata(), 1e3 * body.z)
+    np.testing.assert_allclose(line.get_ydata(), 1e-6 * body.stress["yy"][:, 3, i], rtol=1e-12)
+    strain = curve(fig.axes[2], "lower body")
+    np.testing.assert_allclose(strain.get_ydata(), 100.0 * body.equivalent_plastic_strain[:, 3, i], rtol=1e-12)
+    written = texts(fig)
+    assert any(t.startswith("residual stress") for t in written)
+    assert any("$S_y$ = 912 MPa" in t for t in written)  # the second axes
+    assert sum("$a_c$ = 10.5 mm" in t for t in written) == 3
+
+
+def test_no_profile_without_stress(make_rolling: MakeRun, make_run: MakeRun) -> None:
+    elastic = open_run(make_rolling(yields=False))
+    with pytest.raises(RunError, match="no stress components"):
+        stress_over_depth(elastic)
+    with pytest.raises(RunError, match="lies outside the grid"):
+        stress_over_depth(open_run(make_run()), x=9.0)
+
+
+def test_energy_balance(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    columns = {name: np.array(values) for name, values in run.history.items()}
+    columns["work"][-1] += 0.03 * columns["work"].max()
+    broken = History(columns)
+    sums = sum(
+        columns[name] for name in ("dissipation_lower", "dissipation_upper", "energy_residual", "energy_elastic")
+    )
+    np.testing.assert_allclose(balance_error(broken), (columns["work"] - sums) / np.abs(columns["work"]).max())
+    fig = energy_balance(run)
+    work = curve(fig.axes[0], "work of the drive")
+    np.testing.assert_allclose(work.get_ydata(), run.history["work"] / 1e3)
+    assert any("$U_c$ = 30.7 J" in t for t in texts(fig))
+
+
+def test_load_over_depth_has_second_axes_over_first_yield(make_indentation: MakeRun) -> None:
+    run = open_run(make_indentation())
+    fig = load_depth([run])
+    written = texts(fig)
+    assert any(r"$\delta/\alpha_c$" in t for t in written)
+    assert any("$F_n/P_c$" in t for t in written)
+    top, right = fig.axes[0].child_axes
+    assert top.get_xlim()[1] == pytest.approx(fig.axes[0].get_xlim()[1] * 1e-3 / ALPHA_C)
+    assert right.get_ylim()[1] == pytest.approx(fig.axes[0].get_ylim()[1] * 1e6 / P_C)
+
+
+# --- Animations -------------------------------------------------------------------------------------------------------
+
+
+def test_frames_are_the_stored_states(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    animation = animate(run, field="equivalent_plastic_strain", bodies="lower")
+    fig = animation._fig  # type: ignore[attr-defined]
+    shown = []
+    animation._init_draw()  # type: ignore[attr-defined]
+    for frame in animation.new_frame_seq():
+        animation._draw_frame(frame)  # type: ignore[attr-defined]
+        shown.append((np.array(fig.axes[0].images[0].get_array()), fig._suptitle.get_text()))
+    for (values, title), step in zip(shown, run.stored_steps(), strict=True):
+        body = run.snapshot(step).lower
+        np.testing.assert_allclose(values, 100.0 * body.equivalent_plastic_strain[:, 7], rtol=1e-12)
+        assert f"step {step}," in title
+    every = np.stack([values for values, _ in shown])
+    assert fig.axes[0].images[0].norm.vmax == pytest.approx(every.max())
+
+
+def test_the_line_of_contact_moves_over_a_body_and_rests_in_its_own_frame(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    for follow, moves in (("body", True), ("contact", False)):
+        animation = animate(run, bodies="lower", follow=follow)  # type: ignore[arg-type]
+        ax = animation._fig.axes[0]  # type: ignore[attr-defined]
+        middles = []
+        for frame in animation.new_frame_seq():
+            animation._draw_frame(frame)  # type: ignore[attr-defined]
+            middles.append(A_C * float(np.mean(curve(ax, "contact").get_xdata())))
+        expected = [run.snapshot(step).lower.contact_x if moves else 0.0 for step in run.stored_steps()]
+        np.testing.assert_allclose(middles, expected, atol=1e-3 * A_C)
+
+
+def test_mp4_needs_ffmpeg(make_run: MakeRun, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    animation = animate(open_run(make_run()))
+    assert save_animation(animation, tmp_path / "a.gif").stat().st_size > 0
+    monkeypatch.setattr(FFMpegWriter, "isAvailable", classmethod(lambda _: False))
+    with pytest.raises(RunError, match=r"ffmpeg, which is not installed; \.gif works without it"):
+        save_animation(animation, tmp_path / "a.mp4")
