@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from typing import Literal
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -23,6 +24,8 @@ class Named:
     name: str
     caption: str
     """A sentence or two, for readers who see it and for those who cannot."""
+    group: Literal["result", "loaded", "residual", "course"]
+    """What it is about: the result of the scenario, a loaded state, what is left, or step by step."""
     figure: Figure
 
 
@@ -51,12 +54,10 @@ def standard_figures(run: Run) -> Iterator[Named]:
         yield from _of_loaded_state(run, run.snapshot("aligned"))
     if run.complete:
         yield from _of_final_state(run, run.snapshot("final", tensors=True))
-    yield Named("history", "Forces, energies, permanent deformation and cost, step by step.", history.run_history(run))
-    yield Named(
-        "energy-balance",
-        "What the work of the drive has turned into, and below the part of it that is unaccounted for.",
-        energy.energy_balance(run),
-    )
+    caption = "Forces, energies, permanent deformation and cost, step by step."
+    yield Named("history", caption, "course", history.run_history(run))
+    caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
+    yield Named("energy-balance", caption, "course", energy.energy_balance(run))
 
 
 def _of_scenario(run: Run) -> Iterator[Named]:
@@ -69,7 +70,7 @@ def _of_scenario(run: Run) -> Iterator[Named]:
     for name, draw in figures.items():
         figure = draw([run])
         if figure is not None:
-            yield Named(name, captions[name], figure)
+            yield Named(name, captions[name], "result", figure)
 
 
 def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
@@ -86,19 +87,19 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
         "section": (f"Stress and plastic strain in the plane y = 0 {where}.", partial(fields.section, run, snapshot)),
     }
     for name, (caption, draw) in drawn.items():
-        yield Named(f"loaded-{name}", caption, draw())
+        yield Named(f"loaded-{name}", caption, "loaded", draw())
 
 
 def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     """What is left when the bodies have parted; nothing if none has yielded."""
     if not any(np.any(body.equivalent_plastic_strain) for body in (snapshot.lower, snapshot.upper)):
         return
-    surfaces = fields.residual_surfaces(run, snapshot)
-    yield Named("residual-surfaces", "Residual surfaces after unloading: profile on y = 0, and maps.", surfaces)
-    section = fields.section(run, snapshot)
-    yield Named("residual-section", "Residual stress and plastic strain in the plane y = 0 after unloading.", section)
+    caption = "Residual surfaces after unloading: profile on y = 0, and maps."
+    yield Named("residual-surfaces", caption, "residual", fields.residual_surfaces(run, snapshot))
+    caption = "Residual stress and plastic strain in the plane y = 0 after unloading."
+    yield Named("residual-section", caption, "residual", fields.section(run, snapshot))
     if any(np.any(stress) for body in (snapshot.lower, snapshot.upper) for stress in body.stress.values()):
         x = float(run.history["x"][0]) if run.scenario == "indentation" else 0.0
-        profile = depth.stress_over_depth(run, snapshot, x=x)
         under = "the first place" if run.scenario == "indentation" else "the point x = y = 0"
-        yield Named("residual-depth", f"Residual stress and plastic strain over the depth under {under}.", profile)
+        caption = f"Residual stress and plastic strain over the depth under {under}."
+        yield Named("residual-depth", caption, "residual", depth.stress_over_depth(run, snapshot, x=x))

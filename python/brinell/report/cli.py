@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line of the page: ``brinell report``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+import matplotlib
+
+from brinell.commands import tells_errors
+from brinell.report.page import write_report
+from brinell.results import open_run
+
+__all__ = ["report"]
+
+
+@click.command()
+@click.argument("run", type=click.Path(path_type=Path), metavar="RUN")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="File; by default RUN/report.html.")
+@tells_errors
+def report(run: Path, output: Path | None) -> None:
+    """Write a run, finished or not, as one HTML page that opens without a network."""
+    matplotlib.use("Agg")
+    click.echo(write_report(open_run(run, allow_unfinished=True), output or run / "report.html"))

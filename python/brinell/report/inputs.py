@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The case as computed, as a table that a person reads: keys of the case file, values with their units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from brinell.report import text
+from brinell.results import Run
+
+__all__ = ["UNITS", "Input", "inputs_of"]
+
+UNITS: Mapping[str, str] = {
+    **dict.fromkeys(
+        (
+            "radius",
+            "radius_x",
+            "radius_y",
+            "length",
+            "tip_radius",
+            "depth",
+            "height",
+            "spacing",
+            "x",
+            "y",
+            "interference",
+            "approach",
+            "places",
+            "distance",
+            "shift",
+        ),
+        "m",
+    ),
+    **dict.fromkeys(
+        (
+            "young_modulus",
+            "yield_stress",
+            "modulus",
+            "coefficient",
+            "saturation",
+            "stress",
+            "kinematic_moduli",
+            "value",
+            "hertz_pressure",
+        ),
+        "Pa",
+    ),
+    "load": "N",
+    "half_angle": "°",
+    "checkpoint_interval": "s",
+}
+"""Unit of each key of a case that has one; the last part of its name tells."""
+
+_NORMALISED = {"load": "P_c", "interference": "α_c", "approach": "α_c"}
+"""What these keys count where `normalised` is true."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One key of the case."""
+
+    key: str
+    """Within its section: "shape.radius"."""
+    value: str
+
+
+def inputs_of(run: Run) -> dict[str, list[Input]]:
+    """The keys by section of the case file: lower, upper, the scenario, grid, solver, output.
+
+    Raises:
+        RunError: the run has not finished.
+    """
+    case = run.case()
+    return {
+        section: [Input(key, written) for key, written in _flattened(content, "")]
+        for section, content in case.items()
+        if isinstance(content, Mapping)
+    }
+
+
+def _flattened(content: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
+    normalised = content.get("normalised") is True
+    for key, value in content.items():
+        if isinstance(value, Mapping):
+            yield from _flattened(value, f"{prefix}{key}.")
+        else:
+            unit = _NORMALISED.get(key) if normalised else None
+            yield f"{prefix}{key}", _written(value, unit or UNITS.get(key, ""))
+
+
+def _written(value: Any, unit: str) -> str:
+    if isinstance(value, list):
+        return ", ".join(_written(one, unit) for one in value) or "none"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, int | float):
+        return _of_number(float(value), unit)
+    return "none" if value is None else str(value)
+
+
+def _of_number(value: float, unit: str) -> str:
+    if unit in ("°", "s", *_NORMALISED.values()):
+        return f"{text.number(value, 4)} {unit}"
+    return text.quantity(value, unit, 4)
