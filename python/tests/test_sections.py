@@ -234,6 +234,7 @@ def test_the_line_of_contact_moves_over_a_body_and_rests_in_its_own_frame(make_r
         animation = animate(run, bodies="lower", follow=follow)  # type: ignore[arg-type]
         ax = animation._fig.axes[0]  # type: ignore[attr-defined]
         middles = []
+        animation._init_draw()  # type: ignore[attr-defined]
         for frame in animation.new_frame_seq():
             animation._draw_frame(frame)  # type: ignore[attr-defined]
             middles.append(A_C * float(np.mean(curve(ax, "contact").get_xdata())))

@@ -157,7 +157,7 @@ def _animation(
     window = _common(frame.window for frame in frames)
     length = Scales(run).length(float(np.max(np.abs(window.across))))
     width = 6.0
-    fig = style.new_figure(width + 1.6, width * window.shape + 1.2, to_scale=True)
+    fig = style.new_figure(width + 1.6, width * window.shape + 2.0, to_scale=True)
     ax = fig.subplots()
     images = draw_panel(ax, panel, window, length.size, "nearest" if cells else "bilinear")
     upright_axes(ax, first, panel, window, length.size)

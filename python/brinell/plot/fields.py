@@ -62,7 +62,8 @@ def _smooth_pressure(ax: Axes, contact: ContactFields, length: float, unit: floa
     """Between the cells it is p^2 that is interpolated: linear up to the edge, where p itself rises like a root."""
     edge = contact_edge(contact)
     factor = max(2, 800 // min(contact.pressure.shape))
-    shown = contact.pressure.max() * np.sqrt(np.clip(refined(edge, factor), 0.0, None))
+    inside = np.clip(refined(edge, factor), 0.0, None)
+    shown = np.ma.masked_equal(contact.pressure.max() * np.sqrt(inside), 0.0)
     image = _pressure_image(ax, contact, shown / unit, length, unit)
     # Even the refined cells show as steps: cut them along the edge.
     place = (contact.x / length, contact.y / length, edge)

@@ -94,7 +94,8 @@ def _upright(
     stacked = window.shape < 0.7
     rows, columns = (len(panels), 1) if stacked else (1, len(panels))
     width = 5.5 if stacked else 4.0
-    fig = style.new_figure(columns * (width + 1.1) + 0.8, rows * (width * window.shape + 0.4) + 0.8, to_scale=True)
+    height = width * window.shape + (1.3 if window.shape < _FLAT else 0.4)
+    fig = style.new_figure(columns * (width + 1.1) + 0.8, rows * height + 0.8, to_scale=True)
     axes = np.atleast_1d(fig.subplots(rows, columns, sharex=True, sharey=True))
     for ax, panel in zip(axes, panels, strict=True):
         draw_panel(ax, panel, window, length.size, interpolation)

@@ -24,8 +24,8 @@ class Named:
     name: str
     caption: str
     """A sentence or two, for readers who see it and for those who cannot."""
-    group: Literal["result", "loaded", "residual", "course"]
-    """What it is about: the result of the scenario, a loaded state, what is left, or step by step."""
+    group: Literal["result", "loaded", "residual", "course", "energy"]
+    """What it is about: the result of the scenario, a loaded state, what is left, step by step, or the energies."""
     figure: Figure
 
 
@@ -57,7 +57,7 @@ def standard_figures(run: Run) -> Iterator[Named]:
     caption = "Forces, energies, permanent deformation and cost, step by step."
     yield Named("history", caption, "course", history.run_history(run))
     caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
-    yield Named("energy-balance", caption, "course", energy.energy_balance(run))
+    yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
 
 
 def _of_scenario(run: Run) -> Iterator[Named]:

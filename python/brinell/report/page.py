@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib
-import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 from matplotlib.figure import Figure
@@ -34,6 +33,7 @@ _GROUPS: Mapping[str, str] = {
     "loaded": "Under load",
     "residual": "After unloading",
     "course": "Course of the run",
+    "energy": "Energy balance",
 }
 """Headings of the figures by `Named.group`."""
 
@@ -46,8 +46,6 @@ class _Shown:
     caption: str
     source: str
     """Address that holds the picture itself."""
-    width: int
-    """[CSS pixel]."""
 
 
 def write_report(run: Run, path: str | Path) -> Path:
@@ -125,7 +123,7 @@ def _content(run: Run) -> dict[str, Any]:
         "script": Markup((templates / "report.js").read_text(encoding="utf-8")),
         "plotly": Markup(get_plotlyjs()),
         "versions": (run.summary or {}).get("versions", {}),
-        "tools": tools,
+        "tools": {name: version for name, version in tools.items() if version != "unknown"},
     }
 
 
@@ -140,8 +138,7 @@ def _groups(run: Run) -> dict[str, list[_Shown]]:
     """The figures under their headings, in the order of the headings."""
     groups: dict[str, list[_Shown]] = {heading: [] for heading in _GROUPS.values()}
     for named in standard_figures(run):
-        width = int(np.ceil(96.0 * named.figure.get_figwidth()))
-        groups[_GROUPS[named.group]].append(_Shown(named.name, named.caption, _address(named.figure), width))
+        groups[_GROUPS[named.group]].append(_Shown(named.name, named.caption, _address(named.figure)))
     return {heading: shown for heading, shown in groups.items() if shown}
 
 

@@ -189,6 +189,7 @@ def _surface(side: Side) -> dict[str, Any] | None:
         "y": _over(y, along),
         "unit": along.unit,
         "heightUnit": up.unit,
+        "heightOverLength": up.size / along.size,
         "heights": _encoded(shown / up.size),
         "colours": _colours(style.RESIDUAL_MAP, middle),
     }

@@ -3,7 +3,10 @@
 (function () {
   "use strict";
   const { surfaces, volumes } = JSON.parse(document.getElementById("data").textContent);
-  const config = { responsive: true, displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"] };
+  // Results stay on this machine: no button that sends a picture with its data to a server.
+  const removed = ["sendChartToCloud", "select2d", "lasso2d"];
+  const config = { responsive: true, displaylogo: false, plotlyServerURL: "", modeBarButtonsToRemove: removed };
+  const SURFACE = { width: 1.6, height: 0.5 }; // of the relief, in units of its scene
   const font = { family: 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif', size: 13, color: "#1d2733" };
   const element = (id) => document.getElementById(id);
 
@@ -30,14 +33,18 @@
     const [nx, ny] = [one.x.length, one.y.length];
     const [width, depth] = [one.x[nx - 1] - one.x[0], one.y[ny - 1] - one.y[0]];
     const larger = Math.max(width, depth);
+    const lowest = heights.reduce((a, b) => Math.min(a, b), 0);
+    const highest = heights.reduce((a, b) => Math.max(a, b), 0);
+    const factor = (SURFACE.height / (highest - lowest)) / (SURFACE.width / larger) / one.heightOverLength;
+    element("surface-factor").textContent = Number(factor.toPrecision(2)).toLocaleString("en");
     const trace = {
       type: "surface",
       x: one.x,
       y: one.y,
       z: rows(heights, ny, nx, (j, i) => j * nx + i),
       colorscale: one.colours,
-      cmin: heights.reduce((a, b) => Math.min(a, b), 0),
-      cmax: heights.reduce((a, b) => Math.max(a, b), 0),
+      cmin: lowest,
+      cmax: highest,
       colorbar: { title: { text: `height  [${one.heightUnit}]`, side: "right" }, thickness: 16, len: 0.7 },
       lighting: { ambient: 0.75, diffuse: 0.5, specular: 0.05 },
       hovertemplate: `x %{x} ${one.unit}<br>y %{y} ${one.unit}<br>height %{z:.4g} ${one.heightUnit}<extra></extra>`,
@@ -45,10 +52,10 @@
     const scene = {
       xaxis: { title: title("x", one.unit) },
       yaxis: { title: title("y", one.unit) },
-      zaxis: { title: { text: `height  [${one.heightUnit}]` } },
+      zaxis: { title: { text: `height  [${one.heightUnit}]` }, range: [lowest, highest], nticks: 5 },
       aspectmode: "manual",
-      aspectratio: { x: (1.6 * width) / larger, y: (1.6 * depth) / larger, z: 0.55 },
-      camera: { eye: { x: 0.9, y: -1.5, z: 0.95 }, center: { x: 0, y: 0, z: -0.15 } },
+      aspectratio: { x: (SURFACE.width * width) / larger, y: (SURFACE.width * depth) / larger, z: SURFACE.height },
+      camera: { eye: { x: 0.85, y: -1.75, z: 1.15 }, center: { x: 0, y: 0, z: -0.2 } },
     };
     const layout = { margin: { l: 0, r: 0, t: 0, b: 0 }, font, scene, uirevision: "kept" };
     Plotly.react("surface", [trace], layout, config);
