@@ -79,7 +79,7 @@ def choose(browser: Any, select: str, index: int) -> None:
 
 
 def shown(browser: Any, graph: str) -> Any:
-    """Values that a graph shows now, and its title."""
+    """Values that a graph shows now, the title of its colours, and its x."""
     script = (
         "const one = document.getElementById(arguments[0]).data[0]; return [one.z, one.colorbar.title.text, one.x];"
     )
