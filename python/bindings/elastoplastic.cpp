@@ -221,10 +221,12 @@ void bind_values(nb::module_& m)
 
 void bind_contact_state(nb::class_<Pair>& pair)
 {
-  pair.def_prop_ro("pressure",
-                   [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.pressure(), shape(c.grid())); }); })
-      .def_prop_ro("gap",
-                   [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.gap(), shape(c.grid())); }); })
+  constexpr auto owned = nb::rv_policy::automatic; // the array owns its values
+  pair.def_prop_ro(
+          "pressure",
+          [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.pressure(), shape(c.grid())); }); }, owned)
+      .def_prop_ro(
+          "gap", [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.gap(), shape(c.grid())); }); }, owned)
       .def_prop_ro("approach", [](Pair& p) { return p.read([](const auto& c) { return c.approach(); }); })
       .def_prop_ro("load", [](Pair& p) { return p.read([](const auto& c) { return c.load(); }); })
       .def_prop_ro("elastic_energy", [](Pair& p) { return p.read([](const auto& c) { return c.elastic_energy(); }); })

@@ -37,8 +37,8 @@ def test_pressure_and_approach_converge_to_hertz() -> None:
         pressures.append(float(np.sqrt(np.mean((result.pressure - exact) ** 2))) / HERTZ.peak_pressure)
         approaches.append(abs(result.approach / HERTZ.approach - 1))
     print("pressure", pressures, "approach", approaches)
-    # The root of the pressure at the rim: the mean square error is of first order or better; the approach, an energy, is
-    # better than that.
+    # The root of the pressure at the rim: the mean square error is of first order or better, and that of the approach, an
+    # energy, smaller.
     order = np.log2(np.array(pressures[:-1]) / pressures[1:])
     assert order.mean() > 1.0
     assert approaches[-1] < 1e-5
