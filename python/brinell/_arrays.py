@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TypeAlias
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from brinell.errors import InputError
 
-__all__ = ["Array", "contiguous", "points", "require_below", "require_positive"]
+__all__ = ["Array", "contiguous", "number", "points", "require_below", "require_positive"]
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -37,6 +38,22 @@ def contiguous(values: ArrayLike, name: str) -> Array:
     return array
 
 
+def number(value: object, name: str) -> float:
+    """The same as a finite number.
+
+    Raises:
+        InputError: it is none, as a text with a unit: those belong to cases and materials.
+    """
+    if not isinstance(value, str):
+        try:
+            result = float(value)  # type: ignore[arg-type]
+        except (TypeError, ValueError):
+            result = math.nan
+        if math.isfinite(result):
+            return result
+    raise InputError(f"{name} = {value!r}; allowed: a finite number, in SI")
+
+
 def points(**coordinates: ArrayLike) -> tuple[tuple[int, ...], list[Array]]:
     """Coordinates of points, broadcast against each other.
 
@@ -58,7 +75,7 @@ def points(**coordinates: ArrayLike) -> tuple[tuple[int, ...], list[Array]]:
 def require_positive(**values: float) -> None:
     """Raises InputError unless all the values are above 0."""
     for name, value in values.items():
-        if not value > 0:
+        if not number(value, name) > 0:
             raise InputError(f"{name} = {value}; allowed: above 0")
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from brinell import _core
-from brinell._arrays import Array, contiguous
+from brinell._arrays import Array, contiguous, number
 from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceCompliance, SurfaceGrid
 from brinell.materials import RIGID, Material
@@ -91,6 +91,8 @@ class ElasticContact:
             ConvergenceError: the residual did not reach the tolerance.
             InputError: a wrong shape, a negative load, or not one of load and approach is given.
         """
+        if max_iterations < 0:
+            raise InputError(f"max_iterations = {max_iterations}; allowed: not below 0")
         distance = contiguous(distance, "distance")
         drive = drive_of(load, approach)
         pressure, gap, report = _core.solve_contact(
@@ -132,7 +134,7 @@ def drive_of(load: float | None, approach: float | None) -> _core.Drive:
         InputError: not one of them is given, the load is negative, or a value is not finite.
     """
     if load is not None and approach is None:
-        return _core.Drive.of_load(load)
+        return _core.Drive.of_load(number(load, "load"))
     if approach is not None and load is None:
-        return _core.Drive.of_approach(approach)
+        return _core.Drive.of_approach(number(approach, "approach"))
     raise InputError("a contact needs either load or approach")

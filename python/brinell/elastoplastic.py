@@ -219,11 +219,16 @@ class CoupledContact:
             anderson_depth: earlier evaluations used to accelerate; 0: plain fixed point.
 
         Raises:
-            ConvergenceError: two attempts did not converge; the state is that before. A smaller increment may help.
+            ConvergenceError: two attempts did not converge, and a smaller increment may help. After this error, and
+                after Ctrl-C, the bodies are as they were; pressure and gap have no meaning until the next increment.
             InputError: a wrong shape, a negative load, not one of load and approach, or a contact that leaves a grid.
         """
         if integration not in ("path", "backward_euler"):
             raise InputError(f'integration = "{integration}"; allowed: "path" or "backward_euler"')
+        if max_evaluations < 1 or anderson_depth < 0:
+            raise InputError(
+                f"max_evaluations = {max_evaluations}, anderson_depth = {anderson_depth}; allowed: from 1 and from 0 on"
+            )
         distance = contiguous(distance, "distance")
         drive = drive_of(load, approach)
         evaluations = 0

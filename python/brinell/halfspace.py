@@ -13,7 +13,6 @@ time. An operator is planned once and may be applied by several threads.
 
 from __future__ import annotations
 
-import math
 import operator
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from brinell import _core
-from brinell._arrays import Array, contiguous
+from brinell._arrays import Array, contiguous, number
 from brinell.errors import InputError
 from brinell.materials import RIGID, Material
 
@@ -233,5 +232,5 @@ def _check_cells(grid: SurfaceGrid | VolumeGrid, counts: tuple[str, ...], sizes:
         object.__setattr__(grid, name, whole)
     for name in sizes:
         size = getattr(grid, name)
-        if not (math.isfinite(size) and size > 0):
+        if not number(size, name) > 0:
             raise InputError(f"{name} = {size} of a grid; allowed: a length above 0, in m")

@@ -37,8 +37,8 @@ def test_pressure_and_approach_converge_to_hertz() -> None:
         pressures.append(float(np.sqrt(np.mean((result.pressure - exact) ** 2))) / HERTZ.peak_pressure)
         approaches.append(abs(result.approach / HERTZ.approach - 1))
     print("pressure", pressures, "approach", approaches)
-    # The root of the pressure at the rim: the mean square error is of first order or better, and that of the approach, an
-    # energy, smaller.
+    # The root of the pressure at the rim: the mean square error is of first order or better; that of the approach, an
+    # energy, is smaller.
     order = np.log2(np.array(pressures[:-1]) / pressures[1:])
     assert order.mean() > 1.0
     assert approaches[-1] < 1e-5
@@ -102,6 +102,10 @@ def test_what_does_not_fit_is_an_input_error() -> None:
         contact.solve(distance[1:], load=1.0)
     with pytest.raises(brinell.InputError, match="guess has the shape"):
         contact.solve(distance, load=1.0, guess=[0.0])
+    with pytest.raises(brinell.InputError, match="load = '1 N'; allowed: a finite number, in SI"):
+        contact.solve(distance, load="1 N")  # type: ignore[arg-type]
+    with pytest.raises(brinell.InputError, match="max_iterations = -1"):
+        contact.solve(distance, load=1.0, max_iterations=-1)
     with pytest.raises(brinell.InputError, match="approach = nan"):
         contact.solve(distance, approach=float("nan"))
     with pytest.raises(brinell.InputError, match="distance has values that are not finite"):
