@@ -115,13 +115,17 @@ void bind_halfspace(nb::module_& m)
           },
           "surface"_a, "nz"_a, "dz"_a);
   nb::class_<SurfaceCompliance>(m, "SurfaceCompliance")
-      .def(nb::init<const SurfaceGrid&, double>(), "grid"_a, "contact_modulus"_a)
+      .def(
+          "__init__",
+          [](SurfaceCompliance* self, const SurfaceGrid& grid, double contact_modulus)
+          { without_lock([&] { return new (self) SurfaceCompliance(grid, contact_modulus); }); },
+          "grid"_a, "contact_modulus"_a)
       .def("displacement", &displacement, "pressure"_a);
   nb::class_<HalfSpace>(m, "HalfSpace")
       .def(
           "__init__",
           [](HalfSpace* self, const VolumeGrid& grid, const constitutive::Material& material)
-          { new (self) HalfSpace(grid, material.elastic); },
+          { without_lock([&] { return new (self) HalfSpace(grid, material.elastic); }); },
           "grid"_a, "material"_a)
       .def("stress", &stress, "pressure"_a.none(), "eigenstrain"_a.none())
       .def("residual_displacement", &residual_displacement, "eigenstrain"_a);

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import operator
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -67,7 +66,7 @@ class SurfaceGrid:
         """The area dx dy of a cell [m^2]."""
         return self.dx * self.dy
 
-    @cached_property
+    @property
     def _engine(self) -> _core.SurfaceGrid:
         return _core.SurfaceGrid(self.nx, self.ny, self.dx, self.dy)
 
@@ -104,7 +103,7 @@ class VolumeGrid:
         """The volume dx dy dz of a cell [m^3]."""
         return self.surface.cell_area * self.dz
 
-    @cached_property
+    @property
     def _engine(self) -> _core.VolumeGrid:
         return _core.VolumeGrid(self.surface._engine, self.nz, self.dz)
 

@@ -30,6 +30,7 @@ __all__ = [
     "RIGID",
     "Hardening",
     "Hollomon",
+    "Law",
     "Linear",
     "Ludwik",
     "Material",
@@ -220,6 +221,9 @@ class Material:
         except InputError as error:
             text = re.sub(r"^material:\d+: ", "", str(error), flags=re.MULTILINE)
             raise InputError(text.replace("lower.material", "material")) from None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # what is pickled: not the engine's
 
 
 RIGID = Material(math.inf, 0.0)

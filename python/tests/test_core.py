@@ -17,11 +17,11 @@ STUB = Path(__file__).parents[1] / "brinell" / "_core.pyi"
 
 
 def test_the_stub_file_is_that_of_the_extension() -> None:
-    """Mended by python -m nanobind.stubgen -m brinell._core -o python/brinell/_core.pyi."""
     stubgen = pytest.importorskip("nanobind.stubgen")
     generator = stubgen.StubGen(_core)
     generator.put(_core)
-    assert ast.dump(ast.parse(STUB.read_text())) == ast.dump(ast.parse(generator.get()))
+    same = ast.dump(ast.parse(STUB.read_text())) == ast.dump(ast.parse(generator.get()))
+    assert same, "python -m nanobind.stubgen -m brinell._core -o python/brinell/_core.pyi"
 
 
 def test_what_lies_as_the_engine_wants_it_is_not_copied() -> None:

@@ -3,8 +3,12 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
+import re
 import tomllib
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -124,6 +128,23 @@ def test_a_case_has_the_values_of_its_material() -> None:
 def test_a_material_is_checked_as_in_a_case_file(material: Material, message: str) -> None:
     with pytest.raises(brinell.InputError, match=message):
         brinell.reference.contact_modulus(material)
+
+
+def test_materials_can_be_sent_to_another_process() -> None:
+    material = Material("210 GPa", 0.3, lambda e: 1e9 * (1 + e), kinematic=[(1e9, 0)])
+    brinell.reference.contact_modulus(material)  # the engine has seen it
+    again = pickle.loads(pickle.dumps(material))
+    assert again == material
+    assert copy.deepcopy(material) == material
+    assert brinell.reference.contact_modulus(again) == brinell.reference.contact_modulus(material)
+    assert pickle.loads(pickle.dumps(RIGID)).is_rigid
+
+
+def test_each_law_of_the_case_file_is_here() -> None:
+    page = (Path(__file__).parents[2] / "docs/reference/case-file.md").read_text(encoding="utf-8")
+    (row,) = re.findall(r"^\| `material.hardening.law` \| ([^|]*) \|", page, flags=re.MULTILINE)
+    names = set(re.findall(r'"(\w+)"', row))
+    assert {law.law for law in Hardening.__subclasses__()} == names - {"none", "swift_microstrain"}
 
 
 def test_materials_can_be_compared() -> None:
