@@ -37,15 +37,17 @@ std::string run(const io::Case& c, const std::filesystem::path& folder, bool res
     { python.call([&] { on_step(step, count, where, iterations); }); };
   monitor.wants_stop = [&] { return python.wants_stop(); };
   using Mode = io::ResultDirectory::Mode;
+  std::string report;
   try
   {
     const nb::gil_scoped_release release;
-    return app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor);
+    report = app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor);
   }
-  catch (const Interrupted&)
+  catch (const Interrupted&) // by what Python raised
   {
-    python.rethrow();
   }
+  python.rethrow();
+  return report;
 }
 
 /// What the C library has printed comes out before Python prints again.

@@ -79,17 +79,18 @@ public:
     const auto d = values(distance, shape(contact_.grid()), "distance");
     PythonCalls python;
     strategy.wants_stop = [&] { return python.wants_stop(); };
+    IncrementReport report;
     try
     {
-      IncrementReport report = without_lock([&] { return contact_.advance(d, drive, placement, strategy); });
-      if (report.converged)
-        placement_ = placement;
-      return report;
+      report = without_lock([&] { return contact_.advance(d, drive, placement, strategy); });
     }
-    catch (const Interrupted&)
+    catch (const Interrupted&) // by what Python raised
     {
-      python.rethrow();
     }
+    python.rethrow();
+    if (report.converged)
+      placement_ = placement;
+    return report;
   }
 
   /// A function of the contact as it is now.

@@ -41,8 +41,12 @@ public:
     return raised_.has_value();
   }
 
-  /// To be called once the computation has been interrupted.
-  [[noreturn]] void rethrow() { throw std::move(raised_).value(); }
+  /// To be called once the computation has ended, or has been interrupted.
+  void rethrow()
+  {
+    if (raised_)
+      throw std::move(raised_).value();
+  }
 
 private:
   std::optional<nanobind::python_error> raised_;
