@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the commands of ``brinell`` that are written in Python share: how an error is told."""
+"""What the commands of plots and reports share: how an error is told, and where to write beside a result."""
 
 from __future__ import annotations
 
 import functools
 from collections.abc import Callable
+from pathlib import Path
 from typing import IO, Any, ParamSpec, TypeVar
 
 import click
 
-from brinell.results import RunError
+from brinell.errors import BrinellError
 
-__all__ = ["CommandError", "tells_errors"]
+__all__ = ["CommandError", "folder_of", "tells_errors"]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -34,7 +35,12 @@ def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
     def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
         try:
             return command(*args, **kwargs)
-        except (RunError, OSError) as error:
+        except (BrinellError, OSError) as error:
             raise CommandError(str(error)) from error
 
     return wrapper
+
+
+def folder_of(run: Path) -> Path:
+    """The folder of a result, which may be given by its file."""
+    return run.parent if run.is_file() else run

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from figure_parts import curve, texts
 from matplotlib.animation import FFMpegWriter
 
 from brinell.plot import animate, energy_balance, gap_map, load_depth, save_animation, section, stress_over_depth
@@ -14,6 +13,7 @@ from brinell.plot.energy import balance_error
 from brinell.plot.planes import Plane, on_plane, plane_of
 from brinell.plot.quantities import QUANTITIES, quantity_of
 from brinell.results import History, RunError, open_run
+from figure_parts import curve, texts
 
 MakeRun = Callable[..., Path]
 A_C, S_Y, ALPHA_C, P_C, U_C = 1.052209e-2, 0.9115e9, 2.214290e-4, 3.460928e5, 30.65398
@@ -220,7 +220,7 @@ def test_frames_are_the_stored_states(make_run: MakeRun) -> None:
     for frame in animation.new_frame_seq():
         animation._draw_frame(frame)  # type: ignore[attr-defined]
         shown.append((np.array(fig.axes[0].images[0].get_array()), fig._suptitle.get_text()))
-    for (values, title), step in zip(shown, run.stored_steps(), strict=True):
+    for (values, title), step in zip(shown, run.steps, strict=True):
         body = run.snapshot(step).lower
         np.testing.assert_allclose(values, 100.0 * body.equivalent_plastic_strain[:, 7], rtol=1e-12)
         assert f"step {step}," in title
@@ -238,7 +238,7 @@ def test_the_line_of_contact_moves_over_a_body_and_rests_in_its_own_frame(make_r
         for frame in animation.new_frame_seq():
             animation._draw_frame(frame)  # type: ignore[attr-defined]
             middles.append(A_C * float(np.mean(curve(ax, "contact").get_xdata())))
-        expected = [run.snapshot(step).lower.contact_x if moves else 0.0 for step in run.stored_steps()]
+        expected = [run.snapshot(step).lower.contact_x if moves else 0.0 for step in run.steps]
         np.testing.assert_allclose(middles, expected, atol=1e-3 * A_C)
 
 

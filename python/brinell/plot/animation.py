@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.artist import Artist
 
+from brinell.errors import InputError
 from brinell.plot import style
 from brinell.plot.cells import extent
 from brinell.plot.cuts import Cut, Panel, Window, contact_on, cut_of, panel_over, window_of
@@ -72,17 +73,17 @@ def animate(
 
     Raises:
         RunError: fewer than two states of the pass are stored, or the field is not; the plane lies outside the grids.
-        ValueError: no such field or plane, or nothing that can be followed.
+        InputError: no such field or plane, or nothing that can be followed.
     """
     cut, quantity = plane_of(plane), quantity_of(field)
     if cut.axis == "z":
-        raise ValueError("an animation needs a plane normal to x or y, as in 'y=0'")
+        raise InputError("an animation needs a plane normal to x or y, as in 'y=0'")
     steps = _stored_in(run, pass_)
     first = run.snapshot(steps[0])
     sides = chosen_sides(run, first, bodies)
     on_body = (follow or ("contact" if len(sides) > 1 else "body")) == "body"
     if on_body and len(sides) > 1:
-        raise ValueError("follow = 'body' needs a single body: each has a coordinate of its own")
+        raise InputError("follow = 'body' needs a single body: each has a coordinate of its own")
     frames = list(_frames(run, steps, bodies, quantity, cut, on_body=on_body))
     panel = _panel(run, frames, quantity)
     return _animation(run, first, frames, panel, cut, on_body=on_body, cells=cells, interval=interval)
@@ -95,7 +96,7 @@ def _stored_in(run: Run, pass_: int) -> list[int]:
         RunError: fewer than two.
     """
     of_pass = set(run.history["step"][run.history["pass"] == pass_].astype(int).tolist())
-    steps = [step for step in run.stored_steps() if step in of_pass]
+    steps = [step for step in run.steps if step in of_pass]
     if len(steps) < 2:
         raise RunError(
             f"{run.path}: {len(steps)} stored states in pass {pass_}, an animation needs two or more; "
@@ -206,11 +207,11 @@ def save_animation(animation: FuncAnimation, path: str | Path, *, frames_per_sec
 
     Raises:
         RunError: there is no ffmpeg for an MP4.
-        ValueError: another ending.
+        InputError: another ending.
     """
     path = Path(path)
     if path.suffix not in ENDINGS:
-        raise ValueError(f"{path}: an animation is saved as {' or '.join(ENDINGS)}")
+        raise InputError(f"{path}: an animation is saved as {' or '.join(ENDINGS)}")
     if path.suffix == ".mp4" and not FFMpegWriter.isAvailable():
         raise RunError(f"{path}: .mp4 needs the program ffmpeg, which is not installed; .gif works without it")
     writer = FFMpegWriter if path.suffix == ".mp4" else PillowWriter

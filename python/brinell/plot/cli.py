@@ -16,7 +16,7 @@ import click
 import matplotlib
 from matplotlib.figure import Figure
 
-from brinell.commands import tells_errors
+from brinell.commands import folder_of, tells_errors
 from brinell.plot import animation as moving
 from brinell.plot import fields as state
 from brinell.plot import history as course
@@ -38,7 +38,7 @@ class _PlotGroup(click.Group):
     """``brinell plot RUN`` is ``brinell plot all RUN``."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Adds the command `all` where the arguments begin with a folder or an option of its own."""
+        """Adds the command `all` where the arguments begin with a result or an option of its own."""
         if args and args[0] not in (*self.commands, "--help"):
             word = args[0]
             if word.startswith("-") or os.sep in word or Path(word).exists():
@@ -135,7 +135,7 @@ def _print(paths: Sequence[Path]) -> None:
 def _all(run: Path, output: Path | None, formats: list[str]) -> None:
     """All figures that suit a run, finished or not."""
     for named in standard_figures(open_run(run, allow_unfinished=True)):
-        _print(style.save(named.figure, output or run / "figures", named.name, formats))
+        _print(style.save(named.figure, output or folder_of(run) / "figures", named.name, formats))
 
 
 def _several(text: str, figures: Mapping[str, Callable[[Sequence[Run]], Figure | None]]) -> click.Command:
@@ -195,7 +195,7 @@ def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, f
             if draw in state.NEED_CONTACT and not snapshot.in_contact:
                 continue
             figure = draw(opened, snapshot, cells=cells)
-            _print(style.save(figure, output or run / "figures", f"{_state_name(which)}-{name}", formats))
+            _print(style.save(figure, output or folder_of(run) / "figures", f"{_state_name(which)}-{name}", formats))
 
 
 @plot.command("section")
@@ -231,7 +231,7 @@ def _section(
         snapshot = opened.snapshot(which, tensors=needs_tensors([quantity_of(name) for name in names]))
         figure = draw_section(opened, snapshot, field=names or None, plane=plane, bodies=bodies, cells=cells)
         name = "-".join([_state_name(which), "section", plane.axis, f"{1e6 * plane.value:g}um", *names])
-        _print(style.save(figure, output or run / "figures", name, formats))
+        _print(style.save(figure, output or folder_of(run) / "figures", name, formats))
 
 
 @plot.command("animate")
@@ -273,14 +273,11 @@ def _animate(
 ) -> None:
     """A moving picture of one pass, from its stored states ([output] snapshots = "all" stores all)."""
     opened = open_run(run, allow_unfinished=True)
-    path = output or run / "figures" / f"{field}.gif"
-    try:
-        animation = moving.animate(
-            opened, field=field, plane=plane, pass_=pass_ - 1, bodies=bodies, follow=follow, cells=cells
-        )
-        click.echo(moving.save_animation(animation, path, frames_per_second=fps))
-    except ValueError as error:  # of options that do not go together
-        raise click.UsageError(str(error)) from error
+    path = output or folder_of(run) / "figures" / f"{field}.gif"
+    animation = moving.animate(
+        opened, field=field, plane=plane, pass_=pass_ - 1, bodies=bodies, follow=follow, cells=cells
+    )
+    click.echo(moving.save_animation(animation, path, frames_per_second=fps))
 
 
 @plot.command("history")
@@ -291,4 +288,4 @@ def _animate(
 def _history(run: Path, output: Path | None, formats: list[str]) -> None:
     """Forces, energies, deformation and cost of one run, step by step."""
     opened = open_run(run, allow_unfinished=True)
-    _print(style.save(course.run_history(opened), output or run / "figures", "history", formats))
+    _print(style.save(course.run_history(opened), output or folder_of(run) / "figures", "history", formats))

@@ -10,6 +10,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell.errors import InputError
 from brinell.plot import style
 
 __all__ = ["Axis", "Plane", "on_plane", "plane_of"]
@@ -43,7 +44,7 @@ def plane_of(written: Plane | str | tuple[str, float]) -> Plane:
         written: "y=0", "x = 0.1 mm", "z = 20 um" (a bare number is in metres), or the pair ("z", 2e-5).
 
     Raises:
-        ValueError: it is none of these.
+        InputError: it is none of these.
     """
     if isinstance(written, Plane):
         return written
@@ -52,12 +53,12 @@ def plane_of(written: Plane | str | tuple[str, float]) -> Plane:
     else:
         found = _WRITTEN.fullmatch(written)
         if found is None or found[3] not in _METRES:
-            raise ValueError(f"{written!r} is not a plane; allowed: 'y=0', 'x = 0.1 mm', 'z = 20 um'")
+            raise InputError(f"{written!r} is not a plane; allowed: 'y=0', 'x = 0.1 mm', 'z = 20 um'")
         axis, value = found[1], float(found[2]) * _METRES[found[3]]
     for known in get_args(Axis):
         if axis == known and np.isfinite(value) and (known != "z" or value >= 0.0):
             return Plane(known, value)
-    raise ValueError(f"{axis} = {value:g} m is not a plane; allowed: a place along x or y, or a depth z >= 0")
+    raise InputError(f"{axis} = {value:g} m is not a plane; allowed: a place along x or y, or a depth z >= 0")
 
 
 def on_plane(

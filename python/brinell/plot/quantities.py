@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.colors import Normalize
 from numpy.typing import NDArray
 
+from brinell.errors import InputError
 from brinell.plot import style
 from brinell.plot.scales import PERCENT, Scale, Scales
 from brinell.results import COMPONENTS, BodyFields
@@ -79,13 +80,13 @@ def quantity_of(name: str) -> Quantity:
     """The field of this name.
 
     Raises:
-        ValueError: there is none.
+        InputError: there is none.
     """
     if name in QUANTITIES:
         return QUANTITIES[name]
     near = difflib.get_close_matches(name, QUANTITIES, n=1)
     hint = f"did you mean {near[0]}? " if near else ""
-    raise ValueError(f"{name!r} is not a field; {hint}allowed: {', '.join(QUANTITIES)}")
+    raise InputError(f"{name!r} is not a field; {hint}allowed: {', '.join(QUANTITIES)}")
 
 
 def needs_tensors(quantities: Sequence[Quantity]) -> bool:

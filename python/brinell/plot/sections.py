@@ -58,7 +58,7 @@ def section(
 
     Raises:
         RunError: a field is not stored, the plane lies outside the grids, or the body is rigid.
-        ValueError: no such field or plane.
+        InputError: no such field or plane.
     """
     cut = plane_of(plane)
     drawn = _with_content(chosen_sides(run, snapshot, bodies))

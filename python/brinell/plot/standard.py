@@ -50,7 +50,7 @@ def standard_figures(run: Run) -> Iterator[Named]:
     """
     if run.complete:
         yield from _of_scenario(run)
-    if run.stored_steps():
+    if run.steps:
         yield from _of_loaded_state(run, run.snapshot("aligned"))
     if run.complete:
         yield from _of_final_state(run, run.snapshot("final", tensors=True))

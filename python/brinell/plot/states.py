@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from brinell.errors import InputError
 from brinell.plot import style
 from brinell.plot.scales import Scales
 from brinell.results import BodyFields, Run, RunError, Snapshot
@@ -46,12 +47,12 @@ def chosen_sides(run: Run, snapshot: Snapshot, bodies: Bodies) -> list[Side]:
 
     Raises:
         RunError: the one asked for is rigid.
-        ValueError: `bodies` is not "both", "lower" or "upper".
+        InputError: `bodies` is not "both", "lower" or "upper".
     """
     if bodies == "both":
         return sides(snapshot)
     if bodies not in ("lower", "upper"):
-        raise ValueError(f"{bodies!r} is no choice of bodies; allowed: 'both', 'lower', 'upper'")
+        raise InputError(f"{bodies!r} is no choice of bodies; allowed: 'both', 'lower', 'upper'")
     chosen = [side for side in sides(snapshot) if side.name == f"{bodies} body"]
     if not chosen:
         raise RunError(f"{run.path}: the {bodies} body is rigid, so it has no fields")

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 import matplotlib
 
-from brinell.commands import tells_errors
+from brinell.commands import folder_of, tells_errors
 from brinell.report.page import write_report
 from brinell.results import open_run
 
@@ -22,4 +22,4 @@ __all__ = ["report"]
 def report(run: Path, output: Path | None) -> None:
     """Write a run, finished or not, as one HTML page that opens without a network."""
     matplotlib.use("Agg")
-    click.echo(write_report(open_run(run, allow_unfinished=True), output or run / "report.html"))
+    click.echo(write_report(open_run(run, allow_unfinished=True), output or folder_of(run) / "report.html"))

@@ -129,7 +129,7 @@ def _content(run: Run) -> dict[str, Any]:
 
 def _states(run: Run) -> tuple[Snapshot | None, Snapshot | None]:
     """Under load and after the run, as far as they are stored and there is something in them."""
-    aligned = run.snapshot("aligned") if run.stored_steps() else None
+    aligned = run.snapshot("aligned") if run.steps else None
     loaded = aligned if aligned is not None and aligned.in_contact else None
     return loaded, run.snapshot("final", tensors=True) if run.complete else None
 
