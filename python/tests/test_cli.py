@@ -76,6 +76,12 @@ def test_history(make_run: MakeRun, tmp_path: Path) -> None:
     assert names(tmp_path / "out") == ["history.png"]
 
 
+def test_a_result_may_be_given_by_its_file(make_run: MakeRun) -> None:
+    folder = make_run(4.0)
+    assert main(["history", str(folder / "result.vtkhdf")]) == 0
+    assert names(folder / "figures") == ["history.png"]
+
+
 def test_indentation(make_indentation: MakeRun, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folders = [str(make_indentation(load, name=f"load{load:g}")) for load in (2e6, 3e6)]
     assert main(["indentation", *folders, "-o", str(tmp_path / "out"), "--format", "pdf"]) == 0
