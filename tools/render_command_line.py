@@ -32,13 +32,13 @@ def help_text(program: str, commands: tuple[str, ...]) -> str:
 
 
 def names_of_commands(text: str) -> list[str]:
-    """The commands listed under 'Commands:' or 'Subcommands:' of a help text."""
-    block = re.search(r"^(?:Subc|C)ommands:\n((?:[ \t]+.*\n?|\n(?=[ \t]))+)", text, re.MULTILINE)
-    if not block:
-        return []
-    lines = block.group(1).splitlines()
-    indent = min(len(line) - len(line.lstrip()) for line in lines if line.strip())
-    return [match.group(1) for line in lines if (match := re.match(rf" {{{indent}}}(\w[\w-]*)", line))]
+    """The commands listed in a help text: the indented lines under 'Commands ...:' or 'Subcommands:'."""
+    names = []
+    for block in re.findall(r"^(?:Subc|C)ommands.*:\n((?:[ \t]+\S.*\n?)+)", text, re.MULTILINE):
+        lines = block.splitlines()
+        indent = min(len(line) - len(line.lstrip()) for line in lines)
+        names += [match.group(1) for line in lines if (match := re.match(rf" {{{indent}}}(\w[\w-]*)", line))]
+    return names
 
 
 def sections(program: str, commands: tuple[str, ...] = (), said: frozenset[str] = frozenset()) -> Iterator[str]:
