@@ -268,6 +268,26 @@ TEST(Results, VtkhdfShowsAllStatesOnOneAxis)
   EXPECT_FALSE(exists(file, "/VTKHDF/upper_volume/CellData/plastic_strain")) << "the body is elastic";
 }
 
+// Written anew for each of them, it would cost ever more.
+TEST(Results, UnfinishedFileShowsTheNewestStates)
+{
+  const sample::TemporaryFolder folder;
+  ResultDirectory results(folder.path(), sample::parsed());
+  for (int step = 0; step < 33; ++step)
+  {
+    results.add(sample::columns(step));
+    results.add(step, sample::columns(step), sample::snapshot());
+  }
+  const fs::path file = folder.path() / "result.vtkhdf";
+  const auto times = dataset(file, "/VTKHDF/lower_volume/Steps/Values");
+  ASSERT_EQ(times.size(), 30u);
+  EXPECT_EQ(times.front(), 3.0);
+  EXPECT_EQ(times.back(), 32.0);
+  EXPECT_TRUE(exists(file, "/steps/000000")) << "all are linked";
+  results.finish(sample::snapshot(), sample::columns(32), "{}");
+  EXPECT_EQ(dataset(file, "/VTKHDF/lower_volume/Steps/Values").size(), 34u);
+}
+
 TEST(Results, FieldsMustFitTheirGrid)
 {
   const sample::TemporaryFolder folder;
