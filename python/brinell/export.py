@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from pyevtk.hl import imageToVTK
 from pyevtk.vtk import VtkGroup
 
-from brinell.errors import BrinellError, InputError
+from brinell.errors import InputError
 from brinell.results import Labelled, Run, open_run
 
-__all__ = ["command", "export_vti"]
+__all__ = ["export", "export_vti"]
 
 Body = Literal["lower", "upper"]
 
@@ -103,13 +103,10 @@ def _write_image(
     "-o", "--output", type=click.Path(path_type=Path), default=Path("export"), help="Folder; default: export."
 )
 @click.option("--field", "fields", multiple=True, help="Only this field, as stress; may be given several times.")
-def command(run: Path, output: Path, fields: tuple[str, ...]) -> None:
+def export(run: Path, output: Path, fields: tuple[str, ...]) -> None:
     """Write RUN, a result folder or file, as .vti and .pvd files.
 
     Open the .pvd files. ParaView from 6.0 on opens result.vtkhdf itself.
     """
-    try:
-        for path in export_vti(open_run(run, allow_unfinished=True), output, fields=fields or None):
-            click.echo(path)
-    except (BrinellError, OSError) as error:
-        raise click.ClickException(str(error)) from error
+    for path in export_vti(open_run(run, allow_unfinished=True), output, fields=fields or None):
+        click.echo(path)

@@ -9,8 +9,9 @@ import pytest
 from click.testing import CliRunner
 
 import brinell
+from brinell.cli import main
 from brinell.errors import InputError
-from brinell.export import command, export_vti
+from brinell.export import export, export_vti
 from vtk_images import vti_image
 
 
@@ -59,10 +60,14 @@ def test_some_fields(real_folder: Path, tmp_path: Path) -> None:
 
 
 def test_command(interrupted_folder: Path, tmp_path: Path) -> None:
-    result = CliRunner().invoke(command, [str(interrupted_folder), "-o", str(tmp_path / "out"), "--field", "gap"])
+    result = CliRunner().invoke(export, [str(interrupted_folder), "-o", str(tmp_path / "out"), "--field", "gap"])
     assert result.exit_code == 0, result.output
     assert result.output.split() == [str(tmp_path / "out" / "lower_surface.pvd")]
     assert list(collection(tmp_path / "out" / "lower_surface.pvd")) == [0, 4, 8]
-    wrong = CliRunner().invoke(command, [str(tmp_path / "nowhere")])
-    assert wrong.exit_code == 1
-    assert "nowhere: no such folder" in wrong.output
+
+
+def test_command_of_the_package(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["export", str(tmp_path / "nowhere")])
+    assert end.value.code == 1
+    assert capsys.readouterr().err == f"brinell: error: {tmp_path / 'nowhere'}: no such folder\n"
