@@ -99,6 +99,17 @@ def test_complete_file_alone(real_folder: Path, tmp_path: Path) -> None:
     assert_same_as_ours(VtkhdfFile(alone).blocks(float(run.steps[-1])), brinell.open(real_folder), run.steps[-1])
 
 
+def test_resumed_run(interrupted_folder: Path, real_folder: Path, tmp_path: Path, real_case: str) -> None:
+    folder = shutil.copytree(interrupted_folder, tmp_path / "resumed")
+    resumed = brinell.Case(real_case).run(folder, resume=True)
+    whole = brinell.open(real_folder)
+    file = VtkhdfFile(resumed.file)
+    assert file.times == VtkhdfFile(whole.file).times
+    for step in whole.steps[1:]:  # from before and after
+        assert_same_as_ours(file.blocks(float(step)), whole, step)
+    np.testing.assert_array_equal(brinell.open(resumed.file).history["F_X"], whole.history["F_X"])
+
+
 def test_single_state_has_no_times(tmp_path: Path, real_case: str) -> None:
     run = brinell.Case(real_case, overrides=["output.snapshots=none"]).run(tmp_path / "run")
     file = VtkhdfFile(run.file)
