@@ -2,6 +2,7 @@
 #include "result_file.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/citations.hpp"
 #include "brinell/io/versions.hpp"
 #include "hdf5.hpp"
 #include "history_columns.hpp"
@@ -103,6 +104,7 @@ fs::path part_of(fs::path path)
 
 ResultFile::ResultFile(fs::path folder, const Case& c, int finished_steps, const std::vector<HistoryColumn>& history)
     : m_folder(std::move(folder)), m_case_text(resolved_text(c.values)),
+      m_sources(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),
       m_scenario(c.values.get<std::string>("scenario")), m_title(c.title), m_history(history)
 {
   if (finished_steps > 0)
@@ -189,6 +191,7 @@ void ResultFile::write_description(const h5::Handle& file) const
   h5::write_attribute(file, "title", m_title);
   h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   h5::write_text(file, "case", m_case_text);
+  h5::write_text(file, "sources", m_sources);
   write_history(file, m_history);
 }
 

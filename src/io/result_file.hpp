@@ -47,7 +47,7 @@ private:
   void write_description(const h5::Handle& file) const;
 
   std::filesystem::path m_folder;
-  std::string m_case_text, m_scenario, m_title;
+  std::string m_case_text, m_sources, m_scenario, m_title;
   const std::vector<HistoryColumn>& m_history;
   std::vector<Piece> m_pieces;
 };

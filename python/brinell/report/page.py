@@ -113,6 +113,7 @@ def _content(run: Run) -> dict[str, Any]:
         "energies": energies_of(run),
         "cost": cost_of(run),
         "inputs": inputs_of(run) if run.complete else {},
+        "sources": run.sources,
         "groups": _groups(run),
         "has_surfaces": bool(pictures.surfaces),
         "has_volumes": bool(pictures.volumes),

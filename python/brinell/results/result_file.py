@@ -52,7 +52,7 @@ class ResultFile:
         self._file.close()
 
     def text(self, name: str) -> str | None:
-        """A text in the file: "case", the resolved case, or "summary"; None if it is not there."""
+        """A text in the file: "case", the resolved case, "sources" or "summary"; None if it is not there."""
         return str(self._file[name].asstr()[()]) if name in self._file else None
 
     def history(self) -> History:

@@ -182,6 +182,12 @@ class Run:
             raise RunError(f"{self.file}: holds no case")
         return text
 
+    @cached_property
+    def sources(self) -> list[str]:
+        """brinell and the papers behind the models of the case, as ``brinell cite`` tells them."""
+        with ResultFile(self.file) as file:
+            return (file.text("sources") or "").splitlines()
+
     @property
     def steps(self) -> list[int]:
         """Numbers of the steps whose fields are stored, in order; the final state comes beside them."""
