@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.animation import FFMpegWriter
 
+from brinell.errors import InputError
 from brinell.plot import animate, energy_balance, gap_map, load_depth, save_animation, section, stress_over_depth
 from brinell.plot.energy import balance_error
 from brinell.plot.planes import Plane, on_plane, plane_of
@@ -246,5 +247,5 @@ def test_mp4_needs_ffmpeg(make_run: MakeRun, tmp_path: Path, monkeypatch: pytest
     animation = animate(open_run(make_run()))
     assert save_animation(animation, tmp_path / "a.gif").stat().st_size > 0
     monkeypatch.setattr(FFMpegWriter, "isAvailable", classmethod(lambda _: False))
-    with pytest.raises(RunError, match=r"ffmpeg, which is not installed; \.gif works without it"):
+    with pytest.raises(InputError, match=r"ffmpeg, which is not installed; \.gif works without it"):
         save_animation(animation, tmp_path / "a.mp4")

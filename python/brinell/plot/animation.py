@@ -23,7 +23,7 @@ from brinell.plot.sections import across_label, draw_contact, draw_panel, uprigh
 from brinell.plot.states import Bodies, Side, chosen_sides, state_title
 from brinell.results import Run, RunError, Snapshot
 
-__all__ = ["ENDINGS", "Follow", "animate", "save_animation"]
+__all__ = ["ENDINGS", "Follow", "animate", "save_animation", "writer_of"]
 
 Follow = Literal["contact", "body"]
 """Whether the picture moves with the contact, or stays with the body while the contact passes."""
@@ -194,6 +194,19 @@ def _common(windows: Iterator[Window]) -> Window:
     )
 
 
+def writer_of(path: Path) -> type[FFMpegWriter] | type[PillowWriter]:
+    """What writes files of this kind; asked before an animation is drawn, which takes its time.
+
+    Raises:
+        InputError: no animation is saved with this ending, or its program is not installed.
+    """
+    if path.suffix not in ENDINGS:
+        raise InputError(f"{path}: an animation is saved as {' or '.join(ENDINGS)}")
+    if path.suffix == ".mp4" and not FFMpegWriter.isAvailable():
+        raise InputError(f"{path}: .mp4 needs the program ffmpeg, which is not installed; .gif works without it")
+    return FFMpegWriter if path.suffix == ".mp4" else PillowWriter
+
+
 def save_animation(animation: FuncAnimation, path: str | Path, *, frames_per_second: int = 8) -> Path:
     """Writes an animation as GIF (by Pillow) or MP4 (by ffmpeg).
 
@@ -206,15 +219,10 @@ def save_animation(animation: FuncAnimation, path: str | Path, *, frames_per_sec
         The path.
 
     Raises:
-        RunError: there is no ffmpeg for an MP4.
-        InputError: another ending.
+        InputError: another ending, or there is no ffmpeg for an MP4.
     """
     path = Path(path)
-    if path.suffix not in ENDINGS:
-        raise InputError(f"{path}: an animation is saved as {' or '.join(ENDINGS)}")
-    if path.suffix == ".mp4" and not FFMpegWriter.isAvailable():
-        raise RunError(f"{path}: .mp4 needs the program ffmpeg, which is not installed; .gif works without it")
-    writer = FFMpegWriter if path.suffix == ".mp4" else PillowWriter
+    writer = writer_of(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     with style.look():
         animation.save(path, writer=writer(fps=frames_per_second), dpi=110)

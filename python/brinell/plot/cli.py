@@ -274,6 +274,7 @@ def _animate(
     """A moving picture of one pass, from its stored states ([output] snapshots = "all" stores all)."""
     opened = open_run(run, allow_unfinished=True)
     path = output or folder_of(run) / "figures" / f"{field}.gif"
+    moving.writer_of(path)
     animation = moving.animate(
         opened, field=field, plane=plane, pass_=pass_ - 1, bodies=bodies, follow=follow, cells=cells
     )
