@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures compared with those of tests/baseline, drawn from synthetic results: what structural tests do not see.
 
-Text is taken off: fonts are not what is tested. After a change of the look that is
-meant, look at the new pictures and write them with
+Text is taken off: fonts are not what is tested. After a change of the look that is meant, look at the new pictures and
+write them with
 
-    BRINELL_WRITE_BASELINES=1 python -m pytest tests/test_baselines.py
+    BRINELL_WRITE_BASELINES=1 python -m pytest python/tests/test_baselines.py
 """
 
 import os
