@@ -297,7 +297,7 @@ private:
     std::string text, values;
     for (const Entry& entry : entries)
     {
-      text += (text.empty() ? "" : " ") + fmt::format("{}: {}", last_part(entry.key), entry.text);
+      text += fmt::format("{}{}: {}", text.empty() ? "" : " ", last_part(entry.key), entry.text);
       values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", last_part(entry.key), entry.example);
     }
     m_text += fmt::format("\n{}# {} = {{ {} }}\n", comment(text), last_part(table), values);

@@ -96,8 +96,8 @@ std::string bibtex(const Reference& r)
   std::string text = fmt::format("@{}{{{},\n", entry_type(r.kind), r.key);
   const std::string author = fmt::format("{}", fmt::join(r.authors, " and "));
   const std::array<std::pair<std::string, std::string>, 10> fields{{
-      {"author", r.kind == Kind::software ? "{" + author + "}" : author}, // a group's name has no parts
-      {"title", "{" + r.title + "}"},                                     // keeps its capitals
+      {"author", r.kind == Kind::software ? fmt::format("{{{}}}", author) : author}, // a group's name has no parts
+      {"title", fmt::format("{{{}}}", r.title)},                                     // keeps its capitals
       {container_field(r.kind), r.container},
       {"volume", r.volume},
       {"number", r.number},
