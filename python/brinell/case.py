@@ -124,6 +124,10 @@ class Case:
         """
         return self._core.check_report()
 
+    def citations(self) -> list[str]:
+        """The papers behind the models of this case, brinell first, one line each (``brinell cite``)."""
+        return self._core.citation_lines()
+
     def run(
         self,
         output: str | Path | None = None,

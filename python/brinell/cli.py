@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command ``brinell``.
 
-The engine's commands (run, check, schema, new, cite), the help and the messages are those of the C++ program, which declares
-the options once. The others are click commands of this package, imported when they are called.
+The engine's commands (run, check, schema, new, cite), the help and the messages are those of the C++ program, which
+declares the options once. The others are click commands of this package, imported when they are called.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 import click
+from click.shell_completion import CompletionItem
 
 from brinell import _core, completion
 from brinell.errors import BrinellError, ConvergenceError, InputError, InternalError
@@ -23,7 +24,7 @@ __all__ = ["main", "root"]
 COMMANDS = {
     "plot": "brinell.plot.cli:plot",
     "report": "brinell.report.cli:report",
-    "sweep": "brinell.sweep.cli:sweep",
+    "sweep": "brinell.sweeps.cli:command",
     "export": "brinell.export:export",
     "completion": "brinell.completion:command",
 }
@@ -48,8 +49,17 @@ class Commands(click.Group):
             return command
         return next((completion.engine_command(c) for c in _core.commands() if c.name == cmd_name), None)
 
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Names of commands, or options; nothing is imported for the names."""
+        named = [CompletionItem(c.name, help=c.help) for c in _core.commands() if c.name.startswith(incomplete)]
+        return named + click.Command.shell_complete(self, ctx, incomplete)
 
-root = Commands("brinell")
+
+root = Commands(
+    "brinell",
+    params=[click.Option(["--version"], is_flag=True, help="Display program version information and exit")],
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
@@ -58,16 +68,24 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     Args:
         arguments: without the program's name; those of the process if None.
     """
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `brinell schema | head` ends quietly, as the C++ program
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `brinell schema | head` ends quietly, as the C++ program does
     completion.answer(root)
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     if arguments and arguments[0] in COMMANDS:
-        sys.exit(_guarded(lambda: root.main(arguments, "brinell", standalone_mode=False)))
+        sys.exit(guarded(lambda: root.main(arguments, "brinell", standalone_mode=False)))
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the engine has its own way to stop a run
     sys.exit(_core.command_line(arguments))
 
 
-def _guarded(command: Callable[[], Any]) -> int:
-    """Runs a command of this package; turns its errors into lines on stderr and an exit code."""
+def guarded(command: Callable[[], Any]) -> int:
+    """Runs a command of this package and turns its errors into lines on stderr.
+
+    Args:
+        command: returns an exit code, or anything else if it is done.
+
+    Returns:
+        The exit code.
+    """
     try:
         code = command()
     except click.UsageError as error:
@@ -84,7 +102,7 @@ def _guarded(command: Callable[[], Any]) -> int:
         return _report(f"no convergence: {error}")
     except InternalError as error:
         return _report(f"internal error, a bug of brinell, please report it: {error}")
-    except BrinellError as error:
+    except (BrinellError, OSError) as error:
         return _report(str(error))
     return code if isinstance(code, int) else 0
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Completion of commands, options, case files and keys in bash, zsh and fish: ``brinell completion``.
 
-click asks for the words behind ``brinell`` through an environment variable; what it may offer for the engine's commands is
-read from their own declaration.
+click answers a shell that calls ``brinell`` with an environment variable set; what it offers for the engine's commands
+is read from their own declaration.
 """
 
 from __future__ import annotations
@@ -12,7 +12,13 @@ import os
 import sys
 
 import click
-from click.shell_completion import CompletionItem, get_completion_class, shell_complete
+from click.shell_completion import (
+    BashComplete,
+    CompletionItem,
+    add_completion_class,
+    get_completion_class,
+    shell_complete,
+)
 
 from brinell import _core
 
@@ -27,6 +33,16 @@ PLACES = {
     "fish": "~/.config/fish/completions/brinell.fish",
 }
 """Where each shell looks for such a script."""
+
+
+@add_completion_class
+class _Bash(BashComplete):
+    """click's, but without the space behind ``--set key=``."""
+
+    source_template = BashComplete.source_template.replace(
+        "    return 0\n", "    if [[ ${COMPREPLY[0]} == *= ]]; then compopt -o nospace; fi\n\n    return 0\n"
+    )
+
 
 _CASE_PATTERNS = ("*.toml", "*/*.toml", "*/*/*.toml")
 """Case files below a folder: so deep that cases/NAME/case.toml is found from beside cases/."""
@@ -59,7 +75,7 @@ def schema_keys(_ctx: click.Context, _param: click.Parameter, incomplete: str) -
     key, equals, value = incomplete.partition("=")
     if not equals:
         return [CompletionItem(f"{k.key}=", help=k.text) for k in _core.schema_keys() if k.key.startswith(key)]
-    choices = next((k.choices for k in _core.schema_keys() if k.key == key), [])
+    choices = [choice for k in _core.schema_keys() if k.key == key for choice in k.choices]
     return [CompletionItem(f"{key}={choice}") for choice in choices if choice.startswith(value)]
 
 
