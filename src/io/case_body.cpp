@@ -36,21 +36,61 @@ simulation::Shape shape(const CaseReader& reader, const std::string& body)
   return simulation::Plane{};
 }
 
-/// Heights in m, a line per row.
-simulation::HeightMap heights(const std::filesystem::path& file)
+/// Heights row after row [m], and how many make a row.
+struct Heights
 {
-  simulation::HeightMap map;
+  std::vector<double> values;
+  std::size_t columns = 0;
+};
+
+/// Heights in m, a line per row.
+Heights heights_of(const std::filesystem::path& file)
+{
+  Heights heights;
   for (const NumberLine& line : number_lines(file))
   {
-    if (!line.values || (map.ny > 0 && static_cast<int>(line.values->size()) != map.nx))
+    if (!line.values || (heights.columns > 0 && line.values->size() != heights.columns))
       throw InputError(fmt::format("has in line {} \"{}\"; allowed: {} heights in m", line.number,
-                                   line.text.substr(0, 40), map.ny > 0 ? std::to_string(map.nx) : "one or more"));
-    map.nx = static_cast<int>(line.values->size());
-    ++map.ny;
-    map.heights.insert(map.heights.end(), line.values->begin(), line.values->end());
+                                   line.text.substr(0, 40),
+                                   heights.columns > 0 ? std::to_string(heights.columns) : "one or more"));
+    heights.columns = line.values->size();
+    heights.values.insert(heights.values.end(), line.values->begin(), line.values->end());
   }
-  if (map.ny == 0)
+  if (heights.values.empty())
     throw InputError("has no heights");
+  return heights;
+}
+
+/// Empty, with the problem told, if the keys do not fit together.
+std::optional<simulation::HeightMap> height_map(const CaseReader& reader, const std::string& table)
+{
+  const auto& spacing = reader.get<std::vector<double>>(table + "spacing");
+  if (spacing.size() != 2)
+  {
+    reader.add(table + "spacing", "needs two lengths, [dx, dy]");
+    return std::nullopt;
+  }
+  if (!reader.has(table + "heights") || !reader.has(table + "columns"))
+  {
+    reader.add(table + "type", fmt::format("needs {0}heights and {0}columns, or {0}file", table));
+    return std::nullopt;
+  }
+  const auto& heights = reader.get<std::vector<double>>(table + "heights");
+  const int columns = reader.integer(table + "columns");
+  if (heights.size() % static_cast<std::size_t>(columns) != 0)
+  {
+    reader.add(table + "columns",
+               fmt::format("does not divide the {} numbers of {}heights into rows", heights.size(), table));
+    return std::nullopt;
+  }
+  simulation::HeightMap map;
+  map.nx = columns;
+  map.ny = static_cast<int>(heights.size()) / columns;
+  map.dx = spacing[0];
+  map.dy = spacing[1];
+  map.x = reader.get<double>(table + "x");
+  map.y = reader.get<double>(table + "y");
+  map.heights = heights;
   return map;
 }
 
@@ -64,36 +104,37 @@ simulation::Texture texture(const CaseReader& reader, const std::string& body)
   if (type == "dent" || type == "bump")
     return simulation::Dent{number("x"), number("y"), type == "dent" ? number("depth") : -number("height"),
                             number("radius")};
-  const auto& spacing = reader.get<std::vector<double>>(table + "spacing");
-  if (spacing.size() != 2)
-    reader.add(table + "spacing", "needs two lengths, [dx, dy]");
-  else
-    try
-    {
-      const auto& name = reader.get<std::string>(table + "file");
-      simulation::HeightMap map = heights(std::filesystem::path(reader.raw.file).parent_path() / name);
-      map.dx = spacing[0];
-      map.dy = spacing[1];
-      map.x = number("x");
-      map.y = number("y");
-      return map;
-    }
-    catch (const InputError& error)
-    {
-      reader.add(table + "file", error.what());
-    }
+  if (auto map = height_map(reader, table))
+    return *std::move(map);
   return simulation::Smooth{};
 }
 
 } // namespace
 
-void name_texture_file(CaseValues& values, const RawCase& raw, const std::string& body)
+void load_texture_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
 {
-  const std::string key = body + ".texture.file";
-  if (!values.find(key))
+  const std::string table = body + ".texture.";
+  if (!values.find(table + "file"))
     return;
-  const auto path = std::filesystem::path(raw.file).parent_path() / values.get<std::string>(key);
-  values.replace(key, {{key, std::filesystem::absolute(path).lexically_normal().string()}});
+  const auto name = values.get<std::string>(table + "file");
+  const CaseReader reader{values, raw, problems};
+  if (reader.has(table + "columns"))
+  {
+    // As with keys that exclude each other: what the command line sets makes that of the file pointless.
+    if (!raw.find(table + "file")->from_command_line || raw.find(table + "columns")->from_command_line)
+      reader.add(table + "columns", fmt::format("cannot stand together with {}file; keep one of them", table));
+    values.replace(table + "columns", {});
+  }
+  try
+  {
+    Heights heights = heights_of(std::filesystem::path(raw.file).parent_path() / name);
+    values.replace(table + "file", {{table + "heights", std::move(heights.values)},
+                                    {table + "columns", static_cast<std::int64_t>(heights.columns)}});
+  }
+  catch (const InputError& error)
+  {
+    reader.add(table + "file", error.what());
+  }
 }
 
 simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body)

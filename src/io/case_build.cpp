@@ -142,7 +142,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   for (const char* body : {"lower", "upper"})
   {
     load_hardening_file(result.values, raw, body, problems);
-    name_texture_file(result.values, raw, body);
+    load_texture_file(result.values, raw, body, problems);
   }
   problems.throw_if_any();
 

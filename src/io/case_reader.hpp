@@ -49,8 +49,8 @@ void read_numerics(const CaseReader& reader, simulation::Numerics& numerics);
 /// A body of the general scenarios.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
-/// Gives the file of a height map its full path: the resolved case lies in another folder.
-void name_texture_file(CaseValues& values, const RawCase& raw, const std::string& body);
+/// Puts the heights of texture.file in its place, so that the resolved case needs no other file.
+void load_texture_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
 /// Each scenario takes what it needs into `c`: its own case, equivalent radius, contact modulus, first yield, warnings.
 /// What is wrong goes into the reader's problems.

@@ -127,6 +127,45 @@ TEST(ScenarioCase, HeightMapsComeFromAFile)
   EXPECT_THROW((void)read_map("[1e-6, 1e-6]"), InputError);
 }
 
+TEST(ScenarioCase, HeightMapsStandInTheCase)
+{
+  const sample::TemporaryFolder folder;
+  std::ofstream(folder.path() / "map.csv") << "1e-9 2e-9 3e-9\n4e-9 5e-9 6e-9\n";
+  const std::string text = rolling("load = 5\ndistance = 1e-4\n");
+  const auto with = [&](const std::string& keys)
+  {
+    return parse_case(text, folder.path() / "case.toml",
+                      {"lower.texture={type=\"height_map\", spacing=[1e-6, 2e-6], x=3e-6" + keys + "}"});
+  };
+  const Case by_file = with(", file=\"map.csv\"");
+  const Case here = with(R"(, columns=3, heights=["1 nm", 2e-9, 3e-9, 4e-9, 5e-9, 6e-9])");
+  EXPECT_EQ(std::get<RollingCase>(by_file.scenario).lower.texture, std::get<RollingCase>(here.scenario).lower.texture);
+  // The resolved case is the same, so it needs no other file.
+  EXPECT_EQ(resolved_text(by_file.values), resolved_text(here.values));
+  const Case again = parse_case(resolved_text(by_file.values), "elsewhere/case.toml");
+  EXPECT_EQ(std::get<RollingCase>(again.scenario).lower.texture, std::get<RollingCase>(here.scenario).lower.texture);
+  // A file on the command line stands for all that the case has.
+  const Case replaced = parse_case(resolved_text(by_file.values), folder.path() / "case.toml",
+                                   {"lower.texture.file=map.csv", "lower.texture.x=0"});
+  EXPECT_EQ(resolved_text(replaced.values),
+            resolved_text(parse_case(resolved_text(by_file.values), "case.toml", {"lower.texture.x=0"}).values));
+
+  const auto refused = [&](const std::string& keys)
+  { return refusal(text, {"lower.texture={type=\"height_map\", spacing=[1e-6, 2e-6]" + keys + "}"}); };
+  const std::pair<std::string, const char*> refusals[] = {
+      {refused(""), "needs lower.texture.heights and lower.texture.columns, or lower.texture.file"},
+      {refused(", heights=[1e-9, 2e-9]"), "needs lower.texture.heights and lower.texture.columns"},
+      {refused(", columns=2"), "needs lower.texture.heights and lower.texture.columns"},
+      {refused(", columns=2, heights=[1e-9, 2e-9, 3e-9]"), "columns = 2 does not divide the 3 numbers"},
+      {refused(", columns=0, heights=[1e-9]"), "columns = 0 is out of range"},
+      {refused(", columns=1, heights=[\"1 Pa\"]"), "is a pressure"},
+      {refused(", file=\"map.csv\", columns=1, heights=[1e-9]"), "cannot stand together with lower.texture.heights"},
+      {refused(", file=\"map.csv\", columns=1"), "cannot stand together with lower.texture.file"},
+  };
+  for (const auto& [message, expected] : refusals)
+    EXPECT_NE(message.find(expected), std::string::npos) << expected << "\n  in: " << message;
+}
+
 TEST(ScenarioCase, HertzPressureIsALoad)
 {
   // p0 = (6 P E'^2 / (pi^3 R^2))^(1/3) for balls, (P E' / (pi R L))^(1/2) for rollers.
