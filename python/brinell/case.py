@@ -92,12 +92,13 @@ class Case:
         """The same case with some keys replaced or added.
 
         Args:
-            values: by their dotted keys, {"tugging.interference": 4}; or "key=value", as behind --set.
+            values: by their dotted keys, {"tugging.interference": 4}, a table as a dictionary; or "key=value", as
+                behind --set.
 
         Raises:
             InputError: as for a case file.
         """
-        added = [override(key, value) for key, value in values.items()] if isinstance(values, Mapping) else list(values)
+        added = overrides_of(values) if isinstance(values, Mapping) else list(values)
         case = object.__new__(type(self))
         Case.__init__(case, self._text, file=self._file, overrides=[*self._overrides, *added])
         return case
@@ -183,9 +184,15 @@ class Case:
         return f"<brinell.{type(self).__name__} {self.scenario} {self.title or self.name!r}>"
 
 
-def override(key: str, value: object) -> str:
-    """A dotted key and its value as behind --set."""
-    return f"{key}={tomli_w.dumps({'value': plain(value)}).strip().removeprefix('value = ')}"
+def overrides_of(values: Mapping[str, Any], table: str = "") -> list[str]:
+    """Dotted keys and their values as behind --set; each entry of a table by itself."""
+    overrides = []
+    for key, value in plain(values).items():
+        if isinstance(value, Mapping):
+            overrides += overrides_of(value, f"{table}{key}.")
+        else:
+            overrides.append(f"{table}{key}={tomli_w.dumps({'value': value}).strip().removeprefix('value = ')}")
+    return overrides
 
 
 def plain(value: Any) -> Any:

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from brinell import Case, InputError, IoError, surfaces
+from brinell.surfaces import HeightMap
+
+CASE = """
+scenario = "rolling"
+[lower]
+shape = { type = "flat" }
+[lower.material]
+young_modulus = "210 GPa"
+poisson_ratio = 0.3
+hardening = { law = "linear", yield_stress = "0.9 GPa", modulus = "2 GPa" }
+[upper]
+shape = { type = "sphere", radius = "10 mm" }
+material = { young_modulus = "310 GPa", poisson_ratio = 0.26 }
+[rolling]
+hertz_pressure = "1.4 GPa"
+distance = "0.2 mm"
+[grid]
+resolution = 3
+"""
+
+
+def wavy(ny: int = 5, nx: int = 7) -> HeightMap:
+    """A map without any symmetry."""
+    heights = np.random.default_rng(1).normal(scale=2e-7, size=(ny, nx))
+    return HeightMap(heights, (2e-5, 3e-5), x=1e-5, y=-2e-5)
+
+
+def assert_equal(a: HeightMap, b: HeightMap) -> None:
+    np.testing.assert_array_equal(a.heights, b.heights)
+    assert (a.spacing, a.x, a.y) == (b.spacing, b.x, b.y)
+
+
+def test_npz_holds_all_of_it(tmp_path: Path) -> None:
+    surfaces.write(tmp_path / "map.npz", wavy())
+    assert_equal(surfaces.read(tmp_path / "map.npz"), wavy())
+
+
+@pytest.mark.parametrize("ending", [".npy", ".csv", ".txt", ".dat"])
+def test_other_files_hold_the_heights(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"map{ending}"
+    surfaces.write(path, wavy())
+    again = surfaces.read(path, spacing=(2e-5, 3e-5))
+    np.testing.assert_array_equal(again.heights, wavy().heights)
+    assert (again.spacing, again.x, again.y) == ((2e-5, 3e-5), 0.0, 0.0)
+    with pytest.raises(InputError, match="give spacing"):
+        surfaces.read(path)
+
+
+def test_text_as_the_case_reads_it(tmp_path: Path) -> None:
+    (tmp_path / "map.csv").write_text("# nm\n1e-9, 2e-9, 3e-9\r\n\n4e-9; 5e-9\t6e-9\n")
+    heights = surfaces.read(tmp_path / "map.csv", spacing=(1, 1)).heights
+    np.testing.assert_array_equal(heights, [[1e-9, 2e-9, 3e-9], [4e-9, 5e-9, 6e-9]])
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("1 2\n3\n", "line 2 has 1 heights; the first row has 2"),
+        ("1 2\n3 x\n", "line 2 is '3 x'"),
+        ("# none\n", "no heights"),
+        ("1 nan\n", "1 of 2 heights are not finite"),
+    ],
+)
+def test_bad_text(tmp_path: Path, text: str, what: str) -> None:
+    (tmp_path / "map.csv").write_text(text)
+    with pytest.raises(InputError, match=what):
+        surfaces.read(tmp_path / "map.csv", spacing=(1, 1))
+
+
+def test_bad_maps(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"shape \(3,\)"):
+        HeightMap(np.zeros(3), (1.0, 1.0))
+    for spacing in ((1.0, 0.0), (1.0,), (1.0, np.nan)):
+        with pytest.raises(InputError, match="spacing"):
+            HeightMap(np.zeros((2, 2)), spacing)  # type: ignore[arg-type]
+    with pytest.raises(IoError, match="no such file"):
+        surfaces.read(tmp_path / "none.npz")
+    with pytest.raises(InputError, match="cannot write '.xyz'"):
+        surfaces.write(tmp_path / "map.xyz", wavy())
+    np.savez(tmp_path / "other.npz", z=np.zeros(3))
+    with pytest.raises(InputError, match="holds no heights and no spacing, only z"):
+        surfaces.read(tmp_path / "other.npz")
+
+
+def test_levelling_takes_away_a_plane_and_nothing_else() -> None:
+    rough = wavy().levelled()
+    tilted = HeightMap(
+        rough.heights + 3e-6 + 0.01 * rough.x_axis + 0.02 * rough.y_axis[:, None], rough.spacing, rough.x, rough.y
+    )
+    # Round-off of the plane, 1e-5 m high.
+    np.testing.assert_allclose(tilted.levelled().heights, rough.heights, atol=1e-5 * 1e-14, rtol=0)
+    terms = np.stack(
+        [np.ones((5, 7)), np.broadcast_to(rough.x_axis, (5, 7)), np.broadcast_to(rough.y_axis[:, None], (5, 7))]
+    )
+    plane = np.linalg.lstsq(terms.reshape(3, -1).T, tilted.heights.ravel(), rcond=None)[0]
+    np.testing.assert_allclose(tilted.levelled().heights, tilted.heights - np.tensordot(plane, terms, 1), atol=1e-18)
+    line = HeightMap(np.array([[1.0, 2.0, 3.0]]), (1.0, 1.0))
+    np.testing.assert_allclose(line.levelled().heights, 0.0, atol=1e-15)
+
+
+def test_cropping_keeps_each_height_in_its_place() -> None:
+    whole = wavy()
+    part = whole.cropped(x=(whole.x_axis[2], whole.x_axis[5]), y=(-1.0, whole.y_axis[3]))
+    np.testing.assert_array_equal(part.heights, whole.heights[:4, 2:6])
+    np.testing.assert_allclose(part.x_axis, whole.x_axis[2:6], rtol=1e-14)
+    np.testing.assert_allclose(part.y_axis, whole.y_axis[:4], rtol=1e-14)
+    assert_equal(whole.cropped(), whole)
+    with pytest.raises(InputError, match="no point has y"):
+        whole.cropped(y=(1.0, 2.0))
+
+
+def test_roughness_of_a_sine() -> None:
+    # One period, sampled evenly: Sq = A / sqrt(2) exactly, Sa = 2 A / pi up to (pi / n)^2 / 3.
+    n = 1000
+    sine = HeightMap(1e-6 * np.sin(2 * np.pi * (np.arange(n) + 0.5) / n) * np.ones((3, 1)) + 5e-6, (1e-6, 1e-6))
+    assert sine.Sq == pytest.approx(1e-6 / np.sqrt(2), rel=1e-12)
+    assert sine.Sa == pytest.approx(2e-6 / np.pi, rel=(np.pi / n) ** 2)
+    assert sine.Sz == pytest.approx(2e-6, rel=(np.pi / n) ** 2)
+
+
+def history(texture: dict[str, Any], folder: Path) -> Any:
+    return Case(CASE, file=folder / "case.toml").with_values({"lower.texture": texture}).run(threads=1).history
+
+
+def test_a_map_in_the_case_and_in_a_file_are_the_same(tmp_path: Path) -> None:
+    surfaces.write(tmp_path / "map.csv", wavy())
+    by_file = {key: value for key, value in wavy().to_case().items() if key not in ("heights", "columns")}
+    here = history(wavy().to_case(), tmp_path)
+    there = history(by_file | {"file": "map.csv"}, tmp_path)
+    smooth = history({"type": "smooth"}, tmp_path)
+    for name in ("F_n", "dissipation_lower", "contact_area"):
+        np.testing.assert_array_equal(here[name], there[name])
+    assert not np.array_equal(here["contact_area"], smooth["contact_area"])
+
+
+def test_the_resolved_case_holds_the_heights(tmp_path: Path) -> None:
+    case = Case(CASE).with_values({"lower.texture": wavy().to_case()})
+    again = Case(case.to_toml())
+    assert again.to_toml() == case.to_toml()
+    assert f"columns = {wavy().heights.shape[1]}" in case.to_toml()
+
+
+scipy_closes_late = pytest.mark.filterwarnings("ignore:Cannot close a netcdf_file:RuntimeWarning")
+"""SurfaceTopography closes a NetCDF file while it still holds its heights."""
+
+
+def instrument_map(unit: str | None, heights: np.ndarray[Any, Any]) -> Any:
+    topography = pytest.importorskip("SurfaceTopography")
+    ny, nx = heights.shape
+    return topography.Topography(heights.T, (nx * 20.0, ny * 30.0), unit=unit)
+
+
+@scipy_closes_late
+def test_a_file_of_an_instrument(tmp_path: Path) -> None:
+    heights = wavy().heights * 1e6
+    instrument_map("um", heights).to_netcdf(str(tmp_path / "map.nc"))
+    read = surfaces.read(tmp_path / "map.nc")
+    np.testing.assert_allclose(read.heights, heights * 1e-6, rtol=1e-15)
+    assert read.spacing == pytest.approx((20e-6, 30e-6), rel=1e-14)
+    with pytest.raises(InputError, match="tells its unit, µm"):
+        surfaces.read(tmp_path / "map.nc", unit="nm")
+
+
+def test_a_file_without_a_unit(tmp_path: Path) -> None:
+    pytest.importorskip("SurfaceTopography")
+    lines = [f"{20 * i} {30 * j} {10 * i + j}" for i in range(4) for j in range(3)]
+    (tmp_path / "map.xyz").write_text("\n".join(lines) + "\n")
+    with pytest.raises(InputError, match="tells no unit"):
+        surfaces.read(tmp_path / "map.xyz")
+    with pytest.raises(InputError, match="Unknown unit"):
+        surfaces.read(tmp_path / "map.xyz", unit="parsnip")
+    read = surfaces.read(tmp_path / "map.xyz", unit="um")
+    expected = 1e-6 * (10 * np.arange(4) + np.arange(3)[:, None])  # [y, x]
+    np.testing.assert_allclose(read.heights, expected, rtol=1e-14)
+    assert read.spacing == pytest.approx((20e-6, 30e-6), rel=1e-14)
+
+
+@scipy_closes_late
+def test_points_that_were_not_measured(tmp_path: Path) -> None:
+    plane = 1.0 + np.arange(6.0) + 2 * np.arange(5.0)[:, None]
+    holed = np.ma.masked_array(plane, mask=np.zeros_like(plane, dtype=bool))
+    holed[2, 3] = np.ma.masked
+    instrument_map("um", holed).to_netcdf(str(tmp_path / "map.nc"))
+    with pytest.raises(InputError, match="1 of 30 heights are not finite"):
+        surfaces.read(tmp_path / "map.nc")
+    # A plane is harmonic, so it is what fills the hole.
+    filled = surfaces.read(tmp_path / "map.nc", fill=True)
+    np.testing.assert_allclose(filled.heights, plane * 1e-6, rtol=1e-12)
+
+
+def test_no_map_at_all(tmp_path: Path) -> None:
+    pytest.importorskip("SurfaceTopography")
+    (tmp_path / "map.foo").write_text("hello world\n")
+    with pytest.raises(InputError, match="no format that SurfaceTopography knows"):
+        surfaces.read(tmp_path / "map.foo")
+
+
+def test_without_the_extra_the_error_tells_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "SurfaceTopography", None)
+    (tmp_path / "map.xyz").write_text("0 0 0\n")
+    with pytest.raises(ImportError, match=r'pip install "brinell\[surfaces\]"'):
+        surfaces.read(tmp_path / "map.xyz", unit="um")
