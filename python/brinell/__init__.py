@@ -8,14 +8,17 @@ Example:
 
 """
 
+from __future__ import annotations
+
 import os
 from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
 
 # Threads that wait for each other actively make a run several times slower as soon as another program needs a core.
 # OpenMP reads this when the extension is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
-from brinell import constitutive, contact, elastoplastic, green, halfspace, reference
+from brinell import constitutive, contact, elastoplastic, green, halfspace, reference, surfaces
 from brinell.bodies import Berkovich, Body, Bump, Cone, Cylinder, Dent, Ellipsoid, Flat, Sphere, Vickers
 from brinell.case import Case, CaseWarning
 from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
@@ -23,6 +26,10 @@ from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect
 from brinell.results import Run, RunError
 from brinell.results import open_run as open
 from brinell.scenarios import Indentation, Rolling, Tugging
+from brinell.surfaces import HeightMap
+
+if TYPE_CHECKING:
+    from brinell.sweeps import sweep
 
 __version__ = version("brinell")
 
@@ -41,6 +48,7 @@ __all__ = [
     "Ellipsoid",
     "Flat",
     "GridError",
+    "HeightMap",
     "Hollomon",
     "Indentation",
     "InputError",
@@ -67,4 +75,15 @@ __all__ = [
     "halfspace",
     "open",
     "reference",
+    "surfaces",
+    "sweep",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Sweeps are imported when asked for: pandas takes longer than all the rest."""
+    if name == "sweep":
+        from brinell.sweeps import sweep
+
+        return sweep
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

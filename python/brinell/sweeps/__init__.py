@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Parameter sweeps: one case for many values of some of its keys, on this machine or on a Dask cluster.
+
+    result = brinell.sweep("case.toml", {"tugging.interference": "1:15:15"}, output="results/alpha")
+    result.table.plot("tugging.interference", "energy.net_J")
+
+Modules: `axes` (what is varied), `designs` (which points), `point` (one run, in a worker), `pools` (who computes),
+`folder` (what is on disk), `driver` (all together), `cli` (the command).
+"""
+
+try:
+    import pandas as _pandas  # noqa: F401 (asked for at the door)
+    import pyarrow as _pyarrow  # noqa: F401
+    import scipy as _scipy  # noqa: F401
+except ModuleNotFoundError as error:
+    raise ImportError(f'sweeps need {error.name}, which is not installed: pip install "brinell[sweep]"') from error
+
+from brinell.sweeps.axes import Axis, Choices, Range
+from brinell.sweeps.designs import Design
+from brinell.sweeps.driver import Sweep, open_sweep, sweep
+
+__all__ = ["Axis", "Choices", "Design", "Range", "Sweep", "open_sweep", "sweep"]

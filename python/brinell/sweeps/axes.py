@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a sweep varies: one axis per key of the case, a range or a list of choices.
+
+A range keeps the unit in which it is given; units are converted where the case is read and nowhere else.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from brinell.case import plain
+from brinell.errors import InputError
+
+__all__ = ["Axis", "Choices", "Range", "axis_of"]
+
+Value: TypeAlias = Any
+"""A value of the case file: a number, a word, a quantity such as "200 GPa", a list, a table."""
+
+_QUANTITY = re.compile(r"\s*(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>[^\d\s].*?)?\s*")
+_DIGITS = 12
+"""Significant digits of the values of a range: 0.1:0.3:3 is 0.1, 0.2, 0.3 and not 0.30000000000000004."""
+
+
+@dataclass(frozen=True)
+class Range:
+    """Numbers from start to stop, both included.
+
+    Attributes:
+        start: first value, in `unit`.
+        stop: last value, in `unit`.
+        count: how many; None where the design decides (Latin hypercube).
+        unit: of both, as in a case file; empty for SI and pure numbers.
+        logarithmic: equal ratios instead of equal distances.
+    """
+
+    start: float
+    stop: float
+    count: int | None = None
+    unit: str = ""
+    logarithmic: bool = False
+
+    def __post_init__(self) -> None:
+        if self.count is not None and self.count < 1:
+            raise InputError(f"the range has a count of {self.count}; allowed: 1 or more")
+        if not (np.isfinite(self.start) and np.isfinite(self.stop)):
+            raise InputError(f"the range {self.start}:{self.stop} is not finite")
+        if self.logarithmic and not (self.start > 0 and self.stop > 0):
+            raise InputError(f"the range {self.start}:{self.stop} is logarithmic; allowed: both ends > 0")
+
+    def values(self) -> list[Value]:
+        """All of them, in order."""
+        if self.count is None:
+            raise InputError(f"the range {self.start}:{self.stop} needs a count, as in {self.start}:{self.stop}:5")
+        spaced = np.geomspace if self.logarithmic else np.linspace
+        numbers = [_rounded(x) for x in spaced(self.start, self.stop, self.count)]
+        if isinstance(self.start, int) and isinstance(self.stop, int) and all(x.is_integer() for x in numbers):
+            return [self._quantity(int(x)) for x in numbers]
+        return [self._quantity(x) for x in numbers]
+
+    def at(self, fraction: float) -> Value:
+        """The value at a fraction of the way, in [0, 1]."""
+        if self.logarithmic:
+            return self._quantity(_rounded(self.start * (self.stop / self.start) ** fraction))
+        return self._quantity(_rounded(self.start + (self.stop - self.start) * fraction))
+
+    def _quantity(self, number: float) -> Value:
+        return f"{number!r} {self.unit}" if self.unit else number
+
+
+@dataclass(frozen=True)
+class Choices:
+    """Any values, one after the other."""
+
+    items: tuple[Value, ...]
+
+    def __post_init__(self) -> None:
+        if not self.items:
+            raise InputError("the list has no values; allowed: one or more")
+
+    def values(self) -> list[Value]:
+        """All of them, in order."""
+        return list(self.items)
+
+    def at(self, fraction: float) -> Value:
+        """The item at a fraction of the list, in [0, 1); all have the same share."""
+        return self.items[min(int(fraction * len(self.items)), len(self.items) - 1)]
+
+
+Axis: TypeAlias = Range | Choices
+
+
+def axis_of(given: object) -> Axis:
+    """An axis from what a user writes.
+
+    Args:
+        given: an axis; a sequence of values; or text as behind --over: "start:stop:count" with both ends included and
+            an optional unit at both, "log:start:stop:count", or values separated by commas.
+
+    Raises:
+        InputError: the text is no axis; says what is allowed.
+    """
+    if isinstance(given, Range | Choices):
+        return given
+    if isinstance(given, str):
+        return _range_of(given) or Choices(tuple(_values_of(given)))
+    if hasattr(given, "tolist"):
+        given = given.tolist()
+    if not isinstance(given, Sequence):
+        raise InputError(f"{given!r} is neither a list of values nor a range such as '1:15:15'")
+    return Choices(tuple(plain(value) for value in given))
+
+
+def _range_of(text: str) -> Range | None:
+    """None if the text is not meant as a range: its first two parts are not numbers with or without a unit."""
+    logarithmic = text.startswith("log:")
+    parts = text.removeprefix("log:").split(":")
+    ends = [_QUANTITY.fullmatch(part) for part in parts[:2]]
+    if len(parts) not in (2, 3) or ends[0] is None or ends[1] is None:
+        if logarithmic:
+            raise InputError(f"{text!r} is not a range; allowed: log:START:STOP:COUNT, as in log:1:100:5")
+        return None
+    units = [match["unit"] or "" for match in ends if match]
+    if units[0] != units[1]:
+        raise InputError(f"{text!r} has the units {units[0]!r} and {units[1]!r}; allowed: the same at both ends")
+    if len(parts) == 3 and not parts[2].strip().isdecimal():
+        raise InputError(f"{text!r} has the count {parts[2]!r}; allowed: a whole number, as in 1:15:15")
+    count = int(parts[2]) if len(parts) == 3 else None
+    return Range(_number(ends[0]["number"]), _number(ends[1]["number"]), count, units[0], logarithmic)
+
+
+def _number(text: str) -> float:
+    return int(text) if re.fullmatch(r"[-+]?\d+", text) else float(text)
+
+
+def _rounded(x: float) -> float:
+    return float(f"{x:.{_DIGITS}g}")
+
+
+def _values_of(text: str) -> list[Value]:
+    """Each value is TOML, or else a word or quantity without quotes, as behind --set."""
+    values = []
+    for item in _split_at_commas(text):
+        try:
+            values.append(tomllib.loads(f"value = {item}")["value"])
+        except tomllib.TOMLDecodeError:
+            values.append(item)
+    return values
+
+
+def _split_at_commas(text: str) -> list[str]:
+    """Not at those inside brackets or quotes."""
+    items = re.findall(r"""(?:\[[^\]]*\]|\{[^}]*\}|"[^"]*"|'[^']*'|[^,])+""", text)
+    return [item.strip() for item in items if item.strip()]

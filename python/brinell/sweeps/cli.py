@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command ``brinell sweep``.
+
+Exit code 0: all runs are done; 1: some have failed, or a file could not be written; 2: an error in the command line or
+the case; 130: interrupted.
+"""
+
+from __future__ import annotations
+
+import signal
+import warnings
+from pathlib import Path
+from typing import NoReturn, TextIO
+
+import click
+
+from brinell import completion
+from brinell.case import Case, CaseWarning
+from brinell.errors import InputError
+
+__all__ = ["command"]
+
+_DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"}
+
+
+@click.command("sweep")
+@click.argument("case", type=click.Path(path_type=Path), metavar="CASE.toml", shell_complete=completion.case_files)
+@click.option(
+    "--over",
+    "over",
+    multiple=True,
+    required=True,
+    metavar="KEY=VALUES",
+    shell_complete=completion.schema_keys,
+    help="A key and its values: 1:15:15 (start, stop, count; both ends), 200GPa:220GPa:3, log:1:100:5, or a,b,c. "
+    "Once per key.",
+)
+@click.option(
+    "-o", "--output", required=True, type=click.Path(path_type=Path), metavar="DIR", help="Folder of the sweep."
+)
+@click.option(
+    "--design",
+    type=click.Choice(list(_DESIGNS)),
+    default="grid",
+    show_default=True,
+    help="All combinations; the keys walked in step; or points drawn from ranges without a count.",
+)
+@click.option("--samples", type=click.IntRange(min=1), help="Points of a Latin hypercube.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Of its drawing.")
+@click.option(
+    "--set",
+    "overrides",
+    multiple=True,
+    metavar="KEY=VALUE",
+    shell_complete=completion.schema_keys,
+    help="Replace or add a key of the case.",
+)
+@click.option("--workers", type=click.IntRange(min=1), help="Processes; by default as many as there are cores.")
+@click.option("--threads", type=click.IntRange(min=1), help="Of each run; by default what makes use of all cores.")
+@click.option("--cluster", metavar="ADDRESS", help="Address or scheduler file of a Dask cluster that computes instead.")
+@click.option("--retry-failed", is_flag=True, help="Compute again what failed before.")
+@click.option("--quiet", is_flag=True, help="No progress bar.")
+def command(
+    case: Path,
+    over: tuple[str, ...],
+    output: Path,
+    design: str,
+    samples: int | None,
+    seed: int,
+    overrides: tuple[str, ...],
+    workers: int | None,
+    threads: int | None,
+    cluster: str | None,
+    retry_failed: bool,
+    quiet: bool,
+) -> None:
+    """Compute a case for many values of some of its keys.
+
+    The same command goes on with what is missing. DIR/table.csv has a row per run.
+    """
+    # What ends a job of a queue ends the sweep as Ctrl-C does.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        from brinell.sweeps import sweep
+
+        with warnings.catch_warnings():
+            warnings.showwarning = _tell_warning
+            result = sweep(
+                Case.from_file(case, overrides),
+                _axes(over),
+                output=output,
+                design=_DESIGNS[design],  # type: ignore[arg-type]
+                samples=samples,
+                seed=seed,
+                workers=workers,
+                threads=threads,
+                cluster=cluster,
+                progress=not quiet,
+                retry_failed=retry_failed,
+            )
+    except KeyboardInterrupt:
+        _end(f"brinell: interrupted; what is done is in {output / 'table.csv'}, and the same command goes on", 130)
+    except ImportError as error:  # an extra is missing; other errors are told by the root command
+        raise click.ClickException(str(error)) from error
+    if not quiet:
+        click.echo(f"{len(result.table)} runs, {len(result.failures)} failed: {output / 'table.csv'}")
+    if len(result.failures) > 0:
+        first = result.failures.iloc[0]
+        _end(f"brinell: run {first['index']}: {first['reason']}\nbrinell: all reasons: {output / 'failures.json'}", 1)
+
+
+def _axes(over: tuple[str, ...]) -> dict[str, str]:
+    axes: dict[str, str] = {}
+    for text in over:
+        key, equals, values = text.partition("=")
+        key = key.strip()
+        if not equals or not key or not values.strip():
+            raise InputError(f"--over {text}: allowed: KEY=VALUES, as in tugging.interference=1:15:15")
+        if key in axes:
+            raise InputError(f"--over {text}: {key} is already an axis; give all its values at once")
+        axes[key] = values.strip()
+    return axes
+
+
+def _tell_warning(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    prefix = "brinell: warning" if issubclass(category, CaseWarning) else category.__name__
+    click.echo(f"{prefix}: {message}", err=True)
+
+
+def _end(message: str, exit_code: int) -> NoReturn:
+    click.echo(message, err=True)
+    click.get_current_context().exit(exit_code)

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A sweep from its first check to its table."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import warnings
+from collections import Counter, deque
+from collections.abc import Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Future, as_completed, wait
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+from tqdm.auto import tqdm
+
+from brinell import _core
+from brinell.case import Case, CaseWarning
+from brinell.errors import InputError
+from brinell.results import Run, open_run
+from brinell.sweeps.axes import Axis, Choices, axis_of
+from brinell.sweeps.designs import Design, Point, points_of
+from brinell.sweeps.folder import FORMAT_VERSION, Ledger, locked, read_record, run_folder, start_folder
+from brinell.sweeps.point import Outcome, Task
+from brinell.sweeps.pools import DaskPool, LocalPool, Lost, Pool
+
+__all__ = ["Sweep", "open_sweep", "sweep"]
+
+_MOST_LOSSES = 3
+"""How often a run may lose its process before it counts as failed."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """The results of a sweep.
+
+    Attributes:
+        path: its folder.
+        table: one row per run that is done or has failed: index, the values of the axes (SI, as the case has them),
+            status, reason of a failure, wall_time_s [s], folder, and all single numbers of the summary by their dotted
+            names, as "energy.net_J" or "indents.0.hardness_Pa".
+    """
+
+    path: Path
+    table: pd.DataFrame
+
+    @property
+    def runs(self) -> Mapping[int, Run]:
+        """The finished runs by index, opened when asked for."""
+        return _Runs(self.path, self.table["index"][self.table["status"] == "done"].tolist())
+
+    @property
+    def failures(self) -> pd.DataFrame:
+        """The rows of the runs that failed."""
+        return self.table[self.table["status"] == "failed"]
+
+    def __repr__(self) -> str:
+        return f"<brinell.Sweep {str(self.path)!r}: {len(self.runs)} runs done, {len(self.failures)} failed>"
+
+
+class _Runs(Mapping[int, Run]):
+    def __init__(self, path: Path, indices: list[int]):
+        self._path = path
+        self._indices = dict.fromkeys(indices)
+
+    def __getitem__(self, index: int) -> Run:
+        if index not in self._indices:
+            raise KeyError(index)
+        return open_run(run_folder(self._path, index))
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._indices)
+
+    def __len__(self) -> int:
+        return len(self._indices)
+
+
+def open_sweep(path: str | Path) -> Sweep:
+    """Opens the folder of a sweep, also of one that is still going on.
+
+    Raises:
+        InputError: there is none, or no run of it has ended.
+    """
+    path = Path(path)
+    if read_record(path) is None or not (path / "table.parquet").is_file():
+        raise InputError(f"{path}: no sweep, or none of which a run has ended")
+    return Sweep(path, pd.read_parquet(path / "table.parquet"))
+
+
+def sweep(
+    case: Case | str | Path,
+    over: Mapping[str, Any],
+    *,
+    output: str | Path,
+    design: Design = "grid",
+    samples: int | None = None,
+    seed: int = 0,
+    workers: int | None = None,
+    threads: int | None = None,
+    cluster: Any = None,
+    progress: bool = True,
+    resume: bool = True,
+    retry_failed: bool = False,
+) -> Sweep:
+    """Computes a case for many values of some of its keys.
+
+    What the folder already holds of this sweep is taken as it is. A run that fails is kept with its reason, one whose
+    process is killed is done again, from its checkpoint if it has one. Ctrl-C stops all runs; the next call goes on.
+
+    A script needs ``if __name__ == "__main__":`` before the call, because each process imports the script.
+
+    Args:
+        case: what is varied; or its file.
+        over: values by dotted key of the case: a sequence; or text, "1:15:15" for a range with both ends, "200 GPa:220
+            GPa:3" with a unit, "log:1:100:5" for equal ratios, "swift,voce" for choices; or a `Range` or `Choices`.
+        output: folder of the sweep.
+        design: "grid", all combinations; "list", the axes walked in step; "latin_hypercube", points drawn from ranges
+            without a count.
+        samples: points of a Latin hypercube.
+        seed: of its drawing.
+        workers: processes on this machine; None: as many as it has cores, or as `threads` leave. Not with `cluster`.
+        threads: of each run; None: what makes use of all cores; on a cluster as many as its worker has.
+        cluster: a Dask cluster instead: its address, scheduler file, cluster object or client.
+        progress: show a bar.
+        resume: go on with the same sweep in that folder; False: refuse a folder that holds one.
+        retry_failed: compute again what failed before.
+
+    Returns:
+        The table and the way to the runs.
+
+    Raises:
+        InputError: an axis, the design or the case at some point is wrong, before the first run; or the folder holds
+            another sweep.
+        IoError: the folder cannot be written, another sweep is working there, or the cluster is lost.
+    """
+    base = case if isinstance(case, Case) else Case.from_file(case)
+    axes = _axes(over)
+    points = points_of(axes, design, samples, seed)
+    texts = _case_texts(base, points)
+    if cluster is not None and workers is not None:
+        raise InputError(f"workers = {workers} has no meaning with a cluster, which has its own")
+    path = Path(output).absolute()
+    record = {
+        "format": "brinell-sweep",
+        "format_version": FORMAT_VERSION,
+        "runs": len(points),
+        "design": design,
+        "samples": samples,
+        "seed": seed if design == "latin_hypercube" else None,
+        "axes": {key: _told(axis) for key, axis in axes.items()},
+        "versions": _core.library_versions(),
+        "case": base.to_toml(),
+    }
+    with locked(path):
+        start_folder(path, record, resume=resume)
+        ledger = Ledger(path, points, texts)
+        missing = ledger.missing(retry_failed=retry_failed)
+        try:
+            if missing:
+                pool = _pool(cluster, path, workers, threads, len(missing))
+                tasks = [Task(i, texts[i], str(run_folder(path, i)), pool.threads) for i in missing]
+                with contextlib.closing(pool), _bar(ledger, len(points), shown=progress) as bar:
+                    _compute(tasks, pool, ledger, bar)
+        finally:
+            if len(ledger) > 0:
+                ledger.write()
+    return Sweep(path, ledger.table())
+
+
+def _axes(over: Mapping[str, Any]) -> dict[str, Axis]:
+    axes = {}
+    for key, given in over.items():
+        try:
+            axes[key] = axis_of(given)
+        except InputError as error:
+            raise InputError(f"{key}: {error}") from error
+    return axes
+
+
+def _told(axis: Axis) -> dict[str, Any]:
+    return {"values": list(axis.items)} if isinstance(axis, Choices) else asdict(axis)
+
+
+def _case_texts(base: Case, points: list[Point]) -> list[str]:
+    """The cases with all their defaults; what is wrong with any of them is told now."""
+    texts = []
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", CaseWarning)
+        for index, point in enumerate(points):
+            try:
+                texts.append(base.with_values(point).to_toml())
+            except InputError as error:
+                values = ", ".join(f"{key} = {value}" for key, value in point.items())
+                raise InputError(f"run {index} ({values}): {error}") from error
+    for text in dict.fromkeys(str(warning.message) for warning in caught):
+        warnings.warn(text, CaseWarning, stacklevel=3)
+    return texts
+
+
+def _pool(cluster: Any, path: Path, workers: int | None, threads: int | None, runs: int) -> Pool:
+    for name, value in (("workers", workers), ("threads", threads)):
+        if value is not None and value < 1:
+            raise InputError(f"{name} = {value}; allowed: 1 or more")
+    if cluster is not None:
+        return DaskPool(cluster, path / "stop", threads or 0)
+    cores = len(os.sched_getaffinity(0))
+    if workers is None:
+        workers = max(1, cores // (threads or 1))
+    workers = min(workers, runs)
+    return LocalPool(workers, threads or max(1, cores // workers))
+
+
+@contextlib.contextmanager
+def _bar(ledger: Ledger, runs: int, *, shown: bool) -> Iterator[Any]:
+    with tqdm(total=runs, initial=len(ledger), unit="run", disable=not shown) as bar:
+        yield bar
+
+
+def _compute(tasks: list[Task], pool: Pool, ledger: Ledger, bar: Any) -> None:
+    waiting = deque(tasks)
+    running: dict[Future[Outcome], Task] = {}
+    losses: Counter[int] = Counter()
+
+    def add(outcome: Outcome) -> None:
+        ledger.add(outcome)
+        bar.set_postfix(failed=ledger.failed, refresh=False)
+        bar.update()
+
+    try:
+        while waiting or running:
+            while waiting and pool.has_room:
+                task = waiting.popleft()
+                running[pool.submit(task)] = task
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                task = running.pop(future)
+                outcome = _outcome(pool, future)
+                if outcome is not None:
+                    add(outcome)
+                    continue
+                losses[task.index] += 1
+                if losses[task.index] < _MOST_LOSSES:
+                    waiting.appendleft(task)
+                else:
+                    add(Outcome(task.index, "failed", reason=_lost_reason(_MOST_LOSSES)))
+    except KeyboardInterrupt:
+        pool.stop()
+        for future in as_completed(running):
+            outcome = _outcome(pool, future)
+            if outcome is not None:
+                add(outcome)
+        raise
+
+
+def _outcome(pool: Pool, future: Future[Outcome]) -> Outcome | None:
+    """None if the run has lost its process, or was stopped by somebody else than this sweep."""
+    try:
+        outcome = pool.collect(future)
+    except Lost:
+        return None
+    return outcome if outcome.status != "stopped" else None
+
+
+def _lost_reason(times: int) -> str:
+    return f"its process came to a sudden end {times} times: killed, or out of memory?"

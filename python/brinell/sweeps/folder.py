@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The folder of a sweep: what is computed (sweep.json), one folder per run, the table, and why runs failed.
+
+All files are replaced in one piece, so that they can be read at any time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import json
+import os
+import time
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from brinell.errors import InputError, IoError
+from brinell.sweeps.designs import Point
+from brinell.sweeps.point import Outcome, finished_summary
+
+__all__ = ["FORMAT_VERSION", "Ledger", "flattened", "locked", "read_record", "run_folder", "start_folder"]
+
+FORMAT_VERSION = 1
+_UNTOLD = ("format", "format_version", "complete", "scenario", "title", "versions")
+"""Entries of a summary that say nothing of the run's result."""
+_WRITING_SHARE = 0.05
+"""Of the time that may go into keeping the table current."""
+
+
+@contextlib.contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Makes the folder and holds it for this process.
+
+    Raises:
+        IoError: it cannot be made, or another sweep is working there.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+    except OSError as error:
+        raise IoError(f"{path}: the folder of the sweep cannot be made: {error.strerror}") from error
+    try:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            raise IoError(f"{path}: another sweep is working there") from error
+        except OSError:
+            pass  # not every file system has locks
+        yield
+    finally:
+        os.close(descriptor)
+
+
+def run_folder(path: Path, index: int) -> Path:
+    """Of one run of the sweep in `path`."""
+    return path / "runs" / f"{index:06d}"
+
+
+def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool) -> None:
+    """Records what is computed, or compares it with what the folder already holds.
+
+    Args:
+        path: of the sweep.
+        record: what is computed.
+        resume: whether the folder may hold the same sweep.
+
+    Raises:
+        InputError: the folder holds another sweep, or one at all without `resume`; says what differs.
+    """
+    earlier = read_record(path)
+    if earlier is None:
+        _replace(path / "sweep.json", lambda part: part.write_text(json.dumps(record, indent=2) + "\n", "utf-8"))
+        return
+    if not resume:
+        raise InputError(f"{path}: holds a sweep; choose another folder, or go on with that one (resume)")
+    now = json.loads(json.dumps(record))  # tuples become lists
+    differences = [*_case_differences(earlier["case"], now["case"]), *_axis_differences(earlier["axes"], now["axes"])]
+    differences += [
+        f"{key} was {earlier[key]}, is {now[key]}" for key in ("design", "samples", "seed") if earlier[key] != now[key]
+    ]
+    if differences:
+        raise InputError(f"{path}: holds another sweep; choose another folder. {'; '.join(differences)}")
+
+
+def read_record(path: Path) -> dict[str, Any] | None:
+    """Content of sweep.json, None if there is none.
+
+    Raises:
+        InputError: it is damaged, or of another format.
+    """
+    file = path / "sweep.json"
+    try:
+        record = json.loads(file.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError) as error:
+        raise InputError(f"{file}: cannot be read ({error})") from error
+    if not isinstance(record, dict) or record.get("format") != "brinell-sweep":
+        raise InputError(f"{file}: is not of a sweep of brinell")
+    if record.get("format_version") != FORMAT_VERSION:
+        raise InputError(f"{file}: format version {record.get('format_version')}, this is {FORMAT_VERSION}")
+    return record
+
+
+def _case_differences(earlier: str, now: str) -> list[str]:
+    before, after = flattened(tomllib.loads(earlier), lists=True), flattened(tomllib.loads(now), lists=True)
+    keys = [key for key in {**before, **after} if before.get(key) != after.get(key)]
+    return [f"{key} of the case was {_short(before.get(key))}, is {_short(after.get(key))}" for key in keys]
+
+
+def _axis_differences(earlier: Mapping[str, Any], now: Mapping[str, Any]) -> list[str]:
+    keys = [key for key in {**earlier, **now} if earlier.get(key) != now.get(key)]
+    told = [f"the axis {key} was {_short(earlier.get(key))}, is {_short(now.get(key))}" for key in keys]
+    if not told and list(earlier) != list(now):
+        told = [f"the axes were in the order {', '.join(earlier)}, are in the order {', '.join(now)}"]
+    return told
+
+
+def _short(value: object) -> str:
+    text = "not set" if value is None else json.dumps(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def flattened(entry: Mapping[str, Any], *, lists: bool = False) -> dict[str, Any]:
+    """Dotted keys of nested tables; tables in a list are numbered from 0.
+
+    Args:
+        entry: the tables.
+        lists: keep lists of numbers; else they are left out.
+    """
+    flat: dict[str, Any] = {}
+
+    def add(name: str, value: Any) -> None:
+        if isinstance(value, list) and value and all(isinstance(item, Mapping) for item in value):
+            value = {str(i): item for i, item in enumerate(value)}
+        if isinstance(value, Mapping):
+            for key, item in value.items():
+                add(f"{name}.{key}" if name else key, item)
+        elif lists or not isinstance(value, list):
+            flat[name] = value
+
+    add("", entry)
+    return flat
+
+
+class Ledger:
+    """The rows of the table and the failures, kept current on disk while runs finish."""
+
+    def __init__(self, path: Path, points: list[Point], texts: list[str]):
+        """Reads what an earlier sweep has left there.
+
+        Args:
+            path: of the sweep.
+            points: the values of the axes of each run.
+            texts: the cases, with all their defaults.
+        """
+        self._path = path
+        self._points = points
+        self._texts = texts
+        self._rows: dict[int, dict[str, Any]] = {}
+        self._failures: dict[str, Any] = _read_failures(path)
+        self._next_writing = 0.0
+        for index, text in enumerate(texts):
+            summary = finished_summary(run_folder(path, index), text)
+            if summary is not None:
+                self._put(Outcome(index, "done", summary=summary))
+            elif str(index) in self._failures:
+                self._put(Outcome(index, "failed", **self._failures[str(index)]))
+
+    def missing(self, *, retry_failed: bool) -> list[int]:
+        """Numbers of the runs that are to be computed."""
+        if retry_failed:
+            self._rows = {index: row for index, row in self._rows.items() if row["status"] == "done"}
+            self._failures = {}
+        return [index for index in range(len(self._texts)) if index not in self._rows]
+
+    @property
+    def failed(self) -> int:
+        """How many runs have failed."""
+        return len(self._failures)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def add(self, outcome: Outcome) -> None:
+        """Takes in a run that is done or has failed."""
+        self._put(outcome)
+        now = time.perf_counter()
+        if now >= self._next_writing:
+            self.write()
+            spent = time.perf_counter() - now
+            self._next_writing = now + spent / _WRITING_SHARE
+
+    def _put(self, outcome: Outcome) -> None:
+        index = outcome.index
+        row: dict[str, Any] = {"index": index}
+        case = tomllib.loads(self._texts[index])
+        for key, given in self._points[index].items():
+            row[key] = _cell(_at(case, key, given))
+        row |= {
+            "status": outcome.status,
+            "reason": outcome.reason,
+            "wall_time_s": outcome.wall_time,
+            "folder": str(run_folder(self._path, index).relative_to(self._path)),
+        }
+        self._failures.pop(str(index), None)
+        if outcome.status == "failed":
+            self._failures[str(index)] = {
+                "reason": outcome.reason,
+                "traceback": outcome.traceback,
+                "wall_time": outcome.wall_time,
+            }
+        else:
+            row["wall_time_s"] = outcome.summary["run"]["wall_time_s"]
+        told = {key: value for key, value in outcome.summary.items() if key not in _UNTOLD}
+        self._rows[index] = row | flattened(told)
+
+    def table(self) -> pd.DataFrame:
+        """One row per run that is done or has failed, in their order."""
+        frame = pd.DataFrame([self._rows[index] for index in sorted(self._rows)])
+        for name, column in frame.items():
+            kinds = {isinstance(value, str) for value in column.dropna()}
+            if len(kinds) > 1:  # a column of a file has one type
+                frame[name] = column.map(str, na_action="ignore")
+        return frame
+
+    def write(self) -> None:
+        """Writes table.csv, table.parquet and failures.json."""
+        frame = self.table()
+        failures = json.dumps(self._failures, indent=2) + "\n"
+        _replace(self._path / "failures.json", lambda part: part.write_text(failures, "utf-8"))
+        _replace(self._path / "table.csv", lambda part: frame.to_csv(part, index=False))
+        _replace(self._path / "table.parquet", lambda part: frame.to_parquet(part, index=False))
+
+
+def _at(case: Mapping[str, Any], key: str, otherwise: object) -> Any:
+    """The value of a dotted key as the case has it, in SI."""
+    entry: Any = case
+    for name in key.split("."):
+        if not isinstance(entry, Mapping) or name not in entry:
+            return otherwise  # a file, say, whose content stands in the case
+        entry = entry[name]
+    return entry
+
+
+def _cell(value: Any) -> Any:
+    return json.dumps(value) if isinstance(value, list | Mapping) else value
+
+
+def _read_failures(path: Path) -> dict[str, Any]:
+    try:
+        failures = json.loads((path / "failures.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return dict(failures)
+
+
+def _replace(path: Path, write: Callable[[Path], object]) -> None:
+    part = path.with_name(path.name + ".part")
+    try:
+        write(part)
+        part.replace(path)
+    except OSError as error:
+        raise IoError(f"{path}: cannot be written: {error}") from error

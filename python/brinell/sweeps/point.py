@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One run of a sweep, as a worker computes it: importable, no display, all that it tells is text and numbers."""
+
+from __future__ import annotations
+
+import threading
+import time
+import tomllib
+import traceback
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+from brinell.case import Case, CaseWarning
+from brinell.errors import BrinellError, GridError, InputError, IoError
+from brinell.results import RunError, open_run
+
+__all__ = ["ONE_AT_A_TIME", "Outcome", "Task", "compute", "finished_summary", "stopped"]
+
+ONE_AT_A_TIME = threading.Lock()
+"""A process computes one case at a time, with all its threads: a Dask worker may call from several threads."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a worker needs to know."""
+
+    index: int
+    text: str
+    """The case with all its defaults filled in, as TOML; it needs no other file."""
+    folder: str
+    threads: int
+    """0: as the worker decides."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a worker tells."""
+
+    index: int
+    status: Literal["done", "failed", "stopped"]
+    wall_time: float = 0.0
+    """Spent here [s]; less than that of the run if it was resumed."""
+    reason: str = ""
+    traceback: str = ""
+    summary: dict[str, Any] = field(default_factory=dict)
+
+
+class _StopRequest(Exception):  # noqa: N818 (no error)
+    """Raised between two steps."""
+
+
+def compute(task: Task, wants_stop: Callable[[], bool]) -> Outcome:
+    """Computes one run, or goes on with it from its checkpoint, or takes it as it is if it is complete.
+
+    Args:
+        task: what to compute.
+        wants_stop: asked before the run and after each step.
+
+    Returns:
+        Its outcome; errors are told, not raised.
+    """
+    with ONE_AT_A_TIME:
+        start = time.perf_counter()
+        try:
+            if wants_stop():
+                return stopped(task)
+            summary = finished_summary(task.folder, task.text)
+            if summary is None:
+                _run(task, wants_stop)
+                summary = finished_summary(task.folder, task.text)
+            if summary is None:
+                raise IoError(f"{task.folder}: the results that were written there cannot be read")
+            return Outcome(task.index, "done", time.perf_counter() - start, summary=summary)
+        except (KeyboardInterrupt, _StopRequest):
+            return stopped(task)
+        except Exception as error:
+            reason = str(error) if isinstance(error, BrinellError) else f"{type(error).__name__}: {error}"
+            return Outcome(task.index, "failed", time.perf_counter() - start, reason, traceback.format_exc())
+
+
+def stopped(task: Task) -> Outcome:
+    """The outcome of a run that was asked to stop; what it has finished is kept in its folder."""
+    return Outcome(task.index, "stopped")
+
+
+def finished_summary(folder: str | Path, text: str) -> dict[str, Any] | None:
+    """The summary of a complete run of this very case, without the case itself; None if there is none.
+
+    Args:
+        folder: of the run.
+        text: the case with all its defaults filled in.
+    """
+    try:
+        summary = open_run(folder).summary
+    except (RunError, OSError):
+        return None
+    if summary is None or summary.get("case") != tomllib.loads(text):
+        return None
+    return {key: value for key, value in summary.items() if key != "case"}
+
+
+def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
+    began = False
+
+    def on_step(*_: object) -> None:
+        nonlocal began
+        began = True
+        if wants_stop():
+            raise _StopRequest
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", CaseWarning)  # told once, before the first run
+        case = Case(task.text, file=Path(task.folder) / "case.toml")
+    if Path(task.folder).exists():
+        try:
+            case.run(task.folder, progress=on_step, threads=task.threads or None, resume=True)
+            return
+        except GridError:
+            raise
+        except (InputError, IoError):
+            if began:
+                raise
+            # Nothing there to go on from: no checkpoint, another case, another build, a damaged file.
+    case.run(task.folder, progress=on_step, threads=task.threads or None)

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who computes the runs: processes of this machine, or the workers of a Dask cluster.
+
+Both take a `Task`, give a future of concurrent.futures, and make an `Outcome` of it when it is done.
+"""
+
+from __future__ import annotations
+
+import _thread
+import contextlib
+import multiprocessing
+import os
+import signal
+import threading
+from concurrent.futures import CancelledError, Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any, Protocol
+
+from brinell.errors import BrinellError, IoError
+from brinell.sweeps.point import ONE_AT_A_TIME, Outcome, Task, compute, stopped
+
+__all__ = ["DaskPool", "LocalPool", "Lost", "Pool"]
+
+
+class Lost(Exception):  # noqa: N818 (the driver mends it)
+    """A run whose process came to a sudden end; it may be submitted again."""
+
+
+class Pool(Protocol):
+    """What the driver needs."""
+
+    threads: int
+    """For each run; 0: as the worker decides."""
+
+    @property
+    def has_room(self) -> bool:
+        """Whether another task may be submitted now."""
+
+    def submit(self, task: Task) -> Future[Outcome]:
+        """Begins a task."""
+
+    def collect(self, future: Future[Outcome]) -> Outcome:
+        """What came of a task that is done. Raises `Lost`."""
+
+    def stop(self) -> None:
+        """Asks all runs to stop; their outcomes still come."""
+
+    def close(self) -> None:
+        """Ends the workers of this machine, leaves those of others."""
+
+
+class LocalPool:
+    """Processes of this machine, each with a pool of its own: one that is killed takes no other run with it."""
+
+    def __init__(self, workers: int, threads: int):
+        """Starts the first process, to see that processes can be started.
+
+        Args:
+            workers: processes.
+            threads: of each run.
+
+        Raises:
+            BrinellError: they cannot.
+        """
+        self.threads = threads
+        self._listener, self._teller = multiprocessing.Pipe(duplex=False)
+        self._executors: dict[Future[Outcome], ProcessPoolExecutor] = {}
+        self._idle: list[ProcessPoolExecutor | None] = [None] * (workers - 1)
+        first = self._executor()
+        self._idle.append(first)
+        try:
+            first.submit(os.getpid).result()
+        except BrokenProcessPool as error:
+            raise BrinellError(
+                "no process for the runs can be started; a script that sweeps needs the line "
+                "if __name__ == '__main__': before it, as each process imports the script"
+            ) from error
+
+    @property
+    def has_room(self) -> bool:
+        """Whether a process is idle."""
+        return bool(self._idle)
+
+    def submit(self, task: Task) -> Future[Outcome]:
+        """Gives the task to an idle process."""
+        executor = self._idle.pop() or self._executor()
+        future = executor.submit(_compute_here, task)
+        self._executors[future] = executor
+        return future
+
+    def collect(self, future: Future[Outcome]) -> Outcome:
+        """What came of a task; its process is idle again, or replaced when it is needed."""
+        executor = self._executors.pop(future)
+        try:
+            outcome = future.result()
+        except BrokenProcessPool as error:
+            executor.shutdown()
+            self._idle.append(None)
+            raise Lost from error
+        self._idle.append(executor)
+        return outcome
+
+    def _executor(self) -> ProcessPoolExecutor:
+        context = multiprocessing.get_context("spawn")  # a fork would copy the state of OpenMP's threads
+        return ProcessPoolExecutor(1, mp_context=context, initializer=_begin, initargs=(self._listener,))
+
+    def stop(self) -> None:
+        """Interrupts the runs as Ctrl-C does."""
+        self._teller.close()
+
+    def close(self) -> None:
+        """Waits for the processes to end."""
+        self._teller.close()
+        for executor in [*self._idle, *self._executors.values()]:
+            if executor is not None:
+                executor.shutdown(cancel_futures=True)
+        self._listener.close()
+
+
+_STOP = threading.Event()
+"""Set in a process of a `LocalPool` that shall stop."""
+
+
+def _begin(teller: Connection) -> None:
+    # Ctrl-C at a terminal goes to all processes; one that is idle waits for what the first one says.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_heed, args=(teller,), daemon=True).start()
+
+
+def _heed(teller: Connection) -> None:
+    """Interrupts the run when the other end of the pipe closes, by word or by death of that process."""
+    with contextlib.suppress(EOFError, OSError):
+        teller.recv()
+    _STOP.set()
+    _thread.interrupt_main()
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        with ONE_AT_A_TIME:  # after the checkpoint
+            os._exit(1)
+
+
+def _compute_here(task: Task) -> Outcome:
+    try:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        return compute(task, _STOP.is_set)
+    except KeyboardInterrupt:
+        return stopped(task)
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+class DaskPool:
+    """Workers of a Dask cluster; they see the folder of the sweep under the same path."""
+
+    def __init__(self, cluster: Any, stop_file: Path, threads: int):
+        """Connects to the cluster.
+
+        Args:
+            cluster: address of a scheduler, path of its scheduler file, a cluster or a client of Dask.
+            stop_file: in the sweep's folder; runs stop while it exists.
+            threads: of each run; 0: as many as its worker has.
+
+        Raises:
+            IoError: the cluster does not answer.
+        """
+        try:
+            from distributed import Client
+        except ModuleNotFoundError as error:
+            raise ImportError(
+                'a cluster needs distributed, which is not installed: pip install "brinell[sweep]"'
+            ) from error
+        self.threads = threads
+        self._stop_file = stop_file
+        stop_file.unlink(missing_ok=True)
+        self._is_mine = not isinstance(cluster, Client)
+        try:
+            if not self._is_mine:
+                self._client = cluster
+            elif isinstance(cluster, str) and Path(cluster).is_file():
+                self._client = Client(scheduler_file=cluster)
+            else:
+                self._client = Client(cluster)
+        except (OSError, TimeoutError, ValueError) as error:
+            raise IoError(f"the Dask cluster {cluster!r} does not answer: {error}") from error
+        self._executor = self._client.get_executor(pure=False)
+        self._tasks: dict[Future[Outcome], Task] = {}
+
+    @property
+    def has_room(self) -> bool:
+        """Always: an adaptive cluster grows with what is submitted."""
+        return True
+
+    def submit(self, task: Task) -> Future[Outcome]:
+        """Gives the task to the scheduler, which repeats it on another worker if its own is lost."""
+        future: Future[Outcome] = self._executor.submit(_compute_on_cluster, task, str(self._stop_file))
+        self._tasks[future] = task
+        return future
+
+    def collect(self, future: Future[Outcome]) -> Outcome:
+        """What came of a task; one that several workers in turn did not survive has failed."""
+        from distributed import KilledWorker
+
+        task = self._tasks.pop(future)
+        try:
+            return future.result()
+        except KilledWorker as error:
+            return Outcome(task.index, "failed", reason=f"its worker was lost again and again: {error}")
+        except CancelledError as error:
+            raise IoError("the Dask cluster is lost; the same sweep goes on with what is missing") from error
+        except Exception as error:  # not of the run, whose errors are told in its outcome
+            raise BrinellError(f"a worker of the cluster cannot compute; has it the same brinell? {error}") from error
+
+    def stop(self) -> None:
+        """Runs stop after their step; those not yet begun return at once."""
+        self._stop_file.touch()
+
+    def close(self) -> None:
+        """Disconnects; after an error the runs that are left stop, too."""
+        if self._tasks:
+            self.stop()
+            self._executor.shutdown(wait=False)
+        else:
+            self._stop_file.unlink(missing_ok=True)
+        if self._is_mine:
+            self._client.close()
+
+
+def _compute_on_cluster(task: Task, stop_file: str) -> Outcome:
+    from distributed import get_worker
+
+    threads = task.threads or get_worker().state.nthreads
+    return compute(Task(task.index, task.text, task.folder, threads), Path(stop_file).exists)
