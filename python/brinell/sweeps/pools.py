@@ -12,6 +12,7 @@ import multiprocessing
 import os
 import signal
 import threading
+from collections.abc import Iterator
 from concurrent.futures import CancelledError, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing.connection import Connection
@@ -71,7 +72,9 @@ class LocalPool:
         first = self._executor()
         self._idle.append(first)
         try:
-            first.submit(os.getpid).result()
+            with _ctrl_c_held():
+                ready = first.submit(os.getpid)
+            ready.result()
         except BrokenProcessPool as error:
             raise BrinellError(
                 "no process for the runs can be started; a script that sweeps needs the line "
@@ -86,8 +89,9 @@ class LocalPool:
     def submit(self, task: Task) -> Future[Outcome]:
         """Gives the task to an idle process."""
         executor = self._idle.pop() or self._executor()
-        future = executor.submit(_compute_here, task)
-        self._executors[future] = executor
+        with _ctrl_c_held():
+            future = executor.submit(_compute_here, task)
+            self._executors[future] = executor
         return future
 
     def collect(self, future: Future[Outcome]) -> Outcome:
@@ -119,13 +123,22 @@ class LocalPool:
         self._listener.close()
 
 
+@contextlib.contextmanager
+def _ctrl_c_held() -> Iterator[None]:
+    """Ctrl-C at a terminal goes to all processes. One that is started in here never gets it: it stops by word."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 _STOP = threading.Event()
 """Set in a process of a `LocalPool` that shall stop."""
 
 
 def _begin(teller: Connection) -> None:
-    # Ctrl-C at a terminal goes to all processes; one that is idle waits for what the first one says.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # but while a run is going on
     threading.Thread(target=_heed, args=(teller,), daemon=True).start()
 
 
