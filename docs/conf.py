@@ -55,7 +55,9 @@ autosummary_imported_members = True
 autodoc_default_options = {"members": True, "member-order": "bysource"}
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
-autodoc_type_aliases = {"Array": "Array", "ArrayLike": "ArrayLike", "FloatArray": "FloatArray"}
+autodoc_type_aliases = {
+    name: name for name in ("Array", "ArrayLike", "FloatArray", "Law", "Progress", "Quantity", "Value")
+}
 autodoc_preserve_defaults = True
 napoleon_google_docstring = True
 napoleon_numpy_docstring = False

@@ -32,7 +32,11 @@ asperity = brinell.Body(brinell.Sphere("10 um"), steel)
 # undeformed spheres would overlap by nine times the interference at which the first point yields.
 
 case = brinell.Tugging(
-    lower=asperity, upper=asperity, interference=9, title="Two steel asperities", grid={"resolution": 6}
+    lower=asperity,
+    upper=asperity,
+    interference=9,
+    title="Two steel asperities",
+    grid={"resolution": 6},
 )
 
 # %%
@@ -71,7 +75,13 @@ elastic_F_X, elastic_F_Z = elastic_tugging_forces(
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
 for axes, name, elastic in ((left, "F_X", elastic_F_X), (right, "F_Z", elastic_F_Z)):
     axes.plot(X / radius, elastic, "--", color="0.5", label="elastic (Hertz)")
-    axes.plot(history["X"] / radius, history[name] / load, "o-", markersize=3, label="elastic-plastic")
+    axes.plot(
+        history["X"] / radius,
+        history[name] / load,
+        "o-",
+        markersize=3,
+        label="elastic-plastic",
+    )
     axes.axhline(0, color="0.8", linewidth=0.8, zorder=0)
     axes.set(xlabel="sliding coordinate $X/R$", ylabel=f"${name}/P_c$")
 left.legend()
@@ -93,11 +103,15 @@ axes.fill_between(final.x * 1e9, -depth * 1e9, -3, color="C0", alpha=0.25)
 axes.plot(final.x * 1e9, -depth * 1e9)
 axes.axhline(0, color="0.6", linestyle="--", linewidth=0.8)
 axes.set(
-    xlabel="x along the lower asperity [nm]", ylabel="height change [nm]", ylim=(-3, 1), title="What one pass has left"
+    xlabel="x along the lower asperity [nm]",
+    ylabel="height change [nm]",
+    ylim=(-3, 1),
+    title="What one pass has left",
 )
 plt.show()
 
-print(f"deepest: {depth.max() * 1e9:.2f} nm, {depth.max() / run.interference:.0%} of the interference")
+share = depth.max() / run.interference
+print(f"deepest: {depth.max() * 1e9:.2f} nm, {share:.0%} of the interference")
 
 # %%
 # Where the work has gone

@@ -38,8 +38,18 @@ table = hardening_steel.hardening
 strain = np.linspace(0, 0.05, 201)
 figure, axes = plt.subplots(figsize=(5, 3), layout="constrained")
 axes.plot(strain, hardening(strain) / 1e6, label="function")
-axes.plot(table.plastic_strain, np.divide(table.stress, 1e6), ".", label=f"table, {len(table.stress)} points")
-axes.set(xlabel="equivalent plastic strain", ylabel="yield stress [MPa]", xlim=(0, 0.05), ylim=(0, 1200))
+axes.plot(
+    table.plastic_strain,
+    np.divide(table.stress, 1e6),
+    ".",
+    label=f"table, {len(table.stress)} points",
+)
+axes.set(
+    xlabel="equivalent plastic strain",
+    ylabel="yield stress [MPa]",
+    xlim=(0, 0.05),
+    ylim=(0, 1200),
+)
 axes.legend()
 plt.show()
 
@@ -62,7 +72,10 @@ def indentation(material):
     )
 
 
-runs = {"hardening": indentation(hardening_steel).run(), "perfectly plastic": indentation(perfect_steel).run()}
+runs = {
+    "hardening": indentation(hardening_steel).run(),
+    "perfectly plastic": indentation(perfect_steel).run(),
+}
 
 # %%
 # Load over approach
@@ -85,7 +98,9 @@ for name, run in runs.items():
     approach = np.concatenate([[0], run.history["approach"]]) / run.critical.interference
     load = np.concatenate([[0], run.history["F_n"]]) / run.critical.load
     axes.plot(approach, load, "o-", markersize=3, label=name)
-axes.set(xlabel=r"approach $\omega/\omega_c$", ylabel="load $P/P_c$", xlim=(0, 26), ylim=(0, 110))
+axes.set(
+    xlabel=r"approach $\omega/\omega_c$", ylabel="load $P/P_c$", xlim=(0, 26), ylim=(0, 110)
+)
 axes.legend()
 plt.show()
 
@@ -104,7 +119,8 @@ print(f"load over that of the fit: {ratio.min():.3f} to {ratio.max():.3f}")
 indents = {name: run.indents[0] for name, run in runs.items()}
 for name, indent in indents.items():
     print(
-        f"{name}: largest load {indent.max_load:.2f} N, mean pressure {indent.hardness / yield_stress:.2f} S_y, "
+        f"{name}: largest load {indent.max_load:.2f} N, "
+        f"mean pressure {indent.hardness / yield_stress:.2f} S_y, "
         f"stays {indent.final_approach / indent.max_approach:.0%} of the approach"
     )
 

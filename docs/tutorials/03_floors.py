@@ -22,7 +22,12 @@ import brinell
 from brinell.contact import ElasticContact
 from brinell.elastoplastic import CoupledContact
 from brinell.halfspace import HalfSpace, SurfaceGrid, VolumeGrid
-from brinell.reference import contact_modulus, critical_values, point_contact, point_contact_stress
+from brinell.reference import (
+    contact_modulus,
+    critical_values,
+    point_contact,
+    point_contact_stress,
+)
 
 steel = brinell.Material("210 GPa", 0.3, brinell.Linear("800 MPa", "4 GPa"))
 radius = 1e-3
@@ -49,7 +54,11 @@ figure, axes = plt.subplots(figsize=(5.5, 3.2), layout="constrained")
 x = np.linspace(-1.5, 1.5, 301)
 axes.plot(x, np.sqrt(np.clip(1 - x**2, 0, None)), "--", color="0.5", label="Hertz")
 axes.plot(
-    grid.x / hertz.contact_radius, elastic.pressure[middle] / hertz.peak_pressure, "o", markersize=4, label="cells"
+    grid.x / hertz.contact_radius,
+    elastic.pressure[middle] / hertz.peak_pressure,
+    "o",
+    markersize=4,
+    label="cells",
 )
 axes.set(xlabel="$x/a$", ylabel="$p/p_0$", xlim=(-1.5, 1.5))
 axes.legend()
@@ -79,8 +88,16 @@ depth = volume.z[:, 0, 0]
 exact = point_contact_stress(0.0, 0.0, depth, hertz.contact_radius, hertz.peak_pressure, 0.3)
 
 figure, axes = plt.subplots(figsize=(5.5, 3.2), layout="constrained")
-axes.plot(depth / hertz.contact_radius, von_mises(exact) / 800e6, "--", color="0.5", label="Huber")
-axes.plot(depth / hertz.contact_radius, von_mises(stress)[on_axis] / 800e6, "o", markersize=4, label="layers")
+axes.plot(
+    depth / hertz.contact_radius, von_mises(exact) / 800e6, "--", color="0.5", label="Huber"
+)
+axes.plot(
+    depth / hertz.contact_radius,
+    von_mises(stress)[on_axis] / 800e6,
+    "o",
+    markersize=4,
+    label="layers",
+)
 axes.axhline(1, color="C3", linewidth=0.8, label="yield stress")
 axes.set(xlabel="depth $z/a$", ylabel=r"von Mises stress $/\,S_y$", ylim=(0, None))
 axes.legend()
@@ -97,7 +114,9 @@ plt.show()
 # The scenario is the loop: six steps up, three down, at two places 1.5 contact radii apart. The steps are even in
 # load\ :sup:`2/3`, so nearly even in depth.
 
-pair = CoupledContact(grid, volume, volume, steel, brinell.RIGID, scale=first_yield.interference)
+pair = CoupledContact(
+    grid, volume, volume, steel, brinell.RIGID, scale=first_yield.interference
+)
 spots = (-0.75 * hertz.contact_radius, 0.75 * hertz.contact_radius)
 loads = [load * s**1.5 for s in (*np.linspace(0, 1, 7)[1:], *np.linspace(1, 0, 4)[1:])]
 
@@ -110,7 +129,8 @@ for spot in spots:
     dents.append(pair.lower.residual_displacement)
     dissipated.append(pair.lower.dissipation - before)
 
-print(f"{sum(report.evaluations for report in reports)} evaluations for the {len(loads)} increments of the second dent")
+evaluations = sum(report.evaluations for report in reports)
+print(f"{evaluations} evaluations for the {len(loads)} increments of the second dent")
 print(f"dissipated: {dissipated[0] * 1e6:.3f} and {dissipated[1] * 1e6:.3f} µJ")
 
 # %%
@@ -126,7 +146,9 @@ left.axhline(0, color="0.7", linewidth=0.8, zorder=0)
 left.set(xlabel="$x/a$", ylabel="height change [nm]")
 left.legend()
 for curve, name in zip(curves, ("first", "second"), strict=True):
-    approach, force = np.transpose([(0.0, 0.0), *curve]) if name == "first" else np.transpose(curve)
+    approach, force = (
+        np.transpose([(0.0, 0.0), *curve]) if name == "first" else np.transpose(curve)
+    )
     right.plot(approach * 1e9, force, "o-", markersize=3, label=name)
 right.set(xlabel="approach [nm]", ylabel="load [N]")
 right.legend()
@@ -140,7 +162,12 @@ residual = pair.lower.stress[0, :, middle, :]
 limit = np.abs(residual).max() / 1e6
 figure, axes = plt.subplots(figsize=(7, 3), layout="constrained")
 mesh = axes.pcolormesh(
-    grid.x / hertz.contact_radius, depth / hertz.contact_radius, residual / 1e6, cmap="RdBu_r", vmin=-limit, vmax=limit
+    grid.x / hertz.contact_radius,
+    depth / hertz.contact_radius,
+    residual / 1e6,
+    cmap="RdBu_r",
+    vmin=-limit,
+    vmax=limit,
 )
 axes.set(xlabel="$x/a$", ylabel="$z/a$", aspect="equal")
 axes.invert_yaxis()
@@ -153,7 +180,8 @@ plt.show()
 
 strain = pair.lower.equivalent_plastic_strain
 edge = max(strain[-1].max(), strain[:, [0, -1]].max(), strain[:, :, [0, -1]].max())
-print(f"pressure at the edge: {pair.reaches_edge}; strain at the edge over the largest: {edge / strain.max():.1e}")
+print(f"pressure at the edge: {pair.reaches_edge}")
+print(f"strain at the edge over the largest: {edge / strain.max():.1e}")
 
 # %%
 # From here: ``Place`` moves the contact grid over bodies that are longer than it, ``twin`` halves the work of two

@@ -24,9 +24,14 @@ import numpy as np
 
 import brinell
 
-ball = brinell.Body(brinell.Sphere("10 mm"), brinell.Material("210 GPa", 0.3))  # no hardening law: stays elastic
+ball = brinell.Body(
+    brinell.Sphere("10 mm"), brinell.Material("210 GPa", 0.3)
+)  # no hardening law: stays elastic
 laws = {"perfectly plastic": (), "kinematic hardening": [("20 GPa", 0)]}
-loads = {"4 GPa": "3.3 mm", "6 GPa": "4.9 mm"}  # with the length of the track, six half-widths of the contact
+loads = {
+    "4 GPa": "3.3 mm",
+    "6 GPa": "4.9 mm",
+}  # with the length of the track, six half-widths of the contact
 
 # %%
 # Five passes of each. The grid is coarse, to keep this page quick: refine it before you trust the digits.
@@ -46,7 +51,9 @@ def rolling(name, pressure):
     )
 
 
-runs = {(name, pressure): rolling(name, pressure).run() for pressure in loads for name in laws}
+runs = {
+    (name, pressure): rolling(name, pressure).run() for pressure in loads for name in laws
+}
 
 # %%
 # Pass by pass
@@ -81,9 +88,20 @@ for (name, pressure), run in runs.items():
     if pressure == "4 GPa":
         depth = run.profile.depth * 1e6
         (along,) = axes.plot(run.profile.residual_xx / 1e6, depth, label=f"{name}, along")
-        axes.plot(run.profile.residual_yy / 1e6, depth, "--", color=along.get_color(), label=f"{name}, across")
+        axes.plot(
+            run.profile.residual_yy / 1e6,
+            depth,
+            "--",
+            color=along.get_color(),
+            label=f"{name}, across",
+        )
 axes.axvline(0, color="0.7", linewidth=0.8, zorder=0)
-axes.set(xlabel="residual stress [MPa]", ylabel="depth [µm]", ylim=(1200, 0), title="after five passes at 4 GPa")
+axes.set(
+    xlabel="residual stress [MPa]",
+    ylabel="depth [µm]",
+    ylim=(1200, 0),
+    title="after five passes at 4 GPa",
+)
 axes.legend(fontsize="small")
 plt.show()
 
