@@ -11,6 +11,7 @@ Example:
 from __future__ import annotations
 
 import os
+from importlib import import_module
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
@@ -29,6 +30,7 @@ from brinell.scenarios import Indentation, Rolling, Tugging
 from brinell.surfaces import HeightMap
 
 if TYPE_CHECKING:
+    from brinell import export, plot, report
     from brinell.sweeps import sweep
 
 __version__ = version("brinell")
@@ -71,19 +73,22 @@ __all__ = [
     "constitutive",
     "contact",
     "elastoplastic",
+    "export",
     "green",
     "halfspace",
     "open",
+    "plot",
     "reference",
+    "report",
     "surfaces",
     "sweep",
 ]
 
 
 def __getattr__(name: str) -> Any:
-    """Sweeps are imported when asked for: pandas takes longer than all the rest."""
+    """What takes long to import, pandas and matplotlib above all, is imported when asked for."""
     if name == "sweep":
-        from brinell.sweeps import sweep
-
-        return sweep
+        return import_module("brinell.sweeps").sweep
+    if name in ("export", "plot", "report"):
+        return import_module(f"brinell.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -10,7 +10,7 @@ from typing import IO, Any, ParamSpec, TypeVar
 
 import click
 
-from brinell.errors import BrinellError
+from brinell.errors import BrinellError, InputError
 
 __all__ = ["CommandError", "folder_of", "tells_errors"]
 
@@ -19,9 +19,15 @@ _R = TypeVar("_R")
 
 
 class CommandError(click.ClickException):
-    """Something about the request or a result is wrong: one line on the standard error stream, exit code 2."""
+    """An error in one line on the standard error stream.
 
-    exit_code = 2
+    Args:
+        error: what was raised; the exit code is 2 if it is about the request or a result, 1 if a file cannot be written.
+    """
+
+    def __init__(self, error: Exception):
+        super().__init__(str(error))
+        self.exit_code = 2 if isinstance(error, InputError) else 1
 
     def show(self, file: IO[Any] | None = None) -> None:
         """Writes the line."""
@@ -36,7 +42,7 @@ def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
         try:
             return command(*args, **kwargs)
         except (BrinellError, OSError) as error:
-            raise CommandError(str(error)) from error
+            raise CommandError(error) from error
 
     return wrapper
 

@@ -35,13 +35,6 @@ interference = 3
 resolution = 3
 """
 
-MISSING = [
-    name
-    for name, place in cli.COMMANDS.items()
-    if not (ROOT / "python" / place.split(":")[0].replace(".", "/")).with_suffix(".py").is_file()
-]
-"""Commands of the package whose module is not in this source tree."""
-
 Outcome = subprocess.CompletedProcess[str]
 
 
@@ -162,8 +155,6 @@ def test_help_is_fast_and_loads_no_figures(folder: Path) -> None:
 
 @pytest.mark.parametrize("name", cli.COMMANDS)
 def test_commands_of_the_package(name: str, folder: Path) -> None:
-    if name in MISSING:
-        pytest.skip(f"{cli.COMMANDS[name]} is not there")
     assert name in [command.name for command in _core.commands()]
     command = cli.root.get_command(click.Context(cli.root), name)
     assert isinstance(command, click.Command)
@@ -319,7 +310,6 @@ printf '%s\\n' "${{COMPREPLY[@]}}"
 # --- Reference page ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.skipif(bool(MISSING), reason=f"not there: {MISSING}")
 def test_reference_page_is_up_to_date() -> None:
     tool = importlib.util.spec_from_file_location("render_command_line", ROOT / "tools" / "render_command_line.py")
     assert tool is not None

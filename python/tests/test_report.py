@@ -182,6 +182,8 @@ def test_inputs_have_units(make_rolling: MakeRun) -> None:
     }
     case["rolling"] = {"load": 20.0, "normalised": True}
     assert inputs_of(run)["rolling"][0].value == "20 P_c"
+    case["rolling"] = {"heights": np.linspace(-1e-6, 2e-6, 900).tolist()}
+    assert inputs_of(run)["rolling"][0].value == "900 values from −1 µm to 2 µm"
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ UNITS: Mapping[str, str] = {
             "tip_radius",
             "depth",
             "height",
+            "heights",
             "spacing",
             "x",
             "y",
@@ -91,6 +92,9 @@ def _flattened(content: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, s
 
 
 def _written(value: Any, unit: str) -> str:
+    most = 12
+    if isinstance(value, list) and len(value) > most:
+        return f"{len(value)} values from {_written(min(value), unit)} to {_written(max(value), unit)}"
     if isinstance(value, list):
         return ", ".join(_written(one, unit) for one in value) or "none"
     if isinstance(value, bool):

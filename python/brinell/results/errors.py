@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brinell.errors import BrinellError
+from brinell.errors import InputError
 
 __all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line"]
 
@@ -13,7 +13,7 @@ FORMAT_VERSION = 2
 """Version of the results format that this package reads."""
 
 
-class RunError(BrinellError):
+class RunError(InputError):
     """A folder or file is not a readable result, or does not hold what was asked for; the text is one line."""
 
 

@@ -184,7 +184,7 @@ class Run:
 
     @cached_property
     def sources(self) -> list[str]:
-        """brinell and the papers behind the models of the case, as ``brinell cite`` tells them."""
+        """Brinell and the papers behind the models of the case, as ``brinell cite`` tells them."""
         with ResultFile(self.file) as file:
             return (file.text("sources") or "").splitlines()
 
