@@ -104,7 +104,7 @@ bench: build
 	@.venv/bin/pip install --quiet --disable-pip-version-check -r docs/requirements.txt
 	@touch $@
 
-docs: build .venv/.docs-done
+docs: .venv/.docs-done
 	@tools/render_command_line.py .venv/bin/brinell docs/reference/command-line.md
 	@$(python) -m sphinx -W --keep-going -q -c docs -b html -d build/docs/doctrees . build/docs/html
 	@echo "Pages: build/docs/html/index.html"
