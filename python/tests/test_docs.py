@@ -2,6 +2,8 @@
 """Links between the Markdown pages, and the pages and equations that comments name."""
 
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -86,3 +88,24 @@ def test_equations_named_in_comments_exist() -> None:
 def test_labels_of_equations_are_unique() -> None:
     labels = [label for page in sorted((ROOT / "docs/theory").glob("*.md")) for label in TAG.findall(page.read_text())]
     assert sorted(labels) == sorted(set(labels))
+
+
+def outline(page: str) -> list[tuple[str, list[str]]]:
+    """Commands of the command line's page, and their options: what does not depend on who lays out a help text."""
+    sections = re.split(r"^#+ (?=`)", page, flags=re.MULTILINE)[1:]
+    return [(text.split("\n")[0], sorted(set(re.findall(r"(?<!\S)--[a-z][\w-]*", text)))) for text in sections]
+
+
+def test_the_page_of_the_command_line_has_all_commands_and_options() -> None:
+    program = Path(sys.executable).with_name("brinell")
+    if not program.exists():
+        pytest.skip("the command brinell is not installed beside this Python")
+    page = ROOT / "docs" / "reference" / "command-line.md"
+    done = subprocess.run(
+        [sys.executable, str(ROOT / "tools" / "render_command_line.py"), str(program)],
+        check=True,
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    assert outline(done.stdout) == outline(page.read_text(encoding="utf-8")), "make docs writes the page"
