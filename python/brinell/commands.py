@@ -22,7 +22,7 @@ class CommandError(click.ClickException):
     """An error in one line on the standard error stream.
 
     Args:
-        error: what was raised; the exit code is 2 if it is about the request or a result, 1 if a file cannot be written.
+        error: what was raised. The exit code is 2 if it is about the request or a result, else 1.
     """
 
     def __init__(self, error: Exception):
