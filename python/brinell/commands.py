@@ -19,19 +19,19 @@ _R = TypeVar("_R")
 
 
 class CommandError(click.ClickException):
-    """An error in one line on the standard error stream.
+    """An error in one line on the standard error stream; exit code 1: a file cannot be written."""
 
-    Args:
-        error: what was raised. The exit code is 2 if it is about the request or a result, else 1.
-    """
-
-    def __init__(self, error: Exception):
-        super().__init__(str(error))
-        self.exit_code = 2 if isinstance(error, InputError) else 1
+    exit_code = 1
 
     def show(self, file: IO[Any] | None = None) -> None:
         """Writes the line."""
         click.echo(f"brinell: error: {self.message}", file=file, err=file is None)
+
+
+class RequestError(CommandError):
+    """Something about the request or a result is wrong."""
+
+    exit_code = 2
 
 
 def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
@@ -42,7 +42,7 @@ def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
         try:
             return command(*args, **kwargs)
         except (BrinellError, OSError) as error:
-            raise CommandError(error) from error
+            raise (RequestError if isinstance(error, InputError) else CommandError)(str(error)) from error
 
     return wrapper
 
