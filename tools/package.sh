@@ -1,6 +1,6 @@
 #!/bin/bash
-# Makes dist/: the source distribution, and from it a wheel that runs on other machines: for processors from 2013 on, with
-# OpenMP, FFTW and HDF5 inside. Then tries the wheel in a fresh virtual environment, away from the sources.
+# Makes dist/: the source distribution, and from it a wheel that runs on other machines: for processors with AVX2, with OpenMP,
+# FFTW and HDF5 inside. Then tries the wheel in a fresh virtual environment, away from the sources.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -7,13 +7,23 @@ namespace brinell::app
 namespace
 {
 
-// The one global of the program: a signal handler can reach nothing else.
+// A signal handler can reach nothing but globals.
 volatile std::sig_atomic_t noted_signal = 0;
 
+/// The next one of either kind kills.
 void note(int number)
 {
   noted_signal = number;
-  std::signal(number, SIG_DFL);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+/// A signal that the program was started to ignore, as one in the background of a script is, stays ignored.
+void take(int number, struct sigaction& before)
+{
+  sigaction(number, nullptr, &before);
+  if (before.sa_handler != SIG_IGN)
+    std::signal(number, note);
 }
 
 } // namespace
@@ -21,14 +31,14 @@ void note(int number)
 InterruptGuard::InterruptGuard()
 {
   noted_signal = 0;
-  m_interrupt = std::signal(SIGINT, note);
-  m_terminate = std::signal(SIGTERM, note);
+  take(SIGINT, m_interrupt);
+  take(SIGTERM, m_terminate);
 }
 
 InterruptGuard::~InterruptGuard()
 {
-  std::signal(SIGINT, m_interrupt);
-  std::signal(SIGTERM, m_terminate);
+  sigaction(SIGINT, &m_interrupt, nullptr);
+  sigaction(SIGTERM, &m_terminate, nullptr);
 }
 
 int InterruptGuard::signal()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <csignal>
+#include <signal.h>
 
 namespace brinell::app
 {
@@ -19,8 +20,7 @@ public:
   [[nodiscard]] static int signal();
 
 private:
-  using Handler = void (*)(int);
-  Handler m_interrupt = SIG_DFL, m_terminate = SIG_DFL; ///< what was there before
+  struct sigaction m_interrupt = {}, m_terminate = {}; ///< what was there before
 };
 
 } // namespace brinell::app

@@ -2,6 +2,7 @@
 #include "arrays.hpp"
 #include "grids.hpp"
 #include "module.hpp"
+#include "python_calls.hpp"
 
 #include "brinell/contact/elastic_contact.hpp"
 
@@ -42,12 +43,21 @@ auto solve_contact(const SurfaceCompliance& compliance, const Input& distance, c
   if (guess)
     std::ranges::copy(values(*guess, on_grid, "guess"), pressure.begin());
   std::vector<double> gap(d.size());
-  const contact::Report report = without_lock(
-      [&]
-      {
-        contact::ElasticContact solver(compliance);
-        return solver.solve(d, drive, tolerance, max_iterations, pressure, gap);
-      });
+  PythonCalls python;
+  contact::Report report;
+  try
+  {
+    report = without_lock(
+        [&]
+        {
+          contact::ElasticContact solver(compliance);
+          return solver.solve(d, drive, tolerance, max_iterations, pressure, gap, [&] { return python.wants_stop(); });
+        });
+  }
+  catch (const Interrupted&) // by what Python raised
+  {
+  }
+  python.rethrow();
   return std::tuple{array(std::move(pressure), on_grid), array(std::move(gap), on_grid), report};
 }
 

@@ -3,6 +3,7 @@
 
 #include <nanobind/nanobind.h>
 
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -28,16 +29,22 @@ public:
     }
   }
 
-  /// Whether anything has been raised, by a call or by a signal.
+  /// Whether anything has been raised, by a call or by a signal. Asks for signals a few times per second: the lock may be
+  /// long in coming.
   bool wants_stop()
   {
-    if (!raised_)
+    constexpr std::chrono::milliseconds pause{100};
+    const auto now = std::chrono::steady_clock::now();
+    if (!raised_ && now - asked_ >= pause)
+    {
+      asked_ = now;
       call(
           []
           {
             if (PyErr_CheckSignals() != 0)
               nanobind::raise_python_error();
           });
+    }
     return raised_.has_value();
   }
 
@@ -50,6 +57,7 @@ public:
 
 private:
   std::optional<nanobind::python_error> raised_;
+  std::chrono::steady_clock::time_point asked_;
 };
 
 } // namespace brinell::python

@@ -30,7 +30,7 @@ from brinell.scenarios import Indentation, Rolling, Tugging
 from brinell.surfaces import HeightMap
 
 if TYPE_CHECKING:
-    from brinell import export, plot, report
+    from brinell import export, plot, report, sweeps
     from brinell.sweeps import sweep
 
 __version__ = version("brinell")
@@ -82,6 +82,7 @@ __all__ = [
     "report",
     "surfaces",
     "sweep",
+    "sweeps",
 ]
 
 
@@ -89,6 +90,10 @@ def __getattr__(name: str) -> Any:
     """What takes long to import, pandas and matplotlib above all, is imported when asked for."""
     if name == "sweep":
         return import_module("brinell.sweeps").sweep
-    if name in ("export", "plot", "report"):
+    if name in ("export", "plot", "report", "sweeps"):
         return import_module(f"brinell.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from brinell.errors import InputError
 
-__all__ = ["Array", "contiguous", "number", "points", "require_below", "require_positive"]
+__all__ = ["Array", "contiguous", "number", "points", "require_below", "require_poisson", "require_positive"]
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -83,3 +83,13 @@ def require_below(z: Array) -> None:
     """Raises InputError if a depth is negative."""
     if (z < 0).any():
         raise InputError(f"z has the value {z.min()}; allowed: not below 0, z points into the body")
+
+
+def require_poisson(poisson_ratio: object) -> None:
+    """Checks a Poisson's ratio.
+
+    Raises:
+        InputError: it is not in (-1, 0.5].
+    """
+    if not -1.0 < number(poisson_ratio, "poisson_ratio") <= 0.5:
+        raise InputError(f"poisson_ratio = {poisson_ratio}; allowed: in (-1, 0.5]. A steel has about 0.3")

@@ -10,6 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import Any, ClassVar, Protocol, TypeAlias
 
+from brinell.errors import InputError
+
 __all__ = [
     "Berkovich",
     "Body",
@@ -144,6 +146,16 @@ class Body:
     shape: Shape
     material: Part
     texture: Part | None = None
+
+    def __post_init__(self) -> None:
+        for name, allowed in (
+            ("shape", "a shape such as brinell.Sphere('1 mm')"),
+            ("material", "a brinell.Material, or brinell.RIGID"),
+            ("texture", "brinell.Dent, Bump or HeightMap, or None"),
+        ):
+            part = getattr(self, name)
+            if isinstance(part, type) or not (hasattr(part, "to_case") or (part is None and name == "texture")):
+                raise InputError(f"{name} = {part!r} of a body; allowed: {allowed}")
 
     def to_case(self) -> dict[str, Any]:
         """As nested dictionaries."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import inspect
 import tempfile
 import warnings
 import weakref
@@ -14,6 +15,7 @@ import tomli_w
 from tqdm.auto import tqdm
 
 from brinell import _core
+from brinell.errors import InputError
 from brinell.results import Run, open_run
 
 __all__ = ["Case", "CaseWarning", "Progress"]
@@ -48,10 +50,14 @@ class Case:
         """
         self._text = text
         self._file = Path(file)
-        self._overrides = tuple(overrides)
+        self._overrides = (overrides,) if isinstance(overrides, str) else tuple(overrides)
         self._core = _core.parse_case(text, self._file, list(self._overrides))
         for warning in self._core.warnings:
-            warnings.warn(f"{self._file}: {warning}", CaseWarning, stacklevel=3)
+            warnings.warn(f"{self._file}: {warning}", CaseWarning, stacklevel=_level_of_caller())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies and other processes read the case again; its warnings have been told."""
+        return _read_again, (type(self), self._text, self._file.absolute(), self._overrides)
 
     @classmethod
     def from_file(cls, path: str | Path, overrides: Iterable[str] = ()) -> Case:
@@ -64,14 +70,17 @@ class Case:
         Raises:
             InputError: the file is missing, or with all problems found, one per line.
         """
-        overrides = list(overrides)
-        _core.read_case(Path(path), overrides)  # its message for a file that cannot be read
-        return Case(Path(path).read_text(encoding="utf-8"), file=path, overrides=overrides)
+        try:
+            text = Path(path).read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError):
+            _core.read_case(Path(path), [])  # has the message
+            raise
+        return Case(text, file=path, overrides=overrides)
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any], *, file: str | Path = "case.toml") -> Case:
         """A case from nested dictionaries, as a TOML parser would give them."""
-        return Case(tomli_w.dumps(values), file=file)
+        return Case(tomli_w.dumps(plain(values)), file=file)
 
     @property
     def scenario(self) -> str:
@@ -98,6 +107,8 @@ class Case:
         Raises:
             InputError: as for a case file.
         """
+        if isinstance(values, str):
+            values = [values]
         added = overrides_of(values) if isinstance(values, Mapping) else list(values)
         case = object.__new__(type(self))
         Case.__init__(case, self._text, file=self._file, overrides=[*self._overrides, *added])
@@ -168,6 +179,8 @@ class Case:
         return run
 
     def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:
+        if threads is not None and (not isinstance(threads, int) or threads < 1):
+            raise InputError(f"threads = {threads!r}; allowed: a whole number, 1 or more, or None")
         if progress is not True:
             self._core.run(folder, resume, threads or 0, progress or None)
             return
@@ -184,6 +197,25 @@ class Case:
         return f"<brinell.{type(self).__name__} {self.scenario} {self.title or self.name!r}>"
 
 
+def _read_again(kind: type[Case], text: str, file: Path, overrides: tuple[str, ...]) -> Case:
+    case = object.__new__(kind)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", CaseWarning)
+        Case.__init__(case, text, file=file, overrides=overrides)
+    return case
+
+
+def _level_of_caller() -> int:
+    """How far above the function that calls this one the code is that is not of this package."""
+    package = str(Path(__file__).parent)
+    level = 1
+    frame = inspect.currentframe()
+    while frame is not None and frame.f_code.co_filename.startswith(package):
+        frame = frame.f_back
+        level += 1
+    return max(1, level - 1)
+
+
 def overrides_of(values: Mapping[str, Any], table: str = "") -> list[str]:
     """Dotted keys and their values as behind --set; each entry of a table by itself."""
     overrides = []
@@ -196,11 +228,16 @@ def overrides_of(values: Mapping[str, Any], table: str = "") -> list[str]:
 
 
 def plain(value: Any) -> Any:
-    """A value as TOML knows it: numbers of NumPy become Python's, arrays and tuples lists, paths text."""
+    """A value as TOML knows it: NumPy's numbers become Python's, arrays and tuples lists, paths text, parts tables."""
+    if hasattr(value, "to_case"):
+        value = value.to_case()
     if isinstance(value, Mapping):
         return {str(key): plain(entry) for key, entry in value.items() if entry is not None}
     if isinstance(value, list | tuple):
         return [plain(entry) for entry in value]
     if isinstance(value, Path):
         return str(value)
-    return value.tolist() if hasattr(value, "tolist") else value
+    value = value.tolist() if hasattr(value, "tolist") else value
+    if not isinstance(value, bool | int | float | str | list):
+        raise InputError(f"{value!r} is no value of a case; allowed: numbers, text, lists, parts of bodies")
+    return value

@@ -88,6 +88,9 @@ def guarded(command: Callable[[], Any]) -> int:
     """
     try:
         code = command()
+    except click.exceptions.NoArgsIsHelpError as error:
+        click.echo(error.format_message(), err=True)
+        return BAD_INPUT
     except click.UsageError as error:
         _report(error.format_message())
         click.echo(f"Run {error.ctx.command_path if error.ctx else 'brinell'} --help for more information.", err=True)

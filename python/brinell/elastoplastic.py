@@ -219,8 +219,8 @@ class CoupledContact:
             anderson_depth: earlier evaluations used to accelerate; 0: plain fixed point.
 
         Raises:
-            ConvergenceError: two attempts did not converge, and a smaller increment may help. After this error, and
-                after Ctrl-C, the bodies are as they were; pressure and gap have no meaning until the next increment.
+            ConvergenceError: two attempts did not converge, and a smaller increment may help. After any error, and
+                after Ctrl-C, everything is as it was before.
             InputError: a wrong shape, a negative load, not one of load and approach, or a contact that leaves a grid.
         """
         if integration not in ("path", "backward_euler"):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from brinell import _core
-from brinell._arrays import Array, contiguous, points, require_below, require_positive
+from brinell._arrays import Array, contiguous, points, require_below, require_poisson, require_positive
 from brinell.errors import InputError
 
 __all__ = [
@@ -58,6 +58,7 @@ def rectangle_stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, dx: float, dy: fl
     require_positive(dx=dx, dy=dy)
     shape, (x, y, z) = points(x=x, y=y, z=z)
     require_below(z)
+    require_poisson(poisson_ratio)
     return _core.rectangle_stress(x, y, z, dx, dy, poisson_ratio).reshape(6, *shape)
 
 
@@ -91,6 +92,7 @@ def cuboid_stress(
     require_positive(dx=dx, dy=dy, dz=dz, young_modulus=young_modulus)
     shape, (x, y, z) = points(x=x, y=y, z=z)
     strain = contiguous(eigenstrain, "eigenstrain")
+    require_poisson(poisson_ratio)
     return _core.cuboid_stress(x, y, z, dx, dy, dz, strain, young_modulus, poisson_ratio).reshape(6, *shape)
 
 
@@ -106,7 +108,7 @@ def cuboid_stress_half_space(
     young_modulus: float,
     poisson_ratio: float,
 ) -> Array:
-    """Stress of a cuboid with a uniform eigenstrain under a free surface (Liu, Jin, Wang, Keer 2012).
+    """Stress of a cuboid with a uniform eigenstrain under a free surface (Liu et al. 2012).
 
     Args:
         x: points along x, from the cuboid's centre [m]; not on an edge.
@@ -128,6 +130,7 @@ def cuboid_stress_half_space(
     shape, (x, y, z) = points(x=x, y=y, z=z)
     require_below(z)
     strain = contiguous(eigenstrain, "eigenstrain")
+    require_poisson(poisson_ratio)
     stress = _core.cuboid_stress_half_space(x, y, z, zc, dx, dy, dz, strain, young_modulus, poisson_ratio)
     return stress.reshape(6, *shape)
 
@@ -161,6 +164,7 @@ def cuboid_surface_displacement(
     _require_inside(zc, dz)
     shape, (x, y) = points(x=x, y=y)
     strain = contiguous(eigenstrain, "eigenstrain")
+    require_poisson(poisson_ratio)
     return _core.cuboid_surface_displacement(x, y, zc, dx, dy, dz, strain, poisson_ratio).reshape(shape)
 
 

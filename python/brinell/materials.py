@@ -173,8 +173,13 @@ class Material:
     initial_stress: tuple[Sequence[Quantity], Sequence[Quantity]] | None = None
 
     def __post_init__(self) -> None:
-        if callable(self.hardening):
-            object.__setattr__(self, "hardening", Table.of(self.hardening))
+        law = self.hardening
+        if isinstance(law, type) or not (law is None or isinstance(law, Hardening) or callable(law)):
+            raise InputError(
+                f"hardening = {law!r}; allowed: a law, as brinell.Perfect('600 MPa'), a function sigma_y(e), or None"
+            )
+        if callable(law):
+            object.__setattr__(self, "hardening", Table.of(law))
         object.__setattr__(self, "kinematic", _tuples(self.kinematic))
         for name in ("yield_profile", "initial_stress"):
             if (profile := getattr(self, name)) is not None:

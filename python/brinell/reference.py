@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from brinell import _core
-from brinell._arrays import Array, points, require_below, require_positive
+from brinell._arrays import Array, points, require_below, require_poisson, require_positive
 from brinell.errors import InputError
 from brinell.materials import RIGID, Material
 
@@ -191,6 +191,7 @@ def point_contact_stress(
     shape, (x, y, z) = points(x=x, y=y, z=z)
     require_below(z)
     require_positive(contact_radius=contact_radius)
+    require_poisson(poisson_ratio)
     return _core.point_contact_stress(x, y, z, contact_radius, peak_pressure, poisson_ratio).reshape(6, *shape)
 
 
@@ -212,6 +213,7 @@ def line_contact_stress(
     shape, (x, z) = points(x=x, z=z)
     require_below(z)
     require_positive(half_width=half_width)
+    require_poisson(poisson_ratio)
     return _core.line_contact_stress(x, z, half_width, peak_pressure, poisson_ratio).reshape(6, *shape)
 
 
@@ -242,6 +244,7 @@ def first_yield(poisson_ratio: float) -> FirstYield:
 
 def critical_pressure_ratio(poisson_ratio: float) -> float:
     """C(nu) = 1.30075 + 0.87825 nu + 0.54373 nu^2, a fit of p0/S_y at first yield (Green 2005), within 0.15 %."""
+    require_poisson(poisson_ratio)
     return _core.critical_pressure_ratio(poisson_ratio)
 
 
@@ -296,6 +299,7 @@ def critical_values(
 
 def jackson_green_pressure_ratio(poisson_ratio: float) -> float:
     """C(nu) = 1.295 exp(0.736 nu), p0/S_y at first yield as Jackson and Green (2005) have it."""
+    require_poisson(poisson_ratio)
     return _core.jackson_green_pressure_ratio(poisson_ratio)
 
 
@@ -314,6 +318,7 @@ def jackson_green_area(
         (...) [-].
     """
     shape, (ratio,) = points(interference_ratio=interference_ratio)
+    require_poisson(poisson_ratio)
     return _core.jackson_green_area(ratio, young_modulus, poisson_ratio, yield_stress).reshape(shape)
 
 
@@ -332,6 +337,7 @@ def jackson_green_load(
         (...) [-]; Hertz below a ratio of 1.9.
     """
     shape, (ratio,) = points(interference_ratio=interference_ratio)
+    require_poisson(poisson_ratio)
     return _core.jackson_green_load(ratio, young_modulus, poisson_ratio, yield_stress).reshape(shape)
 
 

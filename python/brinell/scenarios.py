@@ -18,6 +18,7 @@ import tomli_w
 
 from brinell.bodies import Body, Quantity
 from brinell.case import Case, plain
+from brinell.errors import InputError
 
 __all__ = ["Indentation", "Rolling", "Tugging"]
 
@@ -38,6 +39,9 @@ class _Scenario(Case):
         solver: Mapping[str, Any] | None,
         output: Mapping[str, Any] | None,
     ):
+        for name, body in (("lower", lower), ("upper", upper)):
+            if not isinstance(body, Body):
+                raise InputError(f"{name} = {body!r}; allowed: a brinell.Body")
         values = {
             "scenario": self._table,
             "title": title,

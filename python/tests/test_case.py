@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import os
+import pickle
 import signal
 import threading
 import time
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -174,3 +178,50 @@ def test_threads_are_those_asked_for_and_only_for_this_run(case: brinell.Case) -
     again = case.run()
     assert again.summary is not None
     assert again.summary["run"]["threads"] == int(os.environ.get("OMP_NUM_THREADS", len(os.sched_getaffinity(0))))
+
+
+def test_several_runs_at_once_in_one_process(case: brinell.Case) -> None:
+    all_steps = case.with_values({"output.snapshots": "all"})
+    alone = all_steps.run(threads=1).history["F_X"]
+    with ThreadPoolExecutor(4) as pool:
+        runs = list(pool.map(lambda _: all_steps.run(threads=1), range(4)))
+    for run in runs:
+        np.testing.assert_array_equal(run.history["F_X"], alone)
+        assert run.snapshot("aligned").lower.equivalent_plastic_strain.max() > 0.0
+
+
+def test_a_case_can_be_copied_and_sent_to_another_process(case: brinell.Case) -> None:
+    other = case.with_values({"tugging.passes": 2})
+    for again in (copy.deepcopy(other), pickle.loads(pickle.dumps(other))):
+        assert type(again) is type(other)
+        assert again.to_toml() == other.to_toml()
+
+
+def test_parts_of_bodies_are_values(case: brinell.Case) -> None:
+    other = case.with_values({"lower.material.hardening": brinell.Voce("600 MPa", "200 MPa", 12.0)})
+    assert tomllib.loads(other.to_toml())["lower"]["material"]["hardening"]["saturation"] == 200e6
+    with pytest.raises(brinell.InputError, match="is no value of a case"):
+        case.with_values({"tugging.interference": object()})
+
+
+def test_one_override_may_stand_alone(case: brinell.Case) -> None:
+    assert tomllib.loads(case.with_values("tugging.passes=3").to_toml())["tugging"]["passes"] == 3
+    one = brinell.Case.from_file(CASES / "tugging" / "case.toml", "tugging.passes=3")
+    assert tomllib.loads(one.to_toml())["tugging"]["passes"] == 3
+
+
+@pytest.mark.parametrize("threads", [0, -1, "2", 1.5])
+def test_threads_are_a_whole_number(case: brinell.Case, threads: Any) -> None:
+    with pytest.raises(brinell.InputError, match="threads"):
+        case.run(threads=threads)
+
+
+def test_a_warning_points_to_the_code_of_the_user() -> None:
+    text = (CASES / "tugging" / "case.toml").read_text(encoding="utf-8")
+    for make in (
+        lambda: brinell.Case(text, overrides=["tugging.interference=2000"]),
+        lambda: brinell.Case.from_file(CASES / "tugging" / "case.toml", ["tugging.interference=2000"]),
+    ):
+        with pytest.warns(brinell.CaseWarning) as told:
+            make()
+        assert {Path(one.filename).name for one in told} == {Path(__file__).name}

@@ -182,7 +182,7 @@ def raising(error: BaseException) -> Callable[[], object]:
         (brinell.ConvergenceError("step 3"), 1, "brinell: error: no convergence: step 3\n"),
         (brinell.IoError("out: no space"), 1, "brinell: error: out: no space\n"),
         (PermissionError(13, "Permission denied", "out"), 1, "brinell: error: [Errno 13] Permission denied: 'out'\n"),
-        (brinell.RunError("out: nothing there"), 1, "brinell: error: out: nothing there\n"),
+        (brinell.RunError("out: nothing there"), 2, "brinell: error: out: nothing there\n"),
         (brinell.InternalError("x"), 1, "brinell: error: internal error, a bug of brinell, please report it: x\n"),
         (KeyboardInterrupt(), 130, ""),
     ],

@@ -159,10 +159,14 @@ def test_a_function_is_as_good_as_the_law() -> None:
 def test_unconverged_is_an_error_and_leaves_the_bodies() -> None:
     pair = pressed()
     pair.advance(ball(), load=1.0)
-    before = pair.lower.plastic_strain
+    before = pair.lower.plastic_strain, pair.lower.stress, pair.pressure, pair.gap
+    load = pair.load
     with pytest.raises(brinell.ConvergenceError, match="no convergence after 4 evaluations; yield violation .* S_y"):
         pair.advance(ball(), load=4.0, max_evaluations=2)
-    np.testing.assert_array_equal(pair.lower.plastic_strain, before)
+    after = pair.lower.plastic_strain, pair.lower.stress, pair.pressure, pair.gap
+    for field, field_before in zip(after, before, strict=True):
+        np.testing.assert_array_equal(field, field_before)
+    assert pair.load == load
     report = pair.advance(ball(), load=2.0)  # it goes on
     assert report.load == pytest.approx(2.0)
 
@@ -185,20 +189,16 @@ def heavy() -> tuple[CoupledContact, NDArray[np.float64]]:
 
 
 def test_ctrl_c_stops_an_increment() -> None:
-    pair, distance = heavy()
-
-    def press() -> None:
-        for load in np.linspace(1.0, 20.0, 400):
-            pair.advance(distance, load=load)
-
-    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    grid = SurfaceGrid(80, 80, 0.75e-6, 0.75e-6)
+    body = VolumeGrid(grid, nz=40, dz=0.75e-6)
+    pair = CoupledContact(grid, body, body, STEEL, brinell.RIGID, scale=ALPHA_C, yield_tolerance=1e-9)
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
-    start = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
-        press()
+        pair.advance(ball(grid), load=20.0, max_evaluations=1000)
     timer.join()
-    assert time.monotonic() - start < 20  # on a busy machine; the loop would take minutes
-    assert np.isfinite(pair.lower.plastic_strain).all()
+    assert pair.load == 0.0  # within this increment, of which nothing is left
+    assert not pair.lower.plastic_strain.any()
 
 
 def test_another_thread_may_not_use_it_meanwhile() -> None:

@@ -140,3 +140,22 @@ def test_a_law_of_ones_own_gives_what_the_same_law_of_the_engine_gives() -> None
 
     of_engine = peak(brinell.Linear("600 MPa", "2 GPa"))
     assert peak(linear) == pytest.approx(of_engine, rel=1e-9)  # both are linear: rounding, through a few iterations
+
+
+@pytest.mark.parametrize("hardening", ["600 MPa", 600e6, {"law": "perfect"}, brinell.Linear])
+def test_a_material_never_stays_elastic_by_mistake(hardening: Any) -> None:
+    with pytest.raises(brinell.InputError, match="hardening"):
+        brinell.Material("210 GPa", 0.3, hardening)
+
+
+@pytest.mark.parametrize(
+    ("shape", "material"), [("flat", STEEL), (brinell.Flat, STEEL), (brinell.Flat(), "steel"), (brinell.Flat(), None)]
+)
+def test_a_body_is_made_of_parts(shape: Any, material: Any) -> None:
+    with pytest.raises(brinell.InputError, match="of a body; allowed"):
+        brinell.Body(shape, material)
+
+
+def test_a_scenario_has_bodies() -> None:
+    with pytest.raises(brinell.InputError, match=r"lower = 'a'; allowed: a brinell.Body"):
+        brinell.Tugging("a", "b", 3)  # type: ignore[arg-type]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/contact/elastic_contact.hpp"
 
+#include "brinell/foundation/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -115,7 +117,8 @@ double ElasticContact::descend(bool conjugate, bool load_given, std::span<const 
 }
 
 Report ElasticContact::solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
-                             std::span<double> pressure, std::span<double> gap)
+                             std::span<double> pressure, std::span<double> gap,
+                             const std::function<bool()>& wants_stop)
 {
   const bool load_given = drive.kind == Drive::Kind::load;
   if (load_given && !(drive.value > 0.0))
@@ -125,8 +128,11 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
   bool conjugate = false;
   Report report;
   report.approach = drive.value;
+  constexpr int few = 8;
   for (;; ++report.iterations)
   {
+    if (wants_stop && report.iterations % few == 0 && wants_stop())
+      throw Interrupted();
     compliance_.apply(pressure, gap, scratch_);
     std::transform(gap.begin(), gap.end(), distance.begin(), gap.begin(), std::plus<>());
     if (load_given)

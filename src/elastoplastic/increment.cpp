@@ -237,14 +237,15 @@ private:
 
 /// Contact of the deformed surfaces: gap and pressure for the residual displacements of the present trial.
 void CoupledContact::touch(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
-                           IncrementReport& report)
+                           const Strategy& strategy, IncrementReport& report)
 {
   std::copy(distance.begin(), distance.end(), distance_.begin());
   add_depth(lower_, placement.lower, lower_.residual_displacement(), distance_);
   add_depth(upper_, placement.upper, upper_.residual_displacement(), distance_);
   constexpr int most_iterations = 2000;
   const contact::Report contact =
-      contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_);
+      contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_,
+                     strategy.wants_stop);
   report.contact_iterations += contact.iterations;
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
@@ -266,17 +267,43 @@ double CoupledContact::energy(double approach) const
   return lower + upper - elastic_energy() - work * grid().cell_area();
 }
 
-IncrementReport CoupledContact::advance(std::span<const double> distance, const contact::Drive& drive,
+namespace
+{
+
+/// Puts back what an increment has changed, unless it is committed.
+class Undo
+{
+public:
+  Undo(std::vector<double>& pressure, std::vector<double>& gap)
+      : pressure_(pressure), gap_(gap), old_pressure_(pressure), old_gap_(gap)
+  {
+  }
+  ~Undo()
+  {
+    if (committed_)
+      return;
+    pressure_.swap(old_pressure_);
+    gap_.swap(old_gap_);
+  }
+  Undo(const Undo&) = delete;
+  Undo& operator=(const Undo&) = delete;
+  void commit() { committed_ = true; }
+
+private:
+  std::vector<double>&pressure_, &gap_;
+  std::vector<double> old_pressure_, old_gap_;
+  bool committed_ = false;
+};
+
+} // namespace
+
+/// The fixed point of the trial deviators, to convergence or until it is given up.
+IncrementReport CoupledContact::iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy)
 {
   IncrementReport report;
   const bool twins = twin_ != Twin::none;
   const double imposed_approach = drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0;
-  lower_.begin(placement.lower.column - placement_.lower.column, strategy.stiffness_share);
-  if (twins)
-    upper_.follow(lower_, twin_);
-  else
-    upper_.begin(placement.upper.column - placement_.upper.column, strategy.stiffness_share);
   Anderson anderson(strategy.anderson_depth);
   Unknowns unknowns;
   Progress progress;
@@ -295,7 +322,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
       upper_.follow(lower_, twin_);
     else
       upper_.integrate(strategy.integration);
-    touch(distance, drive, placement, report);
+    touch(distance, drive, placement, strategy, report);
     const bool lower_grew = lower_.update(lower_pressure_);
     const bool upper_grew = !twins && upper_.update(upper_pressure_);
     const bool grew = lower_grew || upper_grew;
@@ -327,22 +354,32 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     anderson.advance(x, g);
     unknowns.unpack(x, lower_.trial(), upper_.trial());
   }
+  return report;
+}
+
+IncrementReport CoupledContact::advance(std::span<const double> distance, const contact::Drive& drive,
+                                        const Placement& placement, const Strategy& strategy)
+{
+  Undo undo(pressure_, gap_);
+  lower_.begin(placement.lower.column - placement_.lower.column, strategy.stiffness_share);
+  if (twin_ != Twin::none)
+    upper_.follow(lower_, twin_);
+  else
+    upper_.begin(placement.upper.column - placement_.upper.column, strategy.stiffness_share);
+  IncrementReport report = iterate(distance, drive, placement, strategy);
   if (!report.converged)
-  {
-    std::fill(pressure_.begin(), pressure_.end(), 0.0); // no guess for the next attempt: it may not be finite
     return report;
-  }
   if (leaves_grid_)
-    throw GridError(
-        "the contact has reached the end of a material grid: enlarge it by grid.extent. All steps so far are kept");
-  report.energy = energy(imposed_approach);
+    throw GridError("the contact has reached the end of a material grid");
+  report.energy = energy(drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0);
   lower_.commit(lower_pressure_);
-  if (twins)
+  if (twin_ != Twin::none)
     upper_.adopt(lower_, twin_);
   else
     upper_.commit(upper_pressure_);
   placement_ = placement;
   approach_ = report.approach;
+  undo.commit();
   return report;
 }
 

@@ -166,7 +166,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
     read_rolling(reader, result);
   if (!problems.empty()) // a forgotten unit may be the reason
     for (const Warning& warning : result.warnings)
-      problems.add(raw.file, warning);
+      problems.add(raw.file, "warning: " + warning);
   problems.throw_if_any();
   return result;
 }

@@ -55,13 +55,29 @@ void add_scenario(const RollingCase& rolling, Sources& sources)
     sources.add(references::johnson_1985(), "shakedown under repeated passes");
 }
 
+/// Whether a body is a cone or a pyramid.
+bool has_tip(const Case& c)
+{
+  return std::visit(
+      [](const auto& scenario)
+      {
+        if constexpr (requires { scenario.lower.shape; })
+          return !relative_curvature(scenario.lower.shape, scenario.upper.shape).has_value();
+        else // asperities are spheres
+          return false;
+      },
+      c.scenario);
+}
+
 void add_contact(const Case& c, Sources& sources)
 {
   sources.add(references::love_1929(), "surface displacement and stress under the pressure of a cell");
   sources.add(references::liu_2000(), "convolutions with zero padding (DC-FFT)");
   sources.add(references::polonsky_1999(), "contact by constrained conjugate gradients");
   const bool by_hertz_pressure = c.values.find("rolling.hertz_pressure") != nullptr;
-  if (c.equivalent_radius || by_hertz_pressure)
+  if (has_tip(c))
+    sources.add(references::sneddon_1965(), "elastic contact of a tip, from which the grid is sized");
+  else
     sources.add(references::hertz_1882(), by_hertz_pressure ? "load from the peak pressure of the elastic contact"
                                                             : "elastic contact, from which the grid is sized");
 }

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "replace_file.hpp"
 
+#include <atomic>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -18,9 +19,9 @@ constexpr std::array<hsize_t, 4> longest_chunk_side{1, 4096, 512, 64};
 constexpr unsigned deflate_level = 1; ///< fields are smooth or zero: higher levels gain little and cost much
 
 /// The text of the innermost HDF5 error, where the cause is.
-herr_t take_description(unsigned /*n*/, const H5E_error2_t* error, void* data)
+herr_t take_description(unsigned n, const H5E_error2_t* error, void* data)
 {
-  if (error->desc)
+  if (n == 0 && error->desc)
     *static_cast<std::string*>(data) = error->desc;
   return 0;
 }
@@ -136,7 +137,9 @@ Handle create_file_in_memory()
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a property list");
   constexpr hbool_t on_disk_too = false;
   check(H5Pset_fapl_core(access.id(), growth, on_disk_too), "keep a file in memory");
-  return checked(H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "create a file in memory");
+  static std::atomic<unsigned> count = 0; // HDF5 takes files in memory of one name for the same file
+  const std::string name = fmt::format("memory-{}", count++);
+  return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "create a file in memory");
 }
 
 void save_file(Handle file, const std::filesystem::path& path)

@@ -41,7 +41,8 @@ Reference boucly_2006()
       .year = 2006,
       .title =
           "Modeling of the rolling and sliding contact between two asperities. Part II: hemispherical sliding contact",
-      .container = "Proceedings of IJTC2006, STLE/ASME International Joint Tribology Conference, San Antonio, Texas"};
+      .container = "Proceedings of IJTC2006, STLE/ASME International Joint Tribology Conference, San Antonio, Texas",
+      .note = "See also Journal of Tribology 129 (2007), 235-245"};
 }
 
 Reference chaboche_1986()
@@ -212,6 +213,19 @@ Reference simo_1998()
           .title = "Computational Inelasticity",
           .publisher = "Springer, New York",
           .doi = "10.1007/b98904"};
+}
+
+Reference sneddon_1965()
+{
+  return {.key = "sneddon1965",
+          .authors = {"Sneddon, I. N."},
+          .year = 1965,
+          .title = "The relation between load and penetration in the axisymmetric Boussinesq problem for a punch of "
+                   "arbitrary profile",
+          .container = "International Journal of Engineering Science",
+          .volume = "3",
+          .number = "1",
+          .pages = "47-57"};
 }
 
 Reference swift_1952()

@@ -24,6 +24,7 @@ namespace brinell::io::references
 [[nodiscard]] Reference polonsky_1999();
 [[nodiscard]] Reference prager_1956();
 [[nodiscard]] Reference simo_1998();
+[[nodiscard]] Reference sneddon_1965();
 [[nodiscard]] Reference swift_1952();
 [[nodiscard]] Reference ville_1999();
 [[nodiscard]] Reference voce_1948();

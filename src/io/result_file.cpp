@@ -47,14 +47,14 @@ Json json_of(const BodyLayout& body)
 
 BodyLayout body_of(const Json& json)
 {
-  const auto cells = json["cells"].get<std::array<int, 3>>();
-  const auto spacing = json["spacing"].get<std::array<double, 3>>();
+  const auto cells = json.at("cells").get<std::array<int, 3>>();
+  const auto spacing = json.at("spacing").get<std::array<double, 3>>();
   return {.grid = {{cells[0], cells[1], spacing[0], spacing[1]}, cells[2], spacing[2]},
-          .x0 = json["origin"][0],
-          .y0 = json["origin"][1],
-          .has_residual_displacement = json["has_residual_displacement"],
-          .has_plastic_strain = json["has_plastic_strain"],
-          .has_stress = json["has_stress"]};
+          .x0 = json.at("origin").at(0),
+          .y0 = json.at("origin").at(1),
+          .has_residual_displacement = json.at("has_residual_displacement"),
+          .has_plastic_strain = json.at("has_plastic_strain"),
+          .has_stress = json.at("has_stress")};
 }
 
 Json json_of(const StateLayout& layout)
@@ -66,8 +66,8 @@ Json json_of(const StateLayout& layout)
 
 StateLayout state_of(const Json& json)
 {
-  const auto contact = json["contact"].get<std::array<int, 4>>();
-  return {body_of(json["lower"]), body_of(json["upper"]), {contact[0], contact[1], contact[2], contact[3]}};
+  const auto contact = json.at("contact").get<std::array<int, 4>>();
+  return {body_of(json.at("lower")), body_of(json.at("upper")), {contact[0], contact[1], contact[2], contact[3]}};
 }
 
 void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history)
@@ -153,12 +153,23 @@ void ResultFile::read_index(int finished_steps)
   if (!stream) // no step has been stored yet
     return;
   const Json index = Json::parse(stream, nullptr, false);
-  if (index.is_discarded())
-    throw IoError(
+  const auto damaged = [&]
+  {
+    return IoError(
         fmt::format("{}: is damaged; run without --resume", (m_folder / pieces_folder / index_file).string()));
-  for (const Json& piece : index)
-    if (piece["time"].get<double>() < finished_steps && piece["file"] != "final.h5")
-      m_pieces.push_back({piece["file"], piece["group"], piece["time"], state_of(piece["layout"])});
+  };
+  if (index.is_discarded())
+    throw damaged();
+  try
+  {
+    for (const Json& piece : index)
+      if (piece.at("time").get<double>() < finished_steps && piece.at("file") != "final.h5")
+        m_pieces.push_back({piece.at("file"), piece.at("group"), piece.at("time"), state_of(piece.at("layout"))});
+  }
+  catch (const Json::exception&)
+  {
+    throw damaged();
+  }
 }
 
 /// HDF5 crashes when a full disk does not let it close a file: better to know before.
@@ -167,7 +178,10 @@ void ResultFile::require_space() const
   std::uintmax_t needed = 0;
   std::error_code error;
   for (const Piece& piece : m_pieces)
-    needed += fs::file_size(m_folder / pieces_folder / piece.file, error);
+  {
+    const std::uintmax_t size = fs::file_size(m_folder / pieces_folder / piece.file, error);
+    needed += error ? 0 : size;
+  }
   const fs::space_info space = fs::space(m_folder, error);
   if (!error && space.available < needed)
     throw IoError(
@@ -195,8 +209,8 @@ void ResultFile::write_description(const h5::Handle& file) const
   write_history(file, m_history);
 }
 
-/// Writes result.vtkhdf anew, with links to the pieces. Its cost must not grow with each of them: thirty in /VTKHDF take
-/// some 15 ms, a plain link some microseconds.
+/// Writes result.vtkhdf anew, with links to the pieces. Its cost must grow little with each of them: thirty in /VTKHDF take
+/// some 15 ms, a plain link or a row of the history some microseconds.
 void ResultFile::write_linked() const
 {
   h5::Handle file = h5::create_file_in_memory();

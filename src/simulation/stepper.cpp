@@ -119,6 +119,20 @@ void Stepper::bisect(const std::function<Target(double)>& path, double begin, do
       bisect(path, from, to, finest);
 }
 
+IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strategy& strategy)
+{
+  try
+  {
+    const IncrementReport report = pair_.advance(distance_, target.drive, target.frame.placement, strategy);
+    evaluations_ += report.evaluations;
+    return report;
+  }
+  catch (const GridError& error)
+  {
+    throw GridError(fmt::format("{}: enlarge it by grid.extent. All steps so far are kept", error.what()));
+  }
+}
+
 /// Accelerated: first with a cell's own stiffness, then with that which bounds all.
 bool Stepper::attempt(const Target& target)
 {
@@ -127,9 +141,7 @@ bool Stepper::attempt(const Target& target)
   for (const double share : {0.6, 1.0})
   {
     const IncrementReport report =
-        pair_.advance(distance_, target.drive, target.frame.placement,
-                      {s.integration, s.max_iterations, s.anderson_depth, share, false, setup_.wants_stop});
-    evaluations_ += report.evaluations;
+        solved(target, {s.integration, s.max_iterations, s.anderson_depth, share, false, setup_.wants_stop});
     if (report.converged)
       return true;
   }
@@ -145,10 +157,8 @@ void Stepper::guard(const Target& target)
   const bool has_energy = setup_.lower.kinematic.empty() && setup_.upper.kinematic.empty();
   for (const double share : {1.0, 2.0, 4.0})
   {
-    report = pair_.advance(
-        distance_, target.drive, target.frame.placement,
-        {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, setup_.wants_stop});
-    evaluations_ += report.evaluations;
+    report = solved(target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy,
+                             setup_.wants_stop});
     if (report.converged)
       return;
     if (has_energy && !report.energy_rose)

@@ -90,6 +90,7 @@ public:
 private:
   void bisect(const std::function<Target(double)>& path, double begin, double end, double finest);
   bool attempt(const Target& target);
+  [[nodiscard]] elastoplastic::IncrementReport solved(const Target& target, const elastoplastic::Strategy& strategy);
   void guard(const Target& target);
   void place(const Frame& frame);
 

@@ -3,6 +3,7 @@
 
 #include "brinell/halfspace/surface_compliance.hpp"
 
+#include <functional>
 #include <span>
 
 /// Frictionless, non-adhesive contact of two surfaces: pressure and gap from the shape between them.
@@ -45,8 +46,11 @@ public:
   /// @param tolerance  largest |gap| under pressure and largest penetration elsewhere [m].
   /// @param pressure   in: a guess (zeros are one); out: the pressure [Pa].
   /// @param gap        out: [m].
+  /// @param wants_stop asked every few iterations.
+  /// @throws Interrupted if it says so.
   [[nodiscard]] Report solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
-                             std::span<double> pressure, std::span<double> gap);
+                             std::span<double> pressure, std::span<double> gap,
+                             const std::function<bool()>& wants_stop = {});
 
 private:
   void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure) const;

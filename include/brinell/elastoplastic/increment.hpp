@@ -64,7 +64,7 @@ struct Strategy
   /// Give up as soon as the energy of the increment's convex problem, docs/theory/elastoplastic.md (energy), rises
   /// (backward Euler, plain fixed point): the caller then retries with a larger stiffness share, that is with shorter steps.
   bool watch_energy = false;
-  std::function<bool()> wants_stop{}; ///< asked before each evaluation
+  std::function<bool()> wants_stop{}; ///< asked before each evaluation and while the contact is solved
 };
 
 /// The coupled solver, with its buffers.
@@ -89,7 +89,8 @@ public:
   /// Solves one increment from the present state; commits it only if it converged.
   /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m].
   /// @param placement  of the contact grid on the material grids.
-  /// @throws Interrupted between two evaluations; the states of both bodies are those before the increment.
+  /// @throws Interrupted between two evaluations or within a contact solution; GridError. Without convergence, or after these,
+  /// everything is as it was before the increment.
   [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
 
@@ -106,7 +107,9 @@ public:
 
 private:
   void touch(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
-             IncrementReport& report);
+             const Strategy& strategy, IncrementReport& report);
+  [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
+                                        const Placement& placement, const Strategy& strategy);
   void add_depth(const Body& body, const Place& place, std::span<const double> displacement,
                  std::span<double> out) const;
   [[nodiscard]] double energy(double approach) const;

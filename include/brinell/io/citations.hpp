@@ -41,7 +41,7 @@ struct Citation
   std::string use;
 };
 
-/// What a case is computed with, the scenario's source first; each source once.
+/// What a case is computed with; each source once.
 [[nodiscard]] std::vector<Citation> citations(const Case& c);
 
 /// brinell itself, as in CITATION.cff.

@@ -11,6 +11,7 @@ import contextlib
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from concurrent.futures import CancelledError, Future, ProcessPoolExecutor
@@ -65,6 +66,9 @@ class LocalPool:
         Raises:
             BrinellError: they cannot.
         """
+        script = getattr(sys.modules["__main__"], "__file__", None)
+        if script is not None and not Path(script).is_file():
+            raise BrinellError("a sweep starts processes that import its script: that must be a file, or a notebook")
         self.threads = threads
         self._listener, self._teller = multiprocessing.Pipe(duplex=False)
         self._executors: dict[Future[Outcome], ProcessPoolExecutor] = {}

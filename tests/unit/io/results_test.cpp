@@ -190,8 +190,11 @@ TEST(Results, EarlierResultGoesBeforeTheNewOneBegins)
     EXPECT_FALSE(first.replaced()) << "a file of the user is no result";
   }
   write_complete(folder.path(), c);
+  for (const char* of_version_1 : {"result.h5", "contact.xdmf", "lower.xdmf", "upper.xdmf"})
+    std::ofstream(folder.path() / of_version_1) << "of another result";
   const ResultDirectory again(folder.path(), c);
   EXPECT_TRUE(again.replaced());
+  EXPECT_FALSE(fs::exists(folder.path() / "result.h5") || fs::exists(folder.path() / "contact.xdmf"));
   EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   EXPECT_TRUE(dataset(folder.path() / "result.vtkhdf", "/steps/000000/contact/pressure").empty());
   EXPECT_TRUE(fs::exists(folder.path() / "notes.txt"));
