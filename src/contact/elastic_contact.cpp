@@ -117,8 +117,7 @@ double ElasticContact::descend(bool conjugate, bool load_given, std::span<const 
 }
 
 Report ElasticContact::solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
-                             std::span<double> pressure, std::span<double> gap,
-                             const std::function<bool()>& wants_stop)
+                             std::span<double> pressure, std::span<double> gap, const std::function<bool()>& wants_stop)
 {
   const bool load_given = drive.kind == Drive::Kind::load;
   if (load_given && !(drive.value > 0.0))

@@ -243,9 +243,8 @@ void CoupledContact::touch(std::span<const double> distance, const contact::Driv
   add_depth(lower_, placement.lower, lower_.residual_displacement(), distance_);
   add_depth(upper_, placement.upper, upper_.residual_displacement(), distance_);
   constexpr int most_iterations = 2000;
-  const contact::Report contact =
-      contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_,
-                     strategy.wants_stop);
+  const contact::Report contact = contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap,
+                                                 most_iterations, pressure_, gap_, strategy.wants_stop);
   report.contact_iterations += contact.iterations;
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;

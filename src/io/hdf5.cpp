@@ -4,8 +4,8 @@
 #include "brinell/foundation/error.hpp"
 #include "replace_file.hpp"
 
-#include <atomic>
 #include <algorithm>
+#include <atomic>
 #include <fmt/format.h>
 
 namespace brinell::io::h5

@@ -75,11 +75,11 @@ bool removed(const fs::path& path)
 bool earlier_result_removed(const fs::path& folder)
 {
   bool found = false;
-  for (const char* name : {"summary.json", "history.csv", "result.vtkhdf", "snapshots", "resolved.toml",
-                           "result.vtkhdf.part", "summary.json.part", "resolved.toml.part", "history.csv.part",
-                           checkpoint_file, "checkpoint.h5.part",
-                           // of format version 1
-                           "result.h5", "result.h5.part", "contact.xdmf", "lower.xdmf", "upper.xdmf"})
+  for (const char* name :
+       {"summary.json", "history.csv", "result.vtkhdf", "snapshots", "resolved.toml", "result.vtkhdf.part",
+        "summary.json.part", "resolved.toml.part", "history.csv.part", checkpoint_file, "checkpoint.h5.part",
+        // of format version 1
+        "result.h5", "result.h5.part", "contact.xdmf", "lower.xdmf", "upper.xdmf"})
     found = removed(folder / name) || found;
   return found;
 }

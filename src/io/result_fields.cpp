@@ -77,7 +77,8 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
     h5::write_dataset(group, "equivalent_plastic_strain", body.equivalent_plastic_strain, volume, "1",
                       "accumulated equivalent plastic strain");
   write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain");
-  write_tensor(group, "stress", body.stress, volume, "Pa", "stress of contact, plastic strain and before the first load, tension positive");
+  write_tensor(group, "stress", body.stress, volume, "Pa",
+               "stress of contact, plastic strain and before the first load, tension positive");
   if (is_stored(body.stress))
     h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress");
 }

@@ -157,8 +157,8 @@ void Stepper::guard(const Target& target)
   const bool has_energy = setup_.lower.kinematic.empty() && setup_.upper.kinematic.empty();
   for (const double share : {1.0, 2.0, 4.0})
   {
-    report = solved(target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy,
-                             setup_.wants_stop});
+    report = solved(
+        target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, setup_.wants_stop});
     if (report.converged)
       return;
     if (has_energy && !report.energy_rose)

@@ -67,9 +67,10 @@ struct StepRecord
 struct BodySnapshot
 {
   VolumeGrid grid;
-  double x0 = 0.0, y0 = 0.0;                         ///< centre of cell (0, 0) in the body's surface coordinates [m]
-  double contact_x = 0.0;                            ///< where the contact centre is now [m]
-  std::array<std::vector<double>, 6> stress;         ///< xx yy zz yz xz xy, of contact, plastic strain and before the first load [Pa]; empty if rigid
+  double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) in the body's surface coordinates [m]
+  double contact_x = 0.0;    ///< where the contact centre is now [m]
+  std::array<std::vector<double>, 6>
+      stress; ///< xx yy zz yz xz xy, of contact, plastic strain and before the first load [Pa]; empty if rigid
   std::array<std::vector<double>, 6> plastic_strain; ///< xx yy zz yz xz xy [-]
   std::vector<double> equivalent_plastic_strain;     ///< [-]
   std::vector<double> residual_displacement;         ///< surface, into the body positive [m]
