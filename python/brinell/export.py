@@ -10,8 +10,7 @@ from typing import Literal
 import click
 import numpy as np
 from numpy.typing import NDArray
-from pyevtk.hl import imageToVTK
-from pyevtk.vtk import VtkGroup
+from pyevtk.vtk import VtkFile, VtkGroup, VtkImageData
 
 from brinell.errors import InputError
 from brinell.results import Labelled, Run, open_run
@@ -91,10 +90,35 @@ def _write_image(
     """One file; its name gets an ending."""
     first = tuple(float(coords[axis][0]) if axis in coords else 0.0 for axis in "xyz")
     spacing = tuple(float(np.ptp(coords[axis][:2])) if axis in coords else 1.0 for axis in "xyz")
+    shape = next(iter(arrays.values())).shape
     if "z" not in coords:
-        return str(imageToVTK(str(path), origin=first, spacing=spacing, pointData=dict(arrays)))
+        return _write_vti(path, "Point", tuple(n - 1 for n in shape), first, spacing, arrays)
     corner = tuple(x - 0.5 * dx for x, dx in zip(first, spacing, strict=True))
-    return str(imageToVTK(str(path), origin=corner, spacing=spacing, cellData=dict(arrays)))
+    return _write_vti(path, "Cell", shape, corner, spacing, arrays)
+
+
+def _write_vti(
+    path: Path,
+    kind: Literal["Cell", "Point"],
+    end: tuple[int, ...],
+    origin: tuple[float, ...],
+    spacing: tuple[float, ...],
+    arrays: Mapping[str, NDArray[np.float64]],
+) -> str:
+    """What pyevtk's imageToVTK does, but that takes cells of some nanometres for a missing dimension."""
+    file = VtkFile(str(path), VtkImageData)
+    file.openGrid(start=(0, 0, 0), end=end, origin=origin, spacing=spacing)
+    file.openPiece(start=(0, 0, 0), end=end)
+    file.openData(kind, scalars=next(iter(arrays)))
+    for name, values in arrays.items():
+        file.addData(name, values)
+    file.closeData(kind)
+    file.closePiece()
+    file.closeGrid()
+    for values in arrays.values():
+        file.appendData(values)
+    file.save()
+    return str(file.getFileName())
 
 
 @click.command(name="export")

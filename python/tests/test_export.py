@@ -59,6 +59,21 @@ def test_some_fields(real_folder: Path, tmp_path: Path) -> None:
         export_vti(run, tmp_path, fields=["presure"])
 
 
+def test_cells_of_some_nanometres(tmp_path: Path) -> None:
+    case = brinell.Case.from_file(Path(__file__).parents[2] / "cases" / "tugging" / "case.toml")
+    coarse = {"tugging.interference": 1.5, "grid.resolution": 6, "output.snapshots": "none"}
+    run = case.with_values(coarse).run()
+    lower = run.snapshot("final").lower
+    spacing = [axis[1] - axis[0] for axis in (lower.x, lower.y, lower.z)]
+    assert spacing[2] < 1e-8
+    volumes, surfaces = export_vti(run, tmp_path, fields=["von_mises_stress", "residual_displacement"])[:2]
+    volume = vti_image(collection(volumes)[run.history.steps])
+    np.testing.assert_allclose(volume.spacing, spacing)
+    np.testing.assert_array_equal(volume.cell_data["von_mises_stress"], lower.von_mises_stress)
+    surface = vti_image(collection(surfaces)[run.history.steps])
+    np.testing.assert_array_equal(surface.point_data["residual_displacement"][0], lower.residual_displacement)
+
+
 def test_command(interrupted_folder: Path, tmp_path: Path) -> None:
     result = CliRunner().invoke(export, [str(interrupted_folder), "-o", str(tmp_path / "out"), "--field", "gap"])
     assert result.exit_code == 0, result.output
