@@ -84,5 +84,5 @@ def test_command(interrupted_folder: Path, tmp_path: Path) -> None:
 def test_command_of_the_package(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as end:
         main(["export", str(tmp_path / "nowhere")])
-    assert end.value.code == 1
+    assert end.value.code == 2
     assert capsys.readouterr().err == f"brinell: error: {tmp_path / 'nowhere'}: no such folder\n"
