@@ -28,6 +28,9 @@ def test_pass_by_pass(make_rolling: MakeRun) -> None:
 def test_single_pass_is_drawn_without_decades(make_rolling: MakeRun) -> None:
     fig = rolling.pass_by_pass([open_run(make_rolling(passes=1))])
     assert {ax.get_yscale() for ax in fig.axes} == {"linear"}
+    for ax in fig.axes:
+        ticks = ax.get_xticks()
+        np.testing.assert_array_equal(ticks, np.round(ticks))
     texts(fig)
 
 

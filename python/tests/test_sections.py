@@ -4,6 +4,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 from matplotlib.animation import FFMpegWriter
@@ -241,6 +242,14 @@ def test_the_line_of_contact_moves_over_a_body_and_rests_in_its_own_frame(make_r
             middles.append(A_C * float(np.mean(curve(ax, "contact").get_xdata())))
         expected = [run.snapshot(step).lower.contact_x if moves else 0.0 for step in run.steps]
         np.testing.assert_allclose(middles, expected, atol=1e-3 * A_C)
+
+
+def test_one_state_is_no_animation(make_run: MakeRun) -> None:
+    folder = make_run()
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
+        del file["steps/000006"]
+    with pytest.raises(RunError, match="1 stored state in pass 1, an animation needs two or more"):
+        animate(open_run(folder))
 
 
 def test_mp4_needs_ffmpeg(make_run: MakeRun, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -98,8 +98,9 @@ def _stored_in(run: Run, pass_: int) -> list[int]:
     of_pass = set(run.history["step"][run.history["pass"] == pass_].astype(int).tolist())
     steps = [step for step in run.steps if step in of_pass]
     if len(steps) < 2:
+        stored = f"{len(steps)} stored {'state' if len(steps) == 1 else 'states'}"
         raise RunError(
-            f"{run.path}: {len(steps)} stored states in pass {pass_}, an animation needs two or more; "
+            f"{run.path}: {stored} in pass {pass_ + 1}, an animation needs two or more; "
             'store more with [output] snapshots = "all" in the case'
         )
     return steps

@@ -57,7 +57,7 @@ def pass_by_pass(runs: Sequence[Run]) -> Figure:
         ax.set_title(f"({letter})  {quantity[1]}")
     for ax in axes[1]:
         ax.set_xlabel("pass")
-        ax.xaxis.set_major_locator(MaxNLocator(integer=True, nbins=6))
+        ax.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1, nbins=6))
     most = max(len(entry.run.passes) for entry in shown)
     axes[0, 0].set_xlim(0.5, most + 0.5)
     legend_beside(axes[0, 2], [{**entry.look, "marker": "o"} for entry in shown])
