@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
+from brinell._reprs import cells
 from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceCompliance, SurfaceGrid
 from brinell.materials import RIGID, Material
@@ -44,6 +45,9 @@ class ContactResult:
     converged: bool
     residual: float
 
+    def __repr__(self) -> str:
+        return f"<ContactResult {cells(self.pressure.shape)}, load {self.load:g} N, approach {self.approach:g} m>"
+
 
 class ElasticContact:
     """Contact of two bodies by the constrained conjugate gradient method (Polonsky, Keer 1999).
@@ -65,6 +69,9 @@ class ElasticContact:
         self.grid = grid
         self.compliance = SurfaceCompliance(grid, lower, upper)
         """The `SurfaceCompliance` of the pair."""
+
+    def __repr__(self) -> str:
+        return f"<ElasticContact {cells(self.grid.shape)}>"
 
     def solve(
         self,

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, require_positive
+from brinell._reprs import cells
 from brinell.constitutive import Integration
 from brinell.contact import drive_of
 from brinell.errors import ConvergenceError, InputError
@@ -84,6 +85,9 @@ class BodyState:
         self.material = material
         self._contact = contact
         self._upper = upper
+
+    def __repr__(self) -> str:
+        return f"<BodyState {cells(self.grid.shape)}>"
 
     @property
     def plastic_strain(self) -> Array:
@@ -193,6 +197,9 @@ class CoupledContact:
         )
         self.lower = BodyState(self._engine, False, lower, lower_material)
         self.upper = BodyState(self._engine, True, upper, upper_material)
+
+    def __repr__(self) -> str:
+        return f"<CoupledContact {cells(self.grid.shape)}>"
 
     def advance(
         self,

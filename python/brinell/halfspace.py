@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
+from brinell._reprs import cells
 from brinell.errors import InputError
 from brinell.materials import RIGID, Material
 
@@ -130,6 +131,9 @@ class SurfaceCompliance:
         """E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
         self._engine = _core.SurfaceCompliance(grid._engine, self.contact_modulus)
 
+    def __repr__(self) -> str:
+        return f"<SurfaceCompliance {cells(self.grid.shape)}>"
+
     def pressure_to_displacement(self, pressure: ArrayLike) -> Array:
         """Normal displacement, u = 1/(pi E') integral of p/r.
 
@@ -165,6 +169,9 @@ class HalfSpace:
         self.grid = grid
         self.material = material
         self._engine = _core.HalfSpace(grid._engine, material._engine)
+
+    def __repr__(self) -> str:
+        return f"<HalfSpace {cells(self.grid.shape)}>"
 
     def stress(self, pressure: ArrayLike | None, eigenstrain: ArrayLike | None) -> Array:
         """Stress of a pressure and a plastic strain together.

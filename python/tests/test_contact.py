@@ -133,3 +133,10 @@ def test_other_threads_go_on_while_it_solves() -> None:
     thread.join()
     # The solution takes hundreds of transforms of 384^2 values; with the lock held the other thread would not move.
     assert during > 10
+
+
+def test_reprs_are_short() -> None:
+    contact, distance = ball(2)
+    assert repr(contact) == "<ElasticContact 7 x 7 cells>"
+    result = contact.solve(distance, load=2.5)
+    assert repr(result) == f"<ContactResult 7 x 7 cells, load 2.5 N, approach {result.approach:g} m>"

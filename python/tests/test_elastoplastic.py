@@ -251,3 +251,9 @@ def test_another_thread_may_not_use_it_meanwhile() -> None:
 def test_what_does_not_fit_is_an_input_error(call: Any, message: str) -> None:
     with pytest.raises(brinell.InputError, match=message):
         call()
+
+
+def test_reprs_name_the_grid() -> None:
+    pair = pressed()
+    assert repr(pair) == "<CoupledContact 15 x 15 cells>"
+    assert repr(pair.lower) == "<BodyState 15 x 15 x 10 cells>"

@@ -69,6 +69,11 @@ def test_stress_is_the_mean_of_rectangles_over_a_layer() -> None:
     np.testing.assert_allclose(found[:, k, j, i], expected, atol=1e-6)
 
 
+def test_reprs_name_the_grid() -> None:
+    assert repr(HalfSpace(GRID, STEEL)) == "<HalfSpace 9 x 6 x 4 cells>"
+    assert repr(SurfaceCompliance(GRID.surface, STEEL)) == "<SurfaceCompliance 9 x 6 cells>"
+
+
 def test_betti_binds_pressure_and_plastic_strain() -> None:
     body = HalfSpace(GRID, STEEL)
     p, eps = pressure(4), strain(5)
