@@ -2,6 +2,7 @@
 """Fields over all stored states, and a file alone."""
 
 import builtins
+import gc
 import shutil
 from pathlib import Path
 from typing import Any
@@ -91,6 +92,21 @@ def test_wrong_selections(run: Run, select: Any, message: str) -> None:
 def test_fields_that_are_not_stored(run: Run) -> None:
     with pytest.raises(RunError, match="upper body has no field 'pressure'; stored are equivalent_plastic_strain, "):
         run.field("upper", "pressure")
+    for ask in (lambda: run.field("middle", "stress"), lambda: run.field_names("middle")):  # type: ignore[arg-type]
+        with pytest.raises(RunError, match="no body 'middle'; allowed: lower, upper"):
+            ask()
+
+
+def test_temporary_folder_stays_as_long_as_a_field(real_case: str) -> None:
+    run = brinell.Case(real_case).run()
+    folder = run.path
+    part = run.field("lower", "stress").sel(step=4, component="xx")
+    del run
+    gc.collect()
+    assert np.any(part.values)
+    del part
+    gc.collect()
+    assert not folder.exists()
 
 
 def test_xarray(run: Run) -> None:

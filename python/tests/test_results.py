@@ -159,8 +159,43 @@ def test_rolling_passes_and_profile(make_rolling: MakeRun) -> None:
     assert run.passes[1].track_plastic_increment == pytest.approx(0.0015)
     assert run.profile.depth.shape == run.profile.residual_xx.shape == (12,)
     assert run.profile.residual_yy[0] < 0.0
-    with pytest.raises(RunError, match="no entry indents"):
+    with pytest.raises(RunError, match="is of scenario 'rolling'; indents are of 'indentation'"):
         _ = run.indents
+
+
+@pytest.mark.parametrize("name", ["passes", "profile"])
+def test_lists_of_rolling_are_of_no_other_scenario(make_indentation: MakeRun, name: str) -> None:
+    run = open_run(make_indentation())
+    with pytest.raises(RunError, match=f"is of scenario 'indentation'; {name} are of 'rolling'"):
+        getattr(run, name)
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("FX", "no column 'FX'; close: F_X"),
+        ("max_presure", "no column 'max_presure'; close: max_pressure"),
+        ("qqq", "no column 'qqq'; allowed: step, pass, X, "),
+    ],
+)
+def test_unknown_columns(make_run: MakeRun, name: str, message: str) -> None:
+    history = open_run(make_run()).history
+    assert name not in history
+    with pytest.raises(KeyError, match=message):
+        history[name]
+
+
+def test_reprs_are_short(make_run: MakeRun, make_indentation: MakeRun) -> None:
+    run = open_run(make_run(passes=2))
+    assert repr(run) == f"<brinell.Run tugging {run.title!r} {run.history.steps} steps, complete, '{run.path}'>"
+    assert repr(run.history) == f"<History tugging {run.history.steps} steps, {len(run.history)} columns>"
+    final = run.snapshot("final")
+    assert repr(run.snapshot(6)) == "<Snapshot tugging step 6, pass_ 0>"
+    assert repr(final) == "<Snapshot tugging final state, pass_ 1>"
+    body = final.lower
+    assert repr(body) == f"<BodyFields {len(body.x)} x {len(body.y)} x {len(body.z)} cells>"
+    assert repr(final.contact) == f"<ContactFields {len(final.contact.x)} x {len(final.contact.y)} cells>"
+    assert repr(open_run(make_indentation()).snapshot("aligned").upper) == "<BodyFields rigid>"
 
 
 @pytest.mark.parametrize(
@@ -218,7 +253,9 @@ def test_values_of_the_case(make_indentation: MakeRun) -> None:
 
 def test_unfinished_run_is_refused_unless_asked_for(make_run: MakeRun) -> None:
     folder = make_run(finished=False)
-    with pytest.raises(RunError, match=r"no summary\.json, the run has not finished \(25 steps"):
+    with pytest.raises(
+        RunError, match=r"no summary\.json, the run has not finished \(25 steps\); allow_unfinished=True opens"
+    ):
         open_run(folder)
     run = open_run(folder, allow_unfinished=True)
     assert not run.complete
@@ -227,6 +264,25 @@ def test_unfinished_run_is_refused_unless_asked_for(make_run: MakeRun) -> None:
         _ = run.critical
     with pytest.raises(RunError, match="no final state, the run has not finished"):
         run.snapshot("final")
+
+
+def test_title_of_an_unfinished_run_is_that_of_its_case(make_run: MakeRun) -> None:
+    folder = make_run(finished=False)
+    assert open_run(folder, allow_unfinished=True).title == ""
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
+        del file["case"]
+        file["case"] = 'scenario = "tugging"\ntitle = "Half a pass"\n'
+    run = open_run(folder, allow_unfinished=True)
+    assert run.title == "Half a pass"
+    assert repr(run) == f"<brinell.Run tugging 'Half a pass' 25 steps, unfinished, '{folder}'>"
+    (folder / "result.vtkhdf").unlink()
+    assert open_run(folder, allow_unfinished=True).title == ""
+
+
+def test_folder_of_a_sweep_is_no_run(tmp_path: Path) -> None:
+    (tmp_path / "sweep.json").write_text("{}")
+    with pytest.raises(RunError, match=r"is a sweep; brinell\.sweeps\.open_sweep opens it, or name a run in its"):
+        open_run(tmp_path)
 
 
 def test_half_a_row_at_the_end_is_dropped(make_run: MakeRun) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import h5py
 import numpy as np
@@ -20,16 +20,20 @@ __all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
 
 FloatArray = NDArray[np.float64]
 
+Body = Literal["lower", "upper"]
+
 CONTACT_FIELDS = ("pressure", "gap")
 """Fields of the contact, which lie on the surface of the lower body."""
 
 
-def field_names(path: Path, body: Literal["lower", "upper"]) -> list[str]:
+def field_names(path: Path, body: Body) -> list[str]:
     """Names of what is stored of a body; none if it is rigid and carries no contact.
 
     Raises:
-        RunError: no state is stored.
+        RunError: there is no such body, or no state is stored.
     """
+    if body not in get_args(Body):
+        raise RunError(f"{path}: no body {body!r}; allowed: {listed(get_args(Body))}")
     with ResultFile(path) as file:
         states = file.states()
         if not states:
@@ -38,7 +42,7 @@ def field_names(path: Path, body: Literal["lower", "upper"]) -> list[str]:
         return [*group[body], *(CONTACT_FIELDS if body == "lower" else ())]
 
 
-def labelled_field(path: Path, body: Literal["lower", "upper"], name: str) -> Labelled:
+def labelled_field(path: Path, body: Body, name: str) -> Labelled:
     """One field of a body in all stored states; see `Run.field`."""
     names = field_names(path, body)
     if name not in names:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import difflib
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -11,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell.results.errors import RunError
+from brinell.results.errors import RunError, listed
 from brinell.results.scenarios import Scenario, scenario_of
 
 __all__ = ["History", "read_history"]
@@ -34,13 +35,25 @@ class History(Mapping[str, FloatArray]):
         """Told by the columns."""
 
     def __getitem__(self, name: str) -> FloatArray:
-        return self._columns[name]
+        try:
+            return self._columns[name]
+        except KeyError:
+            raise KeyError(f"no column {name!r}; {self._alternatives(str(name))}") from None
+
+    def _alternatives(self, name: str) -> str:
+        """Columns that may be meant by a name that is none."""
+        by_lower = {column.lower(): column for column in self}
+        close = difflib.get_close_matches(name.lower(), by_lower)
+        return f"close: {listed([by_lower[one] for one in close])}" if close else f"allowed: {listed(list(self))}"
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
 
     def __len__(self) -> int:
         return len(self._columns)
+
+    def __repr__(self) -> str:
+        return f"<History {self.scenario} {self.steps} steps, {len(self)} columns>"
 
     @property
     def steps(self) -> int:

@@ -44,6 +44,8 @@ class Labelled:
     """Reads the part that is taken of each axis."""
     taken: tuple[Axis, ...]
     """One per axis of the whole array."""
+    owner: object = None
+    """Kept as long as this array: with a run that has no folder of its own its temporary one would go."""
 
     @property
     def dims(self) -> tuple[str, ...]:

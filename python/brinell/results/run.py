@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal
@@ -71,10 +72,19 @@ class Run:
         """What was computed."""
         return self.history.scenario
 
-    @property
+    @cached_property
     def title(self) -> str:
-        """From the case; empty if it has none or the run has not finished."""
-        return str(self.summary.get("title", "")) if self.summary is not None else ""
+        """From the case; empty if it has none."""
+        if self.summary is not None:
+            return str(self.summary.get("title", ""))
+        try:
+            return str(tomllib.loads(self.case_text).get("title", ""))
+        except (RunError, tomllib.TOMLDecodeError):  # an unfinished run may not have come to write its case
+            return ""
+
+    def __repr__(self) -> str:
+        state = "complete" if self.complete else "unfinished"
+        return f"<brinell.Run {self.scenario} {self.title!r} {self.history.steps} steps, {state}, '{self.path}'>"
 
     def _value(self, *keys: str) -> Any:
         """An entry of the summary."""
@@ -152,20 +162,28 @@ class Run:
     @cached_property
     def indents(self) -> list[Indent]:
         """Of an indentation, in the order of time: place by place, cycle by cycle."""
-        return [parsed(Indent, entry, self._place(f"indents[{i}]")) for i, entry in enumerate(self._list("indents"))]
+        entries = self._list("indents", "indentation")
+        return [parsed(Indent, entry, self._place(f"indents[{i}]")) for i, entry in enumerate(entries)]
 
     @cached_property
     def passes(self) -> list[RollingPass]:
         """Of a rolling, in the order of time."""
-        return [parsed(RollingPass, entry, self._place(f"passes[{i}]")) for i, entry in enumerate(self._list("passes"))]
+        entries = self._list("passes", "rolling")
+        return [parsed(RollingPass, entry, self._place(f"passes[{i}]")) for i, entry in enumerate(entries)]
 
     @cached_property
     def profile(self) -> TrackProfile:
         """What rolling has left in the depth under the middle of the track."""
-        return parsed(TrackProfile, self._value("profile"), self._place("profile"))
+        return parsed(TrackProfile, self._value_of("rolling", "profile"), self._place("profile"))
 
-    def _list(self, key: str) -> list[Any]:
-        value = self._value(key)
+    def _value_of(self, scenario: Scenario, key: str) -> Any:
+        """An entry of the summary that only one scenario has."""
+        if self.scenario != scenario:
+            raise RunError(f"{self.path}: is of scenario {self.scenario!r}; {key} are of {scenario!r}")
+        return self._value(key)
+
+    def _list(self, key: str, scenario: Scenario) -> list[Any]:
+        value = self._value_of(scenario, key)
         if not isinstance(value, list):
             raise RunError(f"{self._place(key)} is not a list")
         return value
@@ -195,7 +213,11 @@ class Run:
             return file.steps()
 
     def field_names(self, body: Literal["lower", "upper"]) -> list[str]:
-        """What `field` knows of a body; empty if it is rigid."""
+        """What `field` knows of a body; empty if it is rigid.
+
+        Raises:
+            RunError: there is no such body, or no state is stored.
+        """
         return field_names(self.file, body)
 
     def field(self, body: Literal["lower", "upper"], name: str) -> Labelled:
@@ -211,9 +233,9 @@ class Run:
             last step, as in ParaView.
 
         Raises:
-            RunError: there is no such field, or the file is damaged.
+            RunError: there is no such body or field, or the file is damaged.
         """
-        return labelled_field(self.file, body, name)
+        return replace(labelled_field(self.file, body, name), owner=self)
 
     def snapshot(self, which: int | Literal["aligned", "final"] = "aligned", *, tensors: bool = False) -> Snapshot:
         """Fields at one step.
@@ -259,6 +281,8 @@ def _file_content(path: Path) -> tuple[History, str | None]:
 def _folder_content(path: Path) -> tuple[History, str | None]:
     if (path / "result.h5").is_file() and not (path / FILE_NAME).is_file():
         raise RunError(f"{path}: format version 1, this program reads version {FORMAT_VERSION}; compute the run again")
+    if (path / "sweep.json").is_file():
+        raise RunError(f"{path}: is a sweep; brinell.sweeps.open_sweep opens it, or name a run in its folder runs/")
     history = read_history(path)
     summary = path / "summary.json"
     if not summary.is_file():
@@ -275,7 +299,8 @@ def _summary_place(path: Path) -> str:
 
 def _unfinished(path: Path, steps: int) -> RunError:
     return RunError(
-        f"{path}: no {'/summary' if path.is_file() else 'summary.json'}, the run has not finished ({steps} steps)"
+        f"{path}: no {'/summary' if path.is_file() else 'summary.json'}, the run has not finished ({steps} steps); "
+        "allow_unfinished=True opens it as far as it is"
     )
 
 

@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell._reprs import cells
 from brinell.results.scenarios import Scenario
 
 __all__ = ["COMPONENTS", "BodyFields", "ContactFields", "Snapshot", "row_of", "snapshot_of"]
@@ -32,6 +33,9 @@ class ContactFields:
     """Positive in compression [Pa]."""
     gap: FloatArray
     """Zero in contact [m]."""
+
+    def __repr__(self) -> str:
+        return f"<ContactFields {cells(self.pressure.shape)}>"
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +66,9 @@ class BodyFields:
         """Whether nothing is stored of this body, because it does not deform."""
         return self.residual_displacement.size == 0
 
+    def __repr__(self) -> str:
+        return f"<BodyFields {'rigid' if self.is_rigid else cells((len(self.z), len(self.y), len(self.x)))}>"
+
 
 @dataclass(frozen=True, eq=False)
 class Snapshot:
@@ -75,6 +82,10 @@ class Snapshot:
     contact: ContactFields
     lower: BodyFields
     upper: BodyFields
+
+    def __repr__(self) -> str:
+        which = "final state" if self.is_final else f"step {self.step}"
+        return f"<Snapshot {self.scenario} {which}, pass_ {self.pass_}>"
 
     @property
     def step(self) -> int:
