@@ -53,6 +53,11 @@ def test_the_same_case_as_text_has_the_same_results(case: brinell.Case) -> None:
     np.testing.assert_array_equal(again.run().history["F_X"], case.run().history["F_X"])
 
 
+def test_a_case_of_nested_values_is_that_of_its_text(case: brinell.Case) -> None:
+    again = brinell.Case.from_values(tomllib.loads(case.to_toml()))
+    assert again.to_toml() == case.to_toml()
+
+
 def test_values_can_be_replaced(case: brinell.Case) -> None:
     other = case.with_values({"tugging.interference": np.float64(3.0), "lower.material.young_modulus": "190 GPa"})
     values = tomllib.loads(other.to_toml())
