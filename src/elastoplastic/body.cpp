@@ -39,11 +39,11 @@ void store_packed(const Deviator& d, std::vector<double>& packed, std::size_t n)
   std::copy(d.v.begin(), d.v.end(), packed.begin() + static_cast<std::ptrdiff_t>(n * Deviator::size));
 }
 
-/// Cells with more than this share of the yield stress take part in the fixed point from the start.
+/// Cells with more than this share of the yield stress take part in the fixed point from the start. A guess only: every
+/// evaluation adds the cells that yield without having been thought of.
 constexpr double active_share = 0.8;
-/// Layers are computed down to the last one that carries plastic strain or this share of the yield stress, and a few on.
-constexpr double layer_share = 0.6;
-constexpr int spare_layers = 3;
+/// Beneath the deepest active cell: cells that become active there do so at the next evaluation, not in the closing one.
+constexpr int spare_layers = 1;
 
 } // namespace
 
@@ -60,9 +60,9 @@ void BodyState::exchange(Archive& archive)
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-           const constitutive::Material& material, std::vector<double> texture)
+           const constitutive::Material& material, bool shortcuts, std::vector<double> texture)
     : grid_(grid), material_(material), half_space_(std::move(half_space)), texture_(std::move(texture)),
-      layers_(grid_.nz), known_layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
+      shortcuts_(shortcuts), layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
 {
   if (!texture_.empty() && texture_.size() != grid_.surface.size())
     throw InternalError("Body: a texture needs one value per cell of the surface");
@@ -95,8 +95,6 @@ void Body::exchange(Archive& archive)
     return;
   archive("state", state_);
   archive("q_field", q_field_);
-  archive("layers", layers_);
-  archive("known_layers", known_layers_);
   displacement_ = state_.residual_displacement;
   stress_ = state_.stress;
 }
@@ -114,44 +112,111 @@ void Body::begin(int shift, double stiffness_share)
   std::fill(is_active_.begin(), is_active_.end(), static_cast<char>(0));
   if (!is_plastic())
     return;
-  const SurfaceGrid& s = grid().surface;
-  // Seen from the contact, q changes little from step to step: carry it along.
-  std::vector<double> guess(q_field_.size(), 0.0);
-  for (std::size_t row = 0; row < q_field_.size() / static_cast<std::size_t>(s.nx); ++row)
-    for (int i = std::max(0, shift); i < std::min(s.nx, s.nx + shift); ++i)
-    {
-      const std::size_t to = row * static_cast<std::size_t>(s.nx) + static_cast<std::size_t>(i);
-      const std::size_t from = to - static_cast<std::size_t>(shift);
-      guess[to] = q_field_[from];
-    }
-  collect_active(guess, active_share);
+  layers_ = grid().nz;
+  // Seen from the contact, q changes little from step to step: it is carried along.
+  collect_active(q_field_, shift, shortcuts_ ? active_share : -1.0);
+  keep_active_layers();
 }
 
-void Body::collect_active(const std::vector<double>& q_field, double fraction)
+void Body::restore()
+{
+  displacement_ = state_.residual_displacement;
+}
+
+void Body::compute_all_layers()
+{
+  layers_ = grid().nz;
+}
+
+void Body::keep_active_layers()
+{
+  const int deepest =
+      active_.empty() ? 0 : static_cast<int>(layer_of(*std::max_element(active_.begin(), active_.end())));
+  layers_ = shortcuts_ ? std::min(grid().nz, deepest + 1 + spare_layers) : grid().nz;
+}
+
+namespace
+{
+
+/// Squares of the von Mises norms of `cells` cells of a deviator field, 3/2 s : s.
+void von_mises_squares(const double* field, std::size_t stride, std::size_t cells, double* squares)
+{
+  using D = Deviator;
+  const double* xx = field + D::xx * stride;
+  const double* yy = field + D::yy * stride;
+  const double* yz = field + D::yz * stride;
+  const double* xz = field + D::xz * stride;
+  const double* xy = field + D::xy * stride;
+#pragma omp simd
+  for (std::size_t i = 0; i < cells; ++i)
+    squares[i] = 3.0 * (xx[i] * xx[i] + yy[i] * yy[i] + xx[i] * yy[i] + yz[i] * yz[i] + xz[i] * xz[i] + xy[i] * xy[i]);
+}
+
+} // namespace
+
+/// Cells of one layer, not yet active, whose q lies outside the yield surface shrunk to `fraction`.
+template <typename Law>
+void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
+                       double fraction, std::vector<std::size_t>& found) const
+{
+  const SurfaceGrid& s = grid().surface;
+  const std::size_t n = grid().size();
+  const auto first = static_cast<std::size_t>(std::max(0, shift));
+  const auto last = static_cast<std::size_t>(std::max(0, std::min(s.nx, s.nx + shift)));
+  if (last <= first)
+    return;
+  const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };
+  // No law softens: what lies within the first yield surface needs no look at its own, unless that has moved.
+  const double initial = square(fraction * law.yield_stress_at(0.0));
+  std::vector<double> squares(last - first);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(s.ny); ++j)
+  {
+    const std::size_t row = layer * s.size() + j * static_cast<std::size_t>(s.nx);
+    const std::ptrdiff_t carried = static_cast<std::ptrdiff_t>(row + first) - shift;
+    von_mises_squares(q_field.data() + carried, n, last - first, squares.data());
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const std::size_t cell = row + i;
+      const double e = state_.equivalent[cell];
+      const bool has_moved = e > 0.0 && !material_.kinematic.empty();
+      if (is_active_[cell] != 0 || (!has_moved && squares[i - first] <= initial))
+        continue;
+      double size = squares[i - first];
+      if (has_moved)
+      {
+        const Deviator from_centre =
+            load(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift)) - centre(cell);
+        size = 1.5 * contract(from_centre, from_centre);
+      }
+      if (size > square(fraction * law.yield_stress_at(e)))
+        found.push_back(cell);
+    }
+  }
+}
+
+/// @param q_field   on the whole grid, to be read `shift` columns to the left of a cell; cells without a value there stay out
+/// @param fraction  of the yield stress from which on a cell is active; negative: every cell
+void Body::collect_active(const std::vector<double>& q_field, int shift, double fraction)
 {
   const std::size_t n = grid().size();
-  const std::size_t per_layer = grid().surface.size();
-  const auto add_if_near_yield = [&](const auto& law, std::size_t cell)
-  {
-    const Deviator q = load(q_field, n, cell);
-    const Deviator from_centre = q - centre(cell);
-    const double yield = fraction * law.yield_stress_at(state_.equivalent[cell]);
-    if (1.5 * contract(from_centre, from_centre) <= yield * yield)
-      return;
-    is_active_[cell] = 1;
-    active_.push_back(cell);
-    q_.insert(q_.end(), q.v.begin(), q.v.end());
-    g_.insert(g_.end(), q.v.begin(), q.v.end());
-  };
+  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(layers_));
   std::visit(
       [&](const auto& law)
       {
-        for (std::size_t layer = 0; layer < static_cast<std::size_t>(layers_); ++layer)
-          for (std::size_t cell = layer * per_layer; cell < (layer + 1) * per_layer; ++cell)
-            if (is_active_[cell] == 0)
-              add_if_near_yield(law_of(law, layer), cell);
+#pragma omp parallel for schedule(dynamic)
+        for (std::size_t layer = 0; layer < found.size(); ++layer)
+          find_beyond(law_of(law, layer), layer, q_field, shift, fraction, found[layer]);
       },
       *material_.hardening);
+  for (const std::vector<std::size_t>& cells : found) // in an order that does not depend on the threads
+    for (const std::size_t cell : cells)
+    {
+      const Deviator q = load(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
+      is_active_[cell] = 1;
+      active_.push_back(cell);
+      q_.insert(q_.end(), q.v.begin(), q.v.end());
+      g_.insert(g_.end(), q.v.begin(), q.v.end());
+    }
   equivalent_.resize(active_.size());
   dissipation_.resize(active_.size());
   backstress_.resize(active_.size() * material_.kinematic.size());
@@ -198,8 +263,7 @@ template <typename Law>
 constitutive::PlasticIncrement Body::increment(const Law& law, std::size_t a, Integration integration)
 {
   const std::size_t cell = active_[a];
-  const std::size_t known = static_cast<std::size_t>(known_layers_) * grid().surface.size();
-  const bool along_path = integration == Integration::path && cell < known;
+  const bool along_path = integration == Integration::path;
   const double e = state_.equivalent[cell];
   const double mu = 0.5 * stiffness_;
   const Deviator q = load_packed(q_, a);
@@ -262,33 +326,11 @@ bool Body::update(std::span<const double> pressure)
       },
       *material_.hardening);
   const std::size_t before = active_.size();
-  collect_active(stress_, 1.0);
-  const bool deeper = layers_ < grid().nz && needed_layers() > layers_ - 1;
-  if (deeper)
-    layers_ = std::min(grid().nz, layers_ + spare_layers);
-  return deeper || active_.size() != before;
-}
-
-int Body::needed_layers() const
-{
-  const std::size_t n = grid().size();
-  const std::size_t per_layer = grid().surface.size();
-  return std::visit(
-      [&](const auto& law)
-      {
-        for (int layer = layers_ - 1; layer >= 0; --layer)
-          for (std::size_t cell = static_cast<std::size_t>(layer) * per_layer;
-               cell < static_cast<std::size_t>(layer + 1) * per_layer; ++cell)
-          {
-            const Deviator s = load(stress_, n, cell) - centre(cell);
-            const double limit =
-                layer_share * law_of(law, static_cast<std::size_t>(layer)).yield_stress_at(state_.equivalent[cell]);
-            if (is_active_[cell] != 0 || state_.equivalent[cell] > 0.0 || 1.5 * contract(s, s) > limit * limit)
-              return layer + 1;
-          }
-        return 0;
-      },
-      *material_.hardening);
+  collect_active(stress_, 0, 1.0);
+  if (active_.size() == before)
+    return false;
+  keep_active_layers();
+  return true;
 }
 
 Body::EdgeStrain Body::edge_strain() const
@@ -388,8 +430,6 @@ void Body::commit(std::span<const double> pressure)
   state_.residual_displacement = displacement_;
   state_.locked_in_energy = locked_in_energy(pressure);
   q_field_ = stress_;
-  known_layers_ = layers_;
-  layers_ = std::min(grid().nz, needed_layers() + spare_layers);
   for (std::size_t a = 0; a < active_.size(); ++a)
     store(load_packed(g_, a), q_field_, n, active_[a]);
 }

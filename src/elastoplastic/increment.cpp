@@ -35,12 +35,13 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures)
     : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic)), contact_(compliance_),
-      lower_(lower, operators(lower, lower_material.elastic), lower_material, std::move(textures.lower)),
+      lower_(lower, operators(lower, lower_material.elastic), lower_material, settings.shortcuts,
+             std::move(textures.lower)),
       upper_(upper,
              lower == upper && lower_material.elastic == upper_material.elastic
                  ? lower_.shared_half_space()
                  : operators(upper, upper_material.elastic),
-             upper_material, std::move(textures.upper)),
+             upper_material, settings.shortcuts, std::move(textures.upper)),
       scales_(scales), settings_(settings), twin_(twin), pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0),
       distance_(contact.size(), 0.0), lower_pressure_(lower.surface.size()), upper_pressure_(upper.surface.size())
 {
@@ -273,8 +274,8 @@ namespace
 class Undo
 {
 public:
-  Undo(std::vector<double>& pressure, std::vector<double>& gap)
-      : pressure_(pressure), gap_(gap), old_pressure_(pressure), old_gap_(gap)
+  Undo(std::vector<double>& pressure, std::vector<double>& gap, Body& lower, Body& upper)
+      : pressure_(pressure), gap_(gap), lower_(lower), upper_(upper), old_pressure_(pressure), old_gap_(gap)
   {
   }
   ~Undo()
@@ -283,6 +284,8 @@ public:
       return;
     pressure_.swap(old_pressure_);
     gap_.swap(old_gap_);
+    lower_.restore();
+    upper_.restore();
   }
   Undo(const Undo&) = delete;
   Undo& operator=(const Undo&) = delete;
@@ -290,9 +293,18 @@ public:
 
 private:
   std::vector<double>&pressure_, &gap_;
+  Body &lower_, &upper_;
   std::vector<double> old_pressure_, old_gap_;
   bool committed_ = false;
 };
+
+} // namespace
+
+namespace
+{
+
+/// Errors over their tolerances below which the next evaluation is likely to be the last one.
+constexpr double closing_factor = 5.0;
 
 } // namespace
 
@@ -310,10 +322,18 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   std::vector<double> g;
   std::vector<double> last_lower;
   std::vector<double> last_upper;
+  // The increment may end with an evaluation that has looked at the stress everywhere: the last few do.
+  bool closing = strategy.watch_energy || lower_.unknowns() + upper_.unknowns() == 0;
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
       throw Interrupted();
+    if (closing)
+    {
+      lower_.compute_all_layers();
+      upper_.compute_all_layers();
+    }
+    const bool complete = lower_.computes_all_layers() && upper_.computes_all_layers();
     last_lower.assign(lower_.residual_displacement().begin(), lower_.residual_displacement().end());
     last_upper.assign(upper_.residual_displacement().begin(), upper_.residual_displacement().end());
     lower_.integrate(strategy.integration);
@@ -330,9 +350,13 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
                                          largest_change(upper_.residual_displacement(), last_upper));
     // The first evaluation measures its change against the state before the increment: only a second one can settle it.
     const bool settled = report.evaluations > 1 || lower_.unknowns() + upper_.unknowns() == 0;
-    report.converged = report.contact_converged && !grew && settled &&
-                       report.yield_error <= settings_.yield_tolerance &&
-                       report.displacement_error <= settings_.displacement_tolerance * scales_.displacement;
+    const auto within = [&](double factor)
+    {
+      return report.yield_error <= factor * settings_.yield_tolerance &&
+             report.displacement_error <= factor * settings_.displacement_tolerance * scales_.displacement;
+    };
+    report.converged = report.contact_converged && !grew && settled && complete && within(1.0);
+    closing = strategy.watch_energy || within(closing_factor);
     const bool finite = std::isfinite(report.yield_error + report.displacement_error + report.gap_error);
     if (report.converged || !finite || report.evaluations >= strategy.max_evaluations)
       break;
@@ -359,7 +383,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
 IncrementReport CoupledContact::advance(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy)
 {
-  Undo undo(pressure_, gap_);
+  Undo undo(pressure_, gap_, lower_, upper_);
   lower_.begin(placement.lower.column - placement_.lower.column, strategy.stiffness_share);
   if (twin_ != Twin::none)
     upper_.follow(lower_, twin_);

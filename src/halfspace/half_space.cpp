@@ -87,7 +87,7 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
     }
     return false;
   };
-  int strained = layers;
+  int strained = grid_.nz;
   while (strained > 0 && !has_strain(strained - 1))
     --strained;
   work.layers_ = layers;

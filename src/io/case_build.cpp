@@ -27,7 +27,8 @@ elastoplastic::Settings solver(const CaseReader& reader)
           .integration = reader.get<std::string>("solver.integration") == "path"
                              ? elastoplastic::Integration::path
                              : elastoplastic::Integration::backward_euler,
-          .mirror = reader.get<bool>("solver.mirror")};
+          .mirror = reader.get<bool>("solver.mirror"),
+          .shortcuts = reader.get<bool>("solver.shortcuts")};
 }
 
 /// C(nu) S_y: the peak pressure at which the body yields; infinite if it stays elastic.

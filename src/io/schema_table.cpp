@@ -100,6 +100,12 @@ std::vector<Entry> solver_entries()
            "material have the same strain in pure rolling and indentation: solve one of them. false: solve both (a "
            "check; the "
            "results agree to the tolerances)."},
+      {.key = "solver.shortcuts",
+       .type = Type::boolean,
+       .fallback = defaults.shortcuts,
+       .text = "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all "
+               "of them, so that no yield is missed. false: every layer and every cell in every evaluation (a check; "
+               "the results agree to the tolerances)."},
   };
 }
 

@@ -45,9 +45,11 @@ class Body
 {
 public:
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid.
+  /// @param shortcuts   compute only the layers and cells near yield until an evaluation closes the increment; see
+  ///                    Settings::shortcuts.
   /// @param texture     depth that the surface had before the first load, into the body [m]; empty: smooth.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-       const constitutive::Material& material, std::vector<double> texture = {});
+       const constitutive::Material& material, bool shortcuts = true, std::vector<double> texture = {});
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
@@ -61,6 +63,13 @@ public:
   /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 is enough to make the plain fixed point descend always
   ///                         (docs/theory/elastoplastic.md); a cell's own stiffness, near 0.6, converges faster.
   void begin(int shift, double stiffness_share);
+  /// From now on, until cells are found that had not been active, evaluations compute the stress in all layers: an increment
+  /// may only be committed after one in which that found nothing.
+  void compute_all_layers();
+  /// Whether the evaluations compute the stress in all layers.
+  [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz; }
+  /// Puts back what an increment that is not committed has changed.
+  void restore();
   /// Integrates the plastic strain for the present q and computes the residual displacement it gives.
   void integrate(Integration integration);
   /// Stress under `pressure` (on the whole surface grid) and, from it, the next fixed-point value g of q.
@@ -102,7 +111,7 @@ public:
   [[nodiscard]] double energy(std::span<const double> pressure) const;
 
 private:
-  [[nodiscard]] int needed_layers() const;
+  void keep_active_layers();
   template <typename Law>
   [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const;
   [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / grid().surface.size(); }
@@ -110,7 +119,10 @@ private:
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   template <typename Law>
   [[nodiscard]] constitutive::PlasticIncrement increment(const Law& law, std::size_t a, Integration integration);
-  void collect_active(const std::vector<double>& q_field, double fraction);
+  template <typename Law>
+  void find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift, double fraction,
+                   std::vector<std::size_t>& found) const;
+  void collect_active(const std::vector<double>& q_field, int shift, double fraction);
   [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
 
   VolumeGrid grid_;
@@ -121,9 +133,9 @@ private:
   BodyState state_;
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   double stiffness_ = 0.0;                            ///< c [Pa]
-  int layers_;                                        ///< layers computed: beneath them the stress is far from yield
-  int known_layers_;                                  ///< layers whose stress at the end of the last increment is known
-  std::vector<std::size_t> active_;                   ///< cells that may yield
+  bool shortcuts_;
+  int layers_;                      ///< layers whose stress is computed, from the surface
+  std::vector<std::size_t> active_; ///< cells that may yield
   std::vector<char> is_active_;
   std::vector<double> q_, g_;                    ///< trial deviator and its image, [active][component]
   std::vector<double> q_field_;                  ///< q of the last increment on the whole grid (elsewhere the stress)

@@ -21,6 +21,9 @@ struct Settings
   int anderson_depth = 6;               ///< 0: plain fixed point
   Integration integration = Integration::path;
   bool mirror = true; ///< of two bodies that are mirror images of each other, solve one
+  /// Compute the stress only in the layers of the active cells, those near yield, until the increment is nearly solved; the
+  /// evaluation that ends it computes all of it, and finds every cell that yields. false: all layers, every cell active.
+  bool shortcuts = true;
 };
 
 } // namespace brinell::elastoplastic

@@ -26,8 +26,8 @@ public:
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const Elastic& elastic() const { return elastic_; }
 
-  /// Takes in the plastic strain [-] (zero beneath the layers [0, layers)) and prepares its stress in these layers, for
-  /// the functions below.
+  /// Takes in the plastic strain [-] of all layers and prepares its stress in the layers [0, layers), for the functions
+  /// below.
   /// @param displacement  receives the residual normal displacement of the surface [m], into the body positive.
   void load_strain(std::span<const double> plastic_strain, int layers, Work& work,
                    std::span<double> displacement) const;
