@@ -333,28 +333,105 @@ bool Body::update(std::span<const double> pressure)
   return true;
 }
 
-Body::EdgeStrain Body::edge_strain() const
+Edges Body::reached_edges() const
 {
+  // Less than this plastic strain at an edge, over the largest one, goes on beyond it for a cell or two at most; and strains
+  // far below that of yield change nothing.
+  constexpr double tolerated = 0.01;
+  constexpr double negligible = 1e-3;
+  Edges edges;
+  if (!is_plastic())
+    return edges;
+  double largest = *std::max_element(state_.equivalent.begin(), state_.equivalent.end());
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    largest = std::max(largest, state_.equivalent[active_[a]] + equivalent_[a]);
+  const double limit =
+      std::max(tolerated * largest,
+               negligible * constitutive::initial_yield_stress(*material_.hardening) / material_.elastic.young_modulus);
   const SurfaceGrid& s = grid().surface;
-  EdgeStrain edge;
-  double largest = 0.0;
-  for (int k = 0; k < grid().nz; ++k)
-    for (int j = 0; j < s.ny; ++j)
-      for (int i = 0; i < s.nx; ++i)
+  for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    const std::size_t cell = active_[a];
+    if (equivalent_[a] <= 0.0 || state_.equivalent[cell] + equivalent_[a] <= limit)
+      continue;
+    const std::size_t in_layer = cell % s.size();
+    const int i = static_cast<int>(in_layer % static_cast<std::size_t>(s.nx));
+    const int j = static_cast<int>(in_layer / static_cast<std::size_t>(s.nx));
+    edges.ends = edges.ends || i == 0 || i == s.nx - 1;
+    edges.sides = edges.sides || j == 0 || j == s.ny - 1;
+    edges.bottom = edges.bottom || static_cast<int>(layer_of(cell)) == grid().nz - 1;
+  }
+  edges.bottom = edges.bottom || may_yield_beneath();
+  return edges;
+}
+
+/// Whether a layer beneath the grid is so weak that it would yield under the stress of the last one. Beneath the grid, which
+/// is deeper than the place of the largest shear, the stress of the contact falls with depth.
+bool Body::may_yield_beneath() const
+{
+  const std::size_t n = grid().size();
+  const std::size_t last = static_cast<std::size_t>(grid().nz - 1);
+  double weakest = yield_factor_[last];
+  double added = 0.0; // initial stress beneath, beyond that in the last layer [Pa]
+  const double bottom = grid().nz * grid().dz;
+  for (const double z : material_.yield_factor.depth())
+    if (z > bottom)
+      weakest = std::min(weakest, material_.yield_factor.at(z, 1.0));
+  for (const double z : material_.initial_stress.depth())
+    if (z > bottom)
+      added = std::max(added, std::abs(material_.initial_stress.at(z, 0.0) - initial_stress_[last]));
+  if (weakest >= yield_factor_[last] && added == 0.0)
+    return false; // the last layer is the first to yield
+  const double limit = weakest * constitutive::initial_yield_stress(*material_.hardening) - added;
+  for (std::size_t cell = last * grid().surface.size(); cell < n; ++cell)
+    if (von_mises(load(stress_, n, cell) - centre(cell)) > limit)
+      return true;
+  return false;
+}
+
+namespace
+{
+
+/// Copies fields of a grid into the middle of larger ones, from the surface down.
+void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector<double>& to, const VolumeGrid& large)
+{
+  const SurfaceGrid& s = small.surface;
+  const SurfaceGrid& l = large.surface;
+  const int columns = (l.nx - s.nx) / 2;
+  const int rows = (l.ny - s.ny) / 2;
+  const std::size_t fields = from.size() / small.size();
+  for (std::size_t field = 0; field < fields; ++field)
+    for (int k = 0; k < small.nz; ++k)
+      for (int j = 0; j < s.ny; ++j)
       {
-        const double e = state_.equivalent[static_cast<std::size_t>(i + s.nx * (j + s.ny * k))];
-        largest = std::max(largest, e);
-        if (i == 0 || i == s.nx - 1)
-          edge.ends = std::max(edge.ends, e);
-        if (j == 0 || j == s.ny - 1)
-          edge.sides = std::max(edge.sides, e);
-        if (k == grid().nz - 1)
-          edge.bottom = std::max(edge.bottom, e);
+        const double* row = from.data() + field * small.size() +
+                            static_cast<std::size_t>(s.nx) * static_cast<std::size_t>(j + s.ny * k);
+        const std::size_t at = field * large.size() +
+                               static_cast<std::size_t>(l.nx) * static_cast<std::size_t>(j + rows + l.ny * k) +
+                               static_cast<std::size_t>(columns);
+        std::copy_n(row, s.nx, to.begin() + static_cast<std::ptrdiff_t>(at));
       }
-  if (largest > 0.0)
-    for (double* share : {&edge.ends, &edge.sides, &edge.bottom})
-      *share /= largest;
-  return edge;
+}
+
+} // namespace
+
+void Body::continue_from(const BodyState& history, const VolumeGrid& from, std::span<const double> pressure)
+{
+  if (!is_plastic())
+    return;
+  embed(history.plastic_strain, from, state_.plastic_strain, grid());
+  embed(history.equivalent, from, state_.equivalent, grid());
+  embed(history.backstress, from, state_.backstress, grid());
+  state_.dissipation = history.dissipation;
+  strain_ = state_.plastic_strain;
+  work_ = half_space_->make_work();
+  half_space_->load_strain(strain_, grid().nz, work_, displacement_);
+  half_space_->deviatoric_stress(pressure, strain_, work_, stress_);
+  add_initial_stress(grid().nz, stress_);
+  state_.stress = stress_;
+  state_.residual_displacement = displacement_;
+  state_.locked_in_energy = locked_in_energy(pressure);
+  q_field_ = stress_;
 }
 
 double Body::yield_error() const

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace brinell::elastoplastic
 {
@@ -131,17 +132,65 @@ bool CoupledContact::spread_pressure(const Body& body, const Place& place, std::
   return all;
 }
 
-bool CoupledContact::reaches_edge() const
+Outgrown CoupledContact::outgrown() const
+{
+  Outgrown result{lower_.reached_edges(), twin_ == Twin::none ? upper_.reached_edges() : lower_.reached_edges()};
+  result.lower.ends = result.lower.ends || leaves_lower_;
+  result.upper.ends = result.upper.ends || leaves_upper_;
+  std::tie(result.contact_ends, result.contact_sides) = pressed_edges();
+  return result;
+}
+
+/// Whether pressure acts in the outermost columns, and rows, of the contact grid.
+std::pair<bool, bool> CoupledContact::pressed_edges() const
 {
   const SurfaceGrid& g = grid();
   const auto pressed = [&](int i, int j) { return pressure_[static_cast<std::size_t>(i + g.nx * j)] > 0.0; };
+  bool ends = false;
+  bool sides = false;
   for (int i = 0; i < g.nx; ++i)
-    if (pressed(i, 0) || pressed(i, g.ny - 1))
-      return true;
+    sides = sides || pressed(i, 0) || pressed(i, g.ny - 1);
   for (int j = 0; j < g.ny; ++j)
-    if (pressed(0, j) || pressed(g.nx - 1, j))
-      return true;
-  return false;
+    ends = ends || pressed(0, j) || pressed(g.nx - 1, j);
+  return {ends, sides};
+}
+
+bool CoupledContact::reaches_edge() const
+{
+  const auto [ends, sides] = pressed_edges();
+  return ends || sides;
+}
+
+History CoupledContact::take_history() &&
+{
+  return {
+      grid(),     lower_.grid(), upper_.grid(),       std::move(lower_).take_state(), std::move(upper_).take_state(),
+      placement_, approach_,     std::move(pressure_)};
+}
+
+void CoupledContact::continue_from(History history)
+{
+  const auto columns_added = [](int now, int before)
+  {
+    if (now < before || (now - before) % 2 != 0)
+      throw InternalError("CoupledContact: a history continues on larger grids with the same middle");
+    return (now - before) / 2;
+  };
+  const int columns = columns_added(grid().nx, history.contact.nx);
+  const int rows = columns_added(grid().ny, history.contact.ny);
+  for (int j = 0; j < history.contact.ny; ++j)
+    std::copy_n(history.pressure.begin() + static_cast<std::ptrdiff_t>(j) * history.contact.nx, history.contact.nx,
+                pressure_.begin() + columns + static_cast<std::ptrdiff_t>(j + rows) * grid().nx);
+  approach_ = history.approach;
+  placement_ = history.placement;
+  placement_.lower.column += columns_added(lower_.grid().surface.nx, history.lower_grid.surface.nx) - columns;
+  placement_.upper.column += columns_added(upper_.grid().surface.nx, history.upper_grid.surface.nx) - columns;
+  spread_pressure(lower_, placement_.lower, lower_pressure_);
+  lower_.continue_from(history.lower, history.lower_grid, lower_pressure_);
+  if (twin_ != Twin::none)
+    return upper_.adopt(lower_, twin_);
+  spread_pressure(upper_, placement_.upper, upper_pressure_);
+  upper_.continue_from(history.upper, history.upper_grid, upper_pressure_);
 }
 
 double CoupledContact::load() const
@@ -250,9 +299,8 @@ void CoupledContact::touch(std::span<const double> distance, const contact::Driv
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
   report.approach = contact.approach;
-  const bool on_lower = spread_pressure(lower_, placement.lower, lower_pressure_);
-  const bool on_upper = spread_pressure(upper_, placement.upper, upper_pressure_);
-  leaves_grid_ = !on_lower || !on_upper;
+  leaves_lower_ = !spread_pressure(lower_, placement.lower, lower_pressure_);
+  leaves_upper_ = !spread_pressure(upper_, placement.upper, upper_pressure_);
 }
 
 double CoupledContact::energy(double approach) const
@@ -392,7 +440,13 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   IncrementReport report = iterate(distance, drive, placement, strategy);
   if (!report.converged)
     return report;
-  if (leaves_grid_)
+  report.outgrown = outgrown();
+  if (strategy.stay_within_grids && report.outgrown.any())
+  {
+    report.converged = false;
+    return report;
+  }
+  if (leaves_lower_ || leaves_upper_)
     throw GridError("the contact has reached the end of a material grid");
   report.energy = energy(drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0);
   lower_.commit(lower_pressure_);

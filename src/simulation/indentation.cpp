@@ -37,15 +37,17 @@ class Indentation
 public:
   Indentation(const IndentationCase& indentation, const Observer<IndentationRecord>& observer)
       : case_(indentation), observer_(observer), plan_(plan(indentation)),
-        lattice_(plan_, indentation.places.front(), 0.0),
         stepper_(plan_, {indentation.lower.material,
                          indentation.upper.material,
                          [&indentation](double x, double y)
                          { return height(indentation.lower.shape, x, y) + height(indentation.upper.shape, x, y); },
                          indentation.solver,
-                         {textured(indentation.lower.texture, plan_.lower.surface, lattice_.lower_origin()),
-                          textured(indentation.upper.texture, plan_.upper.surface, lattice_.upper_origin())},
-                         observer.wants_stop})
+                         {indentation.places.front(), 0.0},
+                         indentation.lower.texture,
+                         indentation.upper.texture,
+                         observer.wants_stop,
+                         observer.on_grid_change,
+                         observer.available_memory})
   {
   }
 
@@ -57,7 +59,7 @@ public:
     IndentationSummary result;
     result.steps = done_;
     result.iterations = iterations_;
-    result.split_increments = stepper_.split_increments();
+    stepper_.fill(result);
     take_totals(last_, largest_work_, result);
     result.indents = indents_;
     result.last = last_;
@@ -85,15 +87,15 @@ private:
   {
     return case_.places[static_cast<std::size_t>(std::min(done_, plan_.steps - 1) / steps_per_indent() / case_.cycles)];
   }
-  [[nodiscard]] Frame frame() const { return lattice_.frame(x(), 0.0); }
-  [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(lattice_, frame(), x(), 0.0); }
+  [[nodiscard]] Centre centre() const { return {x(), 0.0}; }
+  [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(centre()); }
 
   void step()
   {
     const int indent = done_ / steps_per_indent();
     const int in_indent = done_ % steps_per_indent();
     const int in_entry = in_indent % case_.steps;
-    const Frame here = frame();
+    const Centre here = centre();
     const double touch = stepper_.clearance(here);
     if (in_indent == 0)
       current_ = IndentReader(x(), indent / case_.cycles, indent % case_.cycles, touch);
@@ -113,7 +115,7 @@ private:
     if (in_indent + 1 == steps_per_indent())
       indents_.push_back(current_.result());
     // The snapshot of this step lies where the step was.
-    const auto snap = [this, here, x = x()] { return stepper_.snapshot(lattice_, here, x, 0.0); };
+    const auto snap = [this, here] { return stepper_.snapshot(here); };
     ++done_;
     report(observer_, last_, plan_.steps, *this, snap);
   }
@@ -140,7 +142,7 @@ private:
 
   [[nodiscard]] bool by_load() const { return case_.sequence.front().kind == Drive::Kind::load; }
 
-  void record(int indent, int evaluations, const Frame& here)
+  void record(int indent, int evaluations, const Centre& here)
   {
     IndentationRecord r;
     stepper_.fill(r);
@@ -164,7 +166,6 @@ private:
   const IndentationCase& case_;
   const Observer<IndentationRecord>& observer_;
   IndentationPlan plan_;
-  Lattice lattice_;
   Stepper stepper_;
   IndentationRecord last_;
   IndentReader current_;

@@ -5,6 +5,8 @@
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/tugging.hpp"
 
+#include <fmt/format.h>
+
 namespace brinell::simulation
 {
 
@@ -40,6 +42,41 @@ void StepRecord::exchange(Archive& archive)
   archive("max_residual_upper", max_residual_upper);
   archive("max_equivalent_plastic_strain", max_equivalent_plastic_strain);
   archive("iterations", iterations);
+}
+
+void GridChange::exchange(Archive& archive)
+{
+  archive("step", step);
+  int code = static_cast<int>(extent);
+  archive("extent", code);
+  extent = static_cast<Extent>(code);
+  archive("before", before);
+  archive("after", after);
+}
+
+std::string text(const GridChange& change)
+{
+  using Extent = GridChange::Extent;
+  const auto [what, unit] = [&]() -> std::pair<const char*, const char*>
+  {
+    switch (change.extent)
+    {
+    case Extent::contact_columns:
+      return {"the grid of the contact grows", "columns"};
+    case Extent::rows:
+      return {"all grids grow", "rows"};
+    case Extent::lower_columns:
+      return {"the grid of the lower body grows", "columns"};
+    case Extent::upper_columns:
+      return {"the grid of the upper body grows", "columns"};
+    case Extent::lower_layers:
+      return {"the grid of the lower body grows", "layers"};
+    case Extent::upper_layers:
+      break;
+    }
+    return {"the grid of the upper body grows", "layers"};
+  }();
+  return fmt::format("step {}: {} from {} to {} {}", change.step, what, change.before, change.after, unit);
 }
 
 void TuggingRecord::exchange(Archive& archive)

@@ -31,16 +31,19 @@ class Rolling
 public:
   Rolling(const RollingCase& rolling, const Observer<RollingRecord>& observer)
       : case_(rolling), observer_(observer), plan_(plan(rolling)), share_(upper_share(rolling)),
-        start_(-0.5 * plan_.rolling_steps * plan_.shift), lattice_(plan_, start_, share_ * start_),
+        start_(-0.5 * plan_.rolling_steps * plan_.shift),
         stepper_(plan_, {rolling.lower.material,
                          rolling.upper.material,
                          [&rolling](double x, double y)
                          { return height(rolling.lower.shape, x, y) + height(rolling.upper.shape, x, y); },
                          rolling.solver,
-                         {textured(rolling.lower.texture, plan_.lower.surface, lattice_.lower_origin()),
-                          textured(rolling.upper.texture, plan_.upper.surface, lattice_.upper_origin())},
-                         observer.wants_stop}),
-        track_(plan_.lower, rolling.distance)
+                         {start_, share_ * start_},
+                         rolling.lower.texture,
+                         rolling.upper.texture,
+                         observer.wants_stop,
+                         observer.on_grid_change,
+                         observer.available_memory}),
+        track_(rolling.distance)
   {
   }
 
@@ -52,7 +55,7 @@ public:
     RollingSummary result;
     result.steps = steps_;
     result.iterations = iterations_;
-    result.split_increments = stepper_.split_increments();
+    stepper_.fill(result);
     take_totals(last_, largest_work_, result);
     result.passes = passes_;
     result.last = last_;
@@ -93,8 +96,8 @@ private:
             std::min(steps / press, 1.0) - lifted};
   }
   [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
-  [[nodiscard]] Frame frame(double x) const { return lattice_.frame(x, share_ * x); }
-  [[nodiscard]] Snapshot snapshot(double x) const { return stepper_.snapshot(lattice_, frame(x), x, share_ * x); }
+  [[nodiscard]] Centre centre(double x) const { return {x, share_ * x}; }
+  [[nodiscard]] Snapshot snapshot(double x) const { return stepper_.snapshot(centre(x)); }
 
   /// An imposed approach begins and ends where the surfaces touch, dents and bumps included.
   [[nodiscard]] Drive drive(double share) const
@@ -104,10 +107,10 @@ private:
 
   void step()
   {
-    const Frame before = frame(moment(step_in_pass_).x);
+    const Centre before = centre(moment(step_in_pass_).x);
     if (step_in_pass_ == 0)
     {
-      track_.begin_pass(stepper_.pair().lower().state(), dissipation());
+      track_.begin_pass(stepper_.pair().lower(), dissipation());
       last_.approach = stepper_.clearance(before);
       last_.F_n = last_.F_X = 0.0;
       last_.x = start_;
@@ -116,11 +119,11 @@ private:
       touch_ = case_.drive.kind == Drive::Kind::load ? 0.0 : std::min(stepper_.clearance(before), case_.drive.value);
     const Moment to = moment(step_in_pass_ + 1);
     if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
-      touch_ = case_.drive.kind == Drive::Kind::load ? 0.0 : std::min(touch_, stepper_.clearance(frame(to.x)));
+      touch_ = case_.drive.kind == Drive::Kind::load ? 0.0 : std::min(touch_, stepper_.clearance(centre(to.x)));
     const auto path = [&](double t)
     {
       const Moment m = moment(step_in_pass_ + t);
-      return Target{frame(m.x), drive(m.drive)};
+      return Target{centre(m.x), drive(m.drive)};
     };
     const double cells = plan_.shift / plan_.contact.dx;
     const bool moves = step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
@@ -144,13 +147,13 @@ private:
   {
     RollingRecord r;
     stepper_.fill(r);
-    const Frame here = frame(x);
+    const Centre here = centre(x);
     const Stepper::Depths& depths = stepper_.depths(here);
     r.step = steps_++;
     r.pass = pass_;
     r.x = x;
     r.approach = r.F_n > 0.0 ? stepper_.pair().approach() : stepper_.clearance(here);
-    r.F_X = rolling_resistance(plan_.contact, stepper_.pair().pressure(), depths.lower, depths.upper, share_);
+    r.F_X = rolling_resistance(stepper_.pair().grid(), stepper_.pair().pressure(), depths.lower, depths.upper, share_);
     r.iterations = evaluations;
     r.work = last_.work + 0.5 * (r.F_n + last_.F_n) * (r.approach - last_.approach) +
              0.5 * (r.F_X + last_.F_X) * (r.x - last_.x);
@@ -165,7 +168,6 @@ private:
   RollingPlan plan_;
   double share_; ///< distance on the upper body per distance on the lower one
   double start_; ///< of the track [m]
-  Lattice lattice_;
   Stepper stepper_;
   TrackReader track_;
   RollingRecord last_;

@@ -2,6 +2,7 @@
 #include "stepper.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "footprint.hpp"
 #include "snapshot.hpp"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace brinell::simulation
 {
 
 using elastoplastic::Body;
+using elastoplastic::CoupledContact;
 using elastoplastic::IncrementReport;
 using elastoplastic::Integration;
 using elastoplastic::Place;
@@ -31,19 +33,6 @@ Place place_at(double column)
   return {static_cast<int>(below), column - below};
 }
 
-/// Plastic strain that would spread beyond the grid is lost: better no result than that one.
-void check_extent(const char* name, const Body& body)
-{
-  constexpr double tolerated = 0.02;
-  const Body::EdgeStrain edge = body.edge_strain();
-  for (const auto& [share, where] :
-       {std::pair{edge.ends, "end, along x,"}, {edge.sides, "side, along y,"}, {edge.bottom, "bottom"}})
-    if (share > tolerated)
-      throw GridError(fmt::format("the plastic zone of the {} body has reached the {} of its grid ({:.0f} % of the "
-                                  "largest plastic strain there): enlarge it by grid.extent. All steps so far are kept",
-                                  name, where, 100.0 * share));
-}
-
 double largest(const std::vector<double>& values)
 {
   return *std::max_element(values.begin(), values.end());
@@ -51,13 +40,33 @@ double largest(const std::vector<double>& values)
 
 } // namespace
 
-Lattice::Lattice(const Plan& plan, double arc_lower, double arc_upper)
+namespace
+{
+
+/// A stored state may have larger grids than the plan, never others.
+void require_growth(const Plan& plan, const Plan& stored)
+{
+  constexpr int most = 1 << 20;
+  for (const auto& [now, before] : {std::pair{stored.contact.nx, plan.contact.nx},
+                                    {stored.contact.ny, plan.contact.ny},
+                                    {stored.lower.surface.nx, plan.lower.surface.nx},
+                                    {stored.upper.surface.nx, plan.upper.surface.nx}})
+    if (now < before || now > most || (now - before) % 2 != 0)
+      throw InputError("the stored state has other grids");
+  for (const auto& [now, before] : {std::pair{stored.lower.nz, plan.lower.nz}, {stored.upper.nz, plan.upper.nz}})
+    if (now < before || now > most)
+      throw InputError("the stored state has other grids");
+}
+
+} // namespace
+
+Lattice::Lattice(const Plan& plan, const Centre& start)
     : dx_(plan.contact.dx), half_((plan.contact.nx - 1) / 2), lower_origin_(0.0), upper_origin_(0.0)
 {
   const int lower_zero = (plan.lower.surface.nx - 1) / 2;
   lower_origin_ = -lower_zero * dx_;
   // Local x' of the contact's column 0, as a coordinate of the upper body, is to fall on one of its columns.
-  const double upper = static_cast<double>(centre_column(arc_lower) - half_) * dx_ - arc_lower + arc_upper;
+  const double upper = static_cast<double>(centre_column(start.lower) - half_) * dx_ - start.lower + start.upper;
   const int upper_zero = (plan.upper.surface.nx - 1) / 2;
   upper_origin_ = upper - std::round(upper / dx_ + upper_zero) * dx_;
 }
@@ -67,29 +76,59 @@ long Lattice::centre_column(double arc_lower) const
   return std::lround(arc_lower / dx_);
 }
 
-Frame Lattice::frame(double arc_lower, double arc_upper) const
+Frame Lattice::frame(const Centre& centre) const
 {
   Frame f;
-  const double left = static_cast<double>(centre_column(arc_lower) - half_) * dx_; // on the lower body
-  f.x0 = left - arc_lower;
+  const double left = static_cast<double>(centre_column(centre.lower) - half_) * dx_; // on the lower body
+  f.x0 = left - centre.lower;
   f.placement.lower = place_at((left - lower_origin_) / dx_);
-  f.placement.upper = place_at((f.x0 + arc_upper - upper_origin_) / dx_);
+  f.placement.upper = place_at((f.x0 + centre.upper - upper_origin_) / dx_);
   return f;
 }
 
+void Lattice::grow(int contact, int lower, int upper)
+{
+  half_ += contact;
+  lower_origin_ -= lower * dx_;
+  upper_origin_ -= upper * dx_;
+}
+
 Stepper::Stepper(const Plan& plan, Setup setup)
-    : setup_(std::move(setup)), pair_(plan.contact, plan.lower, plan.upper, setup_.lower, setup_.upper, plan.scales,
-                                      setup_.solver, plan.twin, std::move(setup_.textures)),
+    : setup_(std::move(setup)), plan_(plan), lattice_(plan, setup_.start), pair_(make_pair()),
       distance_(plan.contact.size()),
       distance_x0_(std::numeric_limits<double>::quiet_NaN()), depths_{std::vector<double>(plan.contact.size()),
                                                                       std::vector<double>(plan.contact.size())}
 {
 }
 
+std::unique_ptr<CoupledContact> Stepper::make_pair() const
+{
+  return std::make_unique<CoupledContact>(
+      plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
+      elastoplastic::Textures{textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin()),
+                              textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin())});
+}
+
 void Stepper::exchange(Archive& archive)
 {
-  archive("pair", pair_);
+  Plan stored = plan_;
+  for (const auto& [name, cells] : {std::pair{"contact.nx", &stored.contact.nx},
+                                    {"ny", &stored.contact.ny},
+                                    {"lower.nx", &stored.lower.surface.nx},
+                                    {"upper.nx", &stored.upper.surface.nx},
+                                    {"lower.nz", &stored.lower.nz},
+                                    {"upper.nz", &stored.upper.nz}})
+    archive(std::string("grid.") + name, *cells);
+  if (archive.gives())
+  {
+    stored.lower.surface.ny = stored.upper.surface.ny = stored.contact.ny;
+    require_growth(plan_, stored);
+    move_to(stored);
+  }
+  archive("pair", *pair_);
   archive("split_increments", split_increments_);
+  archive("steps", steps_);
+  archive.list("grid_changes", grid_changes_);
 }
 
 int Stepper::advance(const std::function<Target(double)>& path, double finest, const std::string& where)
@@ -101,11 +140,7 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
     ++split_increments_;
     bisect(path, 0.0, 1.0, finest);
   }
-  check_extent("lower", pair_.lower());
-  check_extent("upper", pair_.upper());
-  if (pair_.reaches_edge())
-    throw GridError(
-        "the contact has reached the edge of its grid: enlarge it by grid.extent. All steps so far are kept");
+  ++steps_;
   return evaluations_;
 }
 
@@ -121,15 +156,15 @@ void Stepper::bisect(const std::function<Target(double)>& path, double begin, do
 
 IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strategy& strategy)
 {
-  try
+  for (;;)
   {
-    const IncrementReport report = pair_.advance(distance_, target.drive, target.frame.placement, strategy);
+    const Frame frame = lattice_.frame(target.centre);
+    place(frame);
+    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, strategy);
     evaluations_ += report.evaluations;
-    return report;
-  }
-  catch (const GridError& error)
-  {
-    throw GridError(fmt::format("{}: enlarge it by grid.extent. All steps so far are kept", error.what()));
+    if (!report.outgrown.any())
+      return report;
+    grow(report.outgrown);
   }
 }
 
@@ -137,11 +172,10 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
 bool Stepper::attempt(const Target& target)
 {
   const elastoplastic::Settings& s = setup_.solver;
-  place(target.frame);
   for (const double share : {0.6, 1.0})
   {
     const IncrementReport report =
-        solved(target, {s.integration, s.max_iterations, s.anderson_depth, share, false, setup_.wants_stop});
+        solved(target, {s.integration, s.max_iterations, s.anderson_depth, share, false, true, setup_.wants_stop});
     if (report.converged)
       return true;
   }
@@ -151,14 +185,13 @@ bool Stepper::attempt(const Target& target)
 void Stepper::guard(const Target& target)
 {
   const elastoplastic::Settings& s = setup_.solver;
-  place(target.frame);
   IncrementReport report;
   constexpr int patience = 20; // the plain fixed point is slow, but it descends
   const bool has_energy = setup_.lower.kinematic.empty() && setup_.upper.kinematic.empty();
   for (const double share : {1.0, 2.0, 4.0})
   {
-    report = solved(
-        target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, setup_.wants_stop});
+    report = solved(target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, true,
+                             setup_.wants_stop});
     if (report.converged)
       return;
     if (has_energy && !report.energy_rose)
@@ -171,42 +204,120 @@ void Stepper::guard(const Target& target)
       where_, evaluations_, report.yield_error, s.yield_tolerance, report.displacement_error, report.gap_error));
 }
 
+namespace
+{
+
+/// An odd number of cells, at least a third larger.
+int grown(int cells)
+{
+  return 2 * static_cast<int>(std::ceil(cells / 6.0 + 1.0)) + cells;
+}
+
+} // namespace
+
+void Stepper::grow(const elastoplastic::Outgrown& outgrown)
+{
+  Plan larger = plan_;
+  if (outgrown.contact_ends)
+    larger.contact.nx = grown(plan_.contact.nx);
+  if (outgrown.contact_sides || outgrown.lower.sides || outgrown.upper.sides)
+    larger.contact.ny = grown(plan_.contact.ny);
+  for (const auto& [body, edges] : {std::pair{&larger.lower, &outgrown.lower}, {&larger.upper, &outgrown.upper}})
+  {
+    if (edges->ends)
+      body->surface.nx = grown(body->surface.nx);
+    body->surface.nx = std::max(body->surface.nx, larger.contact.nx);
+    body->surface.ny = larger.contact.ny;
+    if (edges->bottom)
+      body->nz += static_cast<int>(std::ceil(body->nz / 3.0));
+  }
+  if (plan_.twin != elastoplastic::Twin::none)
+    larger.upper = larger.lower;
+  // While the history moves, the smaller grids are gone but for the state.
+  larger.memory_bytes =
+      memory_bytes(larger, setup_.lower.is_plastic(), setup_.upper.is_plastic(), setup_.solver.anderson_depth);
+  if (!(larger.memory_bytes <= setup_.available_memory))
+    throw GridError(
+        fmt::format("{}: contact or plastic zone has reached an edge of its grid, and larger grids would need "
+                    "{:.3g} GB; available are {:.3g} GB. All steps so far are kept. Larger cells "
+                    "(grid.resolution, grid.spacing) need less",
+                    where_, 1e-9 * larger.memory_bytes, 1e-9 * setup_.available_memory));
+  announce(larger);
+  elastoplastic::History history = std::move(*pair_).take_history();
+  move_to(larger);
+  pair_->continue_from(std::move(history));
+}
+
+void Stepper::announce(const Plan& larger)
+{
+  using Extent = GridChange::Extent;
+  for (const GridChange& change :
+       {GridChange{steps_, Extent::contact_columns, plan_.contact.nx, larger.contact.nx},
+        GridChange{steps_, Extent::rows, plan_.contact.ny, larger.contact.ny},
+        GridChange{steps_, Extent::lower_columns, plan_.lower.surface.nx, larger.lower.surface.nx},
+        GridChange{steps_, Extent::upper_columns, plan_.upper.surface.nx, larger.upper.surface.nx},
+        GridChange{steps_, Extent::lower_layers, plan_.lower.nz, larger.lower.nz},
+        GridChange{steps_, Extent::upper_layers, plan_.upper.nz, larger.upper.nz}})
+    if (change.before != change.after)
+    {
+      grid_changes_.push_back(change);
+      if (setup_.on_grid_change)
+        setup_.on_grid_change(change);
+    }
+}
+
+/// Makes the pair anew on larger grids, without a history.
+void Stepper::move_to(const Plan& larger)
+{
+  pair_.reset();
+  lattice_.grow((larger.contact.nx - plan_.contact.nx) / 2, (larger.lower.surface.nx - plan_.lower.surface.nx) / 2,
+                (larger.upper.surface.nx - plan_.upper.surface.nx) / 2);
+  plan_ = larger;
+  pair_ = make_pair();
+  distance_.resize(plan_.contact.size());
+  distance_x0_ = std::numeric_limits<double>::quiet_NaN();
+  depths_.lower.resize(plan_.contact.size());
+  depths_.upper.resize(plan_.contact.size());
+}
+
 /// Distance of the undeformed surfaces on the contact grid; most steps have the same.
 void Stepper::place(const Frame& frame)
 {
   if (frame.x0 == distance_x0_)
     return;
   distance_x0_ = frame.x0;
-  const SurfaceGrid& g = pair_.grid();
+  const SurfaceGrid& g = pair_->grid();
   for (int j = 0; j < g.ny; ++j)
     for (int i = 0; i < g.nx; ++i)
       distance_[static_cast<std::size_t>(i + g.nx * j)] =
           setup_.distance(frame.x0 + i * g.dx, (j - 0.5 * (g.ny - 1)) * g.dy);
 }
 
-double Stepper::clearance(const Frame& frame)
+double Stepper::clearance(const Centre& centre)
 {
-  place(frame);
-  const Depths& depth = depths(frame);
+  place(lattice_.frame(centre));
+  const Depths& depth = depths(centre);
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < distance_.size(); ++i)
     smallest = std::min(smallest, distance_[i] + depth.lower[i] + depth.upper[i]);
   return smallest;
 }
 
-const Stepper::Depths& Stepper::depths(const Frame& frame)
+const Stepper::Depths& Stepper::depths(const Centre& centre)
 {
-  pair_.surface_depth(pair_.lower(), frame.placement.lower, depths_.lower);
-  pair_.surface_depth(pair_.upper(), frame.placement.upper, depths_.upper);
+  const Frame frame = lattice_.frame(centre);
+  pair_->surface_depth(pair_->lower(), frame.placement.lower, depths_.lower);
+  pair_->surface_depth(pair_->upper(), frame.placement.upper, depths_.upper);
   return depths_;
 }
 
-std::pair<double, double> Stepper::residual_range(const Frame& frame) const
+std::pair<double, double> Stepper::residual_range(const Centre& centre) const
 {
-  const SurfaceGrid& s = pair_.lower().grid().surface;
-  const std::vector<double>& residual = pair_.lower().state().residual_displacement;
+  const Frame frame = lattice_.frame(centre);
+  const SurfaceGrid& s = pair_->lower().grid().surface;
+  const std::vector<double>& residual = pair_->lower().state().residual_displacement;
   const int first = std::max(0, frame.placement.lower.column);
-  const int last = std::min(s.nx, frame.placement.lower.column + pair_.grid().nx);
+  const int last = std::min(s.nx, frame.placement.lower.column + pair_->grid().nx);
   std::pair<double, double> range{0.0, 0.0};
   for (int j = 0; j < s.ny; ++j)
     for (int i = first; i < last; ++i)
@@ -219,39 +330,47 @@ std::pair<double, double> Stepper::residual_range(const Frame& frame) const
 
 bool Stepper::touching() const
 {
-  return std::any_of(pair_.pressure().begin(), pair_.pressure().end(), [](double p) { return p > 0.0; });
+  return std::any_of(pair_->pressure().begin(), pair_->pressure().end(), [](double p) { return p > 0.0; });
 }
 
 void Stepper::fill(StepRecord& r) const
 {
-  const elastoplastic::BodyState& lower = pair_.lower().state();
-  const elastoplastic::BodyState& upper = pair_.upper().state();
-  for (const double p : pair_.pressure())
+  const elastoplastic::BodyState& lower = pair_->lower().state();
+  const elastoplastic::BodyState& upper = pair_->upper().state();
+  for (const double p : pair_->pressure())
   {
-    r.contact_area += p > 0.0 ? pair_.grid().cell_area() : 0.0;
+    r.contact_area += p > 0.0 ? pair_->grid().cell_area() : 0.0;
     r.max_pressure = std::max(r.max_pressure, p);
   }
-  r.F_n = pair_.load();
+  r.F_n = pair_->load();
   r.dissipation_lower = lower.dissipation;
   r.dissipation_upper = upper.dissipation;
   r.energy_residual = lower.locked_in_energy + upper.locked_in_energy;
-  r.energy_elastic = pair_.elastic_energy();
+  r.energy_elastic = pair_->elastic_energy();
   r.max_residual_lower = largest(lower.residual_displacement);
   r.max_residual_upper = largest(upper.residual_displacement);
   r.max_equivalent_plastic_strain = std::max(largest(lower.equivalent), largest(upper.equivalent));
 }
 
-Snapshot Stepper::snapshot(const Lattice& lattice, const Frame& frame, double arc_lower, double arc_upper) const
+Snapshot Stepper::snapshot(const Centre& centre) const
 {
+  const Frame frame = lattice_.frame(centre);
   Snapshot s;
-  s.contact = pair_.grid();
+  s.contact = pair_->grid();
   s.x0 = frame.x0;
   s.y0 = -0.5 * (s.contact.ny - 1) * s.contact.dy;
-  s.pressure.assign(pair_.pressure().begin(), pair_.pressure().end());
-  s.gap.assign(pair_.gap().begin(), pair_.gap().end());
-  s.lower = body_snapshot(pair_, pair_.lower(), frame.placement.lower, lattice.lower_origin(), arc_lower);
-  s.upper = body_snapshot(pair_, pair_.upper(), frame.placement.upper, lattice.upper_origin(), arc_upper);
+  s.pressure.assign(pair_->pressure().begin(), pair_->pressure().end());
+  s.gap.assign(pair_->gap().begin(), pair_->gap().end());
+  s.lower = body_snapshot(*pair_, pair_->lower(), frame.placement.lower, lattice_.lower_origin(), centre.lower);
+  s.upper = body_snapshot(*pair_, pair_->upper(), frame.placement.upper, lattice_.upper_origin(), centre.upper);
   return s;
+}
+
+void Stepper::fill(RunTotals& totals) const
+{
+  totals.split_increments = split_increments_;
+  totals.grid_changes = grid_changes_;
+  totals.memory_bytes = plan_.memory_bytes;
 }
 
 std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0)

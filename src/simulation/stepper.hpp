@@ -4,10 +4,24 @@
 #include "brinell/simulation/scenario.hpp"
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace brinell::simulation
 {
+
+/// Where the middle of the contact is on the surface of each body [m].
+struct Centre
+{
+  double lower = 0.0, upper = 0.0;
+};
+
+/// What is to be solved: where the bodies touch and what presses them together.
+struct Target
+{
+  Centre centre;
+  contact::Drive drive;
+};
 
 /// The contact grid at one moment of the motion.
 struct Frame
@@ -16,25 +30,20 @@ struct Frame
   elastoplastic::Placement placement; ///< on the material grids
 };
 
-/// What is to be solved: where the bodies are and what presses them together.
-struct Target
-{
-  Frame frame;
-  contact::Drive drive;
-};
-
 /// Where the cells of both bodies lie. The contact grid takes those of the lower body along and follows the contact's centre
 /// to within half a cell; columns of the upper body's grid fall on them, or between them.
 class Lattice
 {
 public:
-  /// @param arc_lower, arc_upper  contact centre on each body [m] at a moment when the columns of both bodies coincide.
-  Lattice(const Plan& plan, double arc_lower, double arc_upper);
+  /// @param start  a moment when the columns of both bodies coincide.
+  Lattice(const Plan& plan, const Centre& start);
 
-  [[nodiscard]] Frame frame(double arc_lower, double arc_upper) const;
+  [[nodiscard]] Frame frame(const Centre& centre) const;
   /// Surface coordinate of column 0 of a body's grid [m].
   [[nodiscard]] double lower_origin() const { return lower_origin_; }
   [[nodiscard]] double upper_origin() const { return upper_origin_; }
+  /// The grids have grown by so many columns at each end; every cell stays where it is.
+  void grow(int contact, int lower, int upper);
 
 private:
   [[nodiscard]] long centre_column(double arc_lower) const;
@@ -44,7 +53,8 @@ private:
   double lower_origin_, upper_origin_;
 };
 
-/// The state of both bodies and the way from one moment to the next, the same for all scenarios.
+/// The state of both bodies and the way from one moment to the next, the same for all scenarios. Its grids grow where pressure
+/// or plastic strain reaches their edges.
 class Stepper
 {
 public:
@@ -55,21 +65,24 @@ public:
     /// Distance of the smooth, undeformed surfaces at (x, y) from the contact's centre [m].
     std::function<double(double x, double y)> distance;
     const elastoplastic::Settings& solver;
-    elastoplastic::Textures textures{};
-    std::function<bool()> wants_stop{}; ///< see Observer
+    Centre start; ///< a moment when the columns of both bodies coincide
+    Texture lower_texture{}, upper_texture{};
+    std::function<bool()> wants_stop{};                      ///< see Observer
+    std::function<void(const GridChange&)> on_grid_change{}; ///< see Observer
+    double available_memory = 0.0;                           ///< see Observer
   };
   Stepper(const Plan& plan, Setup setup);
 
   /// Goes to `path(1)` from `path(0)`, which is the present state. What does not converge whole is halved, as long as a piece
   /// is longer than `finest`; a piece that still does not is solved by the plain fixed point of the convex problem, watched
-  /// by its energy.
+  /// by its energy. Where a solution outgrows a grid, that grid is enlarged and the piece solved again.
   /// @param where  for messages.
   /// @returns the evaluations it took.
-  /// @throws ConvergenceError, GridError if the plastic zone reaches an edge of its grid.
+  /// @throws ConvergenceError; GridError if larger grids do not fit into the memory
   int advance(const std::function<Target(double)>& path, double finest, const std::string& where);
 
   /// Smallest distance of the surfaces, with texture and residual displacement, at no approach [m].
-  [[nodiscard]] double clearance(const Frame& frame);
+  [[nodiscard]] double clearance(const Centre& centre);
   /// What all scenarios record.
   void fill(StepRecord& record) const;
   /// Depth of each surface under the contact grid [m].
@@ -77,13 +90,15 @@ public:
   {
     std::vector<double> lower, upper;
   };
-  [[nodiscard]] const Depths& depths(const Frame& frame);
+  [[nodiscard]] const Depths& depths(const Centre& centre);
   /// Smallest and largest residual displacement of the lower body under the contact grid, at most and at least 0 [m].
-  [[nodiscard]] std::pair<double, double> residual_range(const Frame& frame) const;
+  [[nodiscard]] std::pair<double, double> residual_range(const Centre& centre) const;
   [[nodiscard]] bool touching() const;
-  [[nodiscard]] const elastoplastic::CoupledContact& pair() const { return pair_; }
+  [[nodiscard]] const elastoplastic::CoupledContact& pair() const { return *pair_; }
   [[nodiscard]] int split_increments() const { return split_increments_; }
-  [[nodiscard]] Snapshot snapshot(const Lattice& lattice, const Frame& frame, double arc_lower, double arc_upper) const;
+  [[nodiscard]] Snapshot snapshot(const Centre& centre) const;
+  /// What a summary tells of the solution.
+  void fill(RunTotals& totals) const;
 
   void exchange(Archive& archive);
 
@@ -93,15 +108,23 @@ private:
   [[nodiscard]] elastoplastic::IncrementReport solved(const Target& target, const elastoplastic::Strategy& strategy);
   void guard(const Target& target);
   void place(const Frame& frame);
+  [[nodiscard]] std::unique_ptr<elastoplastic::CoupledContact> make_pair() const;
+  void grow(const elastoplastic::Outgrown& outgrown);
+  void announce(const Plan& larger);
+  void move_to(const Plan& larger);
 
   Setup setup_;
-  elastoplastic::CoupledContact pair_;
+  Plan plan_; ///< with the grids of today
+  Lattice lattice_;
+  std::unique_ptr<elastoplastic::CoupledContact> pair_;
   std::vector<double> distance_;
   double distance_x0_ = 0.0; ///< for which `distance_` holds
   Depths depths_;
   std::string where_;
   int evaluations_ = 0;
+  int steps_ = 0; ///< finished
   int split_increments_ = 0;
+  std::vector<GridChange> grid_changes_;
 };
 
 /// Depths of a texture on a grid of a body; empty if it is smooth.

@@ -19,15 +19,13 @@ std::size_t middle(const VolumeGrid& grid, int layer)
 
 } // namespace
 
-TrackReader::TrackReader(const VolumeGrid& lower, double distance)
-    : grid_(lower), quarter_(0.25 * distance), plastic_strain_(static_cast<std::size_t>(lower.nz), 0.0)
-{
-}
+TrackReader::TrackReader(double distance) : quarter_(0.25 * distance) {}
 
-void TrackReader::begin_pass(const elastoplastic::BodyState& lower, double dissipation)
+void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipation)
 {
-  for (int layer = 0; layer < grid_.nz; ++layer)
-    plastic_strain_[static_cast<std::size_t>(layer)] = lower.equivalent[middle(grid_, layer)];
+  plastic_strain_.assign(static_cast<std::size_t>(lower.grid().nz), 0.0);
+  for (int layer = 0; layer < lower.grid().nz; ++layer)
+    plastic_strain_[static_cast<std::size_t>(layer)] = lower.state().equivalent[middle(lower.grid(), layer)];
   dissipation_ = dissipation;
   sum_resistance_ = sum_pressure_ = 0.0;
   count_ = 0;
@@ -46,21 +44,23 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
 {
   const elastoplastic::BodyState& lower = pair.lower().state();
   const elastoplastic::BodyState& upper = pair.upper().state();
-  const SurfaceGrid& s = grid_.surface;
+  const VolumeGrid& grid = pair.lower().grid(); // may have grown in the pass
+  const SurfaceGrid& s = grid.surface;
   RollingPass pass;
-  pass.rut_depth = lower.residual_displacement[middle(grid_, 0)];
+  pass.rut_depth = lower.residual_displacement[middle(grid, 0)];
   for (int j = 0; j < s.ny; ++j)
     pass.shoulder_height = std::max(pass.shoulder_height,
                                     -lower.residual_displacement[static_cast<std::size_t>((s.nx - 1) / 2 + s.nx * j)]);
   for (const elastoplastic::BodyState* body : {&lower, &upper})
     pass.max_equivalent_plastic_strain = std::max(pass.max_equivalent_plastic_strain,
                                                   *std::max_element(body->equivalent.begin(), body->equivalent.end()));
-  for (int layer = 0; layer < grid_.nz; ++layer)
+  for (int layer = 0; layer < grid.nz; ++layer)
   {
-    const double now = lower.equivalent[middle(grid_, layer)];
+    const auto l = static_cast<std::size_t>(layer);
+    const double before = l < plastic_strain_.size() ? plastic_strain_[l] : 0.0;
+    const double now = lower.equivalent[middle(grid, layer)];
     pass.track_plastic_strain = std::max(pass.track_plastic_strain, now);
-    pass.track_plastic_increment =
-        std::max(pass.track_plastic_increment, now - plastic_strain_[static_cast<std::size_t>(layer)]);
+    pass.track_plastic_increment = std::max(pass.track_plastic_increment, now - before);
   }
   pass.dissipation = dissipation - dissipation_;
   if (count_ > 0)
@@ -73,7 +73,7 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
 
 void TrackReader::exchange(Archive& archive)
 {
-  archive("plastic_strain", plastic_strain_);
+  archive.list("plastic_strain", plastic_strain_);
   archive("dissipation", dissipation_);
   archive("sum_resistance", sum_resistance_);
   archive("sum_pressure", sum_pressure_);

@@ -11,17 +11,16 @@ class TrackReader
 {
 public:
   /// @param distance  length of the track [m]
-  TrackReader(const VolumeGrid& lower, double distance);
+  explicit TrackReader(double distance);
 
   /// @param dissipation  of both bodies so far [J]
-  void begin_pass(const elastoplastic::BodyState& lower, double dissipation);
+  void begin_pass(const elastoplastic::Body& lower, double dissipation);
   void add(const RollingRecord& record);
   [[nodiscard]] RollingPass end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const;
 
   void exchange(Archive& archive);
 
 private:
-  VolumeGrid grid_;
   double quarter_;                     ///< of the track [m]: its middle half counts for the means
   std::vector<double> plastic_strain_; ///< under the middle before the pass
   double dissipation_ = 0.0;           ///< before it [J]

@@ -25,14 +25,17 @@ public:
       : case_(tugging), observer_(observer), plan_(plan(tugging)), cells_(relative_cells(tugging, plan_.contact.dx)),
         passing_(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells_, plan_.contact.dx,
                  tugging.kinematics),
-        lattice_(plan_, passing_.start(0).arc_lower, passing_.start(0).arc_upper),
         stepper_(plan_, {tugging.lower.material,
                          tugging.upper.material,
                          [curvature = 0.5 * (1.0 / tugging.lower.radius + 1.0 / tugging.upper.radius)](
                              double x, double y) { return curvature * (x * x + y * y); },
                          tugging.solver,
+                         centre(passing_.start(0)),
                          {},
-                         observer.wants_stop})
+                         {},
+                         observer.wants_stop,
+                         observer.on_grid_change,
+                         observer.available_memory})
   {
   }
 
@@ -42,7 +45,7 @@ public:
     while (pass_ < case_.passes)
       step();
     TuggingSummary result = summary_.result();
-    result.split_increments = stepper_.split_increments();
+    stepper_.fill(result);
     result.final_state = snapshot();
     return result;
   }
@@ -60,22 +63,19 @@ public:
   }
 
 private:
-  [[nodiscard]] Frame frame(const Position& p) const { return lattice_.frame(p.arc_lower, p.arc_upper); }
+  [[nodiscard]] static Centre centre(const Position& p) { return {p.arc_lower, p.arc_upper}; }
 
   /// @param steps  of the pass that are done there
   [[nodiscard]] Target target(const Position& p, double steps) const
   {
     if (!case_.load)
-      return {frame(p), {contact::Drive::Kind::approach, p.interference}};
+      return {centre(p), {contact::Drive::Kind::approach, p.interference}};
     const double ramp = std::max(1.0, steps_in_pass_ / 8.0);
     const double share = std::clamp(std::min(steps, steps_in_pass_ - steps) / ramp, 0.0, 1.0);
-    return {frame(p), {contact::Drive::Kind::load, share * *case_.load}};
+    return {centre(p), {contact::Drive::Kind::load, share * *case_.load}};
   }
 
-  [[nodiscard]] Snapshot snapshot() const
-  {
-    return stepper_.snapshot(lattice_, frame(position_), position_.arc_lower, position_.arc_upper);
-  }
+  [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(centre(position_)); }
 
   /// From one position to the next; the first one of a pass comes from nowhere.
   void step()
@@ -114,7 +114,7 @@ private:
     for (int before = extra_steps_;; ++before)
     {
       const Position p = passing_.start(before);
-      if (case_.load || stepper_.clearance(frame(p)) >= p.interference || before > extra_steps_ + most)
+      if (case_.load || stepper_.clearance(centre(p)) >= p.interference || before > extra_steps_ + most)
         return p;
     }
   }
@@ -123,10 +123,10 @@ private:
   {
     const Position& p = position_;
     const double sum = case_.lower.radius + case_.upper.radius;
-    const Stepper::Depths& depths = stepper_.depths(frame(p));
+    const Stepper::Depths& depths = stepper_.depths(centre(p));
     const Forces forces =
-        project_forces(plan_.contact, stepper_.pair().pressure(), p.theta, {depths.lower, case_.lower.radius / sum},
-                       {depths.upper, case_.upper.radius / sum});
+        project_forces(stepper_.pair().grid(), stepper_.pair().pressure(), p.theta,
+                       {depths.lower, case_.lower.radius / sum}, {depths.upper, case_.upper.radius / sum});
     TuggingRecord r;
     stepper_.fill(r);
     r.step = summary_.steps();
@@ -151,7 +151,6 @@ private:
   TuggingPlan plan_;
   double cells_; ///< by which the bodies move against each other per step
   Passing passing_;
-  Lattice lattice_;
   Stepper stepper_;
   Summariser summary_;
   Position position_; ///< of the last step

@@ -29,6 +29,14 @@ struct BodyState
   void exchange(Archive& archive);
 };
 
+/// Sides of a body's grid.
+struct Edges
+{
+  bool ends = false;   ///< first or last column, along x
+  bool sides = false;  ///< first or last row, along y
+  bool bottom = false; ///< last layer
+};
+
 /// What the upper body is to the lower one, so that only that one need be solved.
 enum class Twin
 {
@@ -92,14 +100,13 @@ public:
   /// Adds its deviator to `stress` (5 values per cell) in the layers [0, layers).
   void add_initial_stress(int layers, std::vector<double>& stress) const;
 
-  /// Largest equivalent plastic strain at the edges of the grid, over the largest one of all.
-  struct EdgeStrain
-  {
-    double ends = 0.0;   ///< first and last column, along x
-    double sides = 0.0;  ///< first and last row, along y
-    double bottom = 0.0; ///< last layer
-  };
-  [[nodiscard]] EdgeStrain edge_strain() const;
+  /// Edges of the grid that the plastic zone of the present trial has reached: what lies beyond them would be lost.
+  [[nodiscard]] Edges reached_edges() const;
+
+  /// Takes over the history of the same body from a smaller grid whose middle is the middle of this one. Stress and residual
+  /// displacement are computed anew, under `pressure` (on the whole surface grid).
+  void continue_from(const BodyState& history, const VolumeGrid& grid, std::span<const double> pressure);
+  [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
   [[nodiscard]] std::vector<double>& trial() { return q_; }             ///< q, unknowns() values
@@ -123,6 +130,7 @@ private:
   void find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift, double fraction,
                    std::vector<std::size_t>& found) const;
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
+  [[nodiscard]] bool may_yield_beneath() const;
   [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
 
   VolumeGrid grid_;

@@ -7,16 +7,30 @@
 
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 /// One increment of two elastic-plastic bodies in contact: pressure, plastic strain and residual displacement that agree.
 namespace brinell::elastoplastic
 {
 
+/// Edges of the three grids that pressure or plastic strain has reached.
+struct Outgrown
+{
+  Edges lower, upper;
+  bool contact_ends = false, contact_sides = false; ///< pressure in the outermost columns or rows of the contact grid
+  [[nodiscard]] bool any() const
+  {
+    return contact_ends || contact_sides || lower.ends || lower.sides || lower.bottom || upper.ends || upper.sides ||
+           upper.bottom;
+  }
+};
+
 /// How an increment ended.
 struct IncrementReport
 {
   bool converged = false;
+  Outgrown outgrown{}; ///< by the solution, if it converged
   bool contact_converged = false;
   double approach = 0.0; ///< imposed, or found for the load imposed [m]
   int evaluations = 0;   ///< of the elastic-plastic operator of both bodies
@@ -64,7 +78,21 @@ struct Strategy
   /// Give up as soon as the energy of the increment's convex problem, docs/theory/elastoplastic.md (energy), rises
   /// (backward Euler, plain fixed point): the caller then retries with a larger stiffness share, that is with shorter steps.
   bool watch_energy = false;
+  /// Do not commit a solution that has outgrown a grid: `converged` then is false, and the caller is to continue on larger
+  /// grids. Otherwise what lies beyond an edge is lost.
+  bool stay_within_grids = false;
   std::function<bool()> wants_stop{}; ///< asked before each evaluation and while the contact is solved
+};
+
+/// What two bodies have been through, and the grids on which it is written.
+struct History
+{
+  SurfaceGrid contact;
+  VolumeGrid lower_grid, upper_grid;
+  BodyState lower, upper;
+  Placement placement;
+  double approach = 0.0;
+  std::vector<double> pressure;
 };
 
 /// The coupled solver, with its buffers.
@@ -101,6 +129,11 @@ public:
   bool spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const;
   /// Whether pressure acts on the outermost cells of the contact grid.
   [[nodiscard]] bool reaches_edge() const;
+  /// The history, to be continued on other grids; what is left of this object is not to be used.
+  [[nodiscard]] History take_history() &&;
+  /// Continues a history from smaller grids whose middles are those of these grids.
+  /// @throws InternalError if they do not lie so
+  void continue_from(History history);
 
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);
@@ -113,6 +146,8 @@ private:
   void add_depth(const Body& body, const Place& place, std::span<const double> displacement,
                  std::span<double> out) const;
   [[nodiscard]] double energy(double approach) const;
+  [[nodiscard]] Outgrown outgrown() const;
+  [[nodiscard]] std::pair<bool, bool> pressed_edges() const;
 
   halfspace::SurfaceCompliance compliance_;
   contact::ElasticContact contact_;
@@ -120,7 +155,7 @@ private:
   Scales scales_;
   Settings settings_;
   Twin twin_;
-  bool leaves_grid_ = false; ///< pressure of the present trial lies beyond the end of a material grid
+  bool leaves_lower_ = false, leaves_upper_ = false; ///< pressure of the trial lies beyond an end of the material grid
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

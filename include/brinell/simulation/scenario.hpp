@@ -9,7 +9,9 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// Step loops: motion, history, energies. What all scenarios share. SI units.
@@ -63,6 +65,29 @@ struct StepRecord
   void exchange(Archive& archive);
 };
 
+/// A grid was enlarged, because pressure or plastic strain had reached its edge.
+struct GridChange
+{
+  enum class Extent
+  {
+    contact_columns,
+    rows, ///< of all three grids
+    lower_columns,
+    upper_columns,
+    lower_layers,
+    upper_layers
+  };
+  int step = 0; ///< that needed it
+  Extent extent = Extent::contact_columns;
+  int before = 0, after = 0; ///< cells
+
+  void exchange(Archive& archive);
+  bool operator==(const GridChange&) const = default;
+};
+
+/// "the grid of the lower body grows from 31 to 44 layers"
+[[nodiscard]] std::string text(const GridChange& change);
+
 /// Fields of one body on its own material grid.
 struct BodySnapshot
 {
@@ -96,7 +121,9 @@ struct RunTotals
   double energy_balance_error = 0.0; ///< (work - dissipation - stored energy) / largest work reached
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< at the end [m]
   double max_equivalent_plastic_strain = 0.0;
-  Snapshot final_state;
+  std::vector<GridChange> grid_changes; ///< in the course of the run
+  double memory_bytes = 0.0;            ///< of the grids at the end, estimate
+  Snapshot final_state;                 ///< has the grids of the end
 };
 
 /// How a caller watches a run. Empty functions are skipped; after each step they are called in this order, but for the last.
@@ -109,6 +136,10 @@ struct Observer
   std::function<bool(const Record&)> wants_checkpoint;
   /// Everything that the rest of the run depends on: to be given to `run` later.
   std::function<void(const Record&, Archive::Fields)> on_checkpoint;
+  /// A grid grows: before the step that needs it is reported.
+  std::function<void(const GridChange&)> on_grid_change;
+  /// Up to which grids may grow [bytes].
+  double available_memory = std::numeric_limits<double>::infinity();
   /// Asked between two evaluations of a step; then the run ends with `Interrupted`, without a checkpoint of its own.
   std::function<bool()> wants_stop;
 };
