@@ -47,6 +47,7 @@ int run_command(const RunArguments& arguments)
   };
   monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
   { progress->step(step, count, where, iterations); };
+  monitor.on_remark = [&](const std::string& remark) { progress->remark(remark); };
   monitor.wants_stop = [] { return InterruptGuard::signal() != 0; };
   try
   {

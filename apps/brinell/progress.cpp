@@ -38,6 +38,14 @@ Progress::~Progress()
     fmt::print(stderr, "\n");
 }
 
+void Progress::remark(const std::string& text)
+{
+  if (m_quiet)
+    return;
+  fmt::print(stderr, "{}brinell: {}\n", m_bar_is_shown ? "\r\x1b[K" : "", text);
+  m_bar_is_shown = false;
+}
+
 void Progress::step(int step, int step_count, const std::string& where, int iterations)
 {
   if (m_quiet)

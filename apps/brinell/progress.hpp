@@ -19,6 +19,8 @@ public:
   /// @param step   counts from 0
   /// @param where  what the step was about
   void step(int step, int step_count, const std::string& where, int iterations);
+  /// A line of its own.
+  void remark(const std::string& text);
 
 private:
   using Clock = std::chrono::steady_clock;

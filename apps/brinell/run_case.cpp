@@ -89,6 +89,12 @@ std::string simulate(const ScenarioCase& scenario, const io::Case& c, io::Result
       throw Interrupted();
   };
   observer.wants_stop = [&] { return stop.at_once(); };
+  observer.available_memory = io::machine_memory();
+  observer.on_grid_change = [&](const simulation::GridChange& change)
+  {
+    if (monitor.on_remark)
+      monitor.on_remark(text(change));
+  };
   const auto summary = simulation::run(scenario, observer, results.checkpoint() ? &*results.checkpoint() : nullptr);
   const double seconds = seconds_since(start);
   results.finish(summary.final_state, io::columns(summary.last),

@@ -20,6 +20,8 @@ struct RunMonitor
   /// @param step   counts from 0
   /// @param count  of all steps, an estimate
   std::function<void(int step, int count, const std::string& where, int iterations)> on_step;
+  /// Something happened that is worth a line.
+  std::function<void(const std::string& text)> on_remark;
   /// Asked between two iterations. The run then ends with `Interrupted`: after the step, with a checkpoint, if that takes no
   /// longer than a moment; else at once.
   std::function<bool()> wants_stop;

@@ -111,13 +111,22 @@ Json residual_json(const RunTotals& s)
           {"max_equivalent_plastic_strain", s.max_equivalent_plastic_strain}};
 }
 
-Json grid_json(const simulation::Plan& plan)
+/// The grids at the end of the run, and how they grew.
+Json grid_json(const RunTotals& s)
 {
-  return {{"spacing_m", Json::array({plan.contact.dx, plan.contact.dy, plan.lower.dz})},
-          {"contact_cells", Json::array({plan.contact.nx, plan.contact.ny})},
-          {"lower_cells", cells(plan.lower)},
-          {"upper_cells", cells(plan.upper)},
-          {"memory_bytes", plan.memory_bytes}};
+  const simulation::Snapshot& end = s.final_state;
+  Json changes = Json::array();
+  for (const simulation::GridChange& change : s.grid_changes)
+    changes.push_back({{"step", change.step},
+                       {"extent", extent_name(change.extent)},
+                       {"before", change.before},
+                       {"after", change.after}});
+  return {{"spacing_m", Json::array({end.contact.dx, end.contact.dy, end.lower.grid.dz})},
+          {"contact_cells", Json::array({end.contact.nx, end.contact.ny})},
+          {"lower_cells", cells(end.lower.grid)},
+          {"upper_cells", cells(end.upper.grid)},
+          {"memory_bytes", s.memory_bytes},
+          {"changes", std::move(changes)}};
 }
 
 Json versions_json()
@@ -159,9 +168,9 @@ Json head_json(const Case& c)
 }
 
 /// What every summary ends with, and its text.
-std::string finished(Json json, const Case& c, const simulation::Plan& plan, const RunTotals& s, const RunInfo& info)
+std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo& info)
 {
-  const Json grid = grid_json(plan);
+  const Json grid = grid_json(s);
   json["grid"].update(grid);
   json["run"] = {{"steps", s.steps},
                  {"iterations", s.iterations},
@@ -230,7 +239,7 @@ std::string summary_text(const Case& c, const TuggingPlan& plan, const TuggingSu
   json["energy"]["work_to_alignment_J"] = s.work_to_alignment;
   json["residual"] = residual_json(s);
   json["grid"]["shift_m"] = plan.shift;
-  return finished(std::move(json), c, plan, s, info);
+  return finished(std::move(json), c, s, info);
 }
 
 std::string summary_text(const Case& c, const simulation::IndentationPlan& plan,
@@ -248,7 +257,7 @@ std::string summary_text(const Case& c, const simulation::IndentationPlan& plan,
   }
   json["energy"] = energy_json(s);
   json["residual"] = residual_json(s);
-  return finished(std::move(json), c, plan, s, info);
+  return finished(std::move(json), c, s, info);
 }
 
 std::string summary_text(const Case& c, const simulation::RollingPlan& plan, const simulation::RollingSummary& s,
@@ -270,7 +279,7 @@ std::string summary_text(const Case& c, const simulation::RollingPlan& plan, con
   json["energy"] = energy_json(s);
   json["residual"] = residual_json(s);
   json["grid"]["shift_m"] = plan.shift;
-  return finished(std::move(json), c, plan, s, info);
+  return finished(std::move(json), c, s, info);
 }
 
 } // namespace brinell::io

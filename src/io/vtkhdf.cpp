@@ -36,6 +36,24 @@ h5::Box whole(const Shape& shape)
   return {Shape(shape.size(), 0), shape};
 }
 
+/// Columns and rows of the grid of `all` before the first ones of the grid of `state`, which lies within it.
+std::array<hsize_t, 2> offset(const BodyLayout& all, const BodyLayout& state)
+{
+  const SurfaceGrid& s = all.grid.surface;
+  return {static_cast<hsize_t>(std::lround((state.y0 - all.y0) / s.dy)),
+          static_cast<hsize_t>(std::lround((state.x0 - all.x0) / s.dx))};
+}
+
+/// Where the cells of a state lie among those of `all`: a plane, or a volume with both surfaces at layer 0.
+h5::Box place_of(const Shape& shape, const BodyLayout& all, const BodyLayout& state)
+{
+  h5::Box box = whole(shape);
+  const auto [row, column] = offset(all, state);
+  box.start[shape.size() - 2] = row;
+  box.start[shape.size() - 1] = column;
+  return box;
+}
+
 /// An image of VTK, with all states on one axis of time. A single state has no such axis: VTK would take it for a space axis.
 class Block
 {
@@ -84,24 +102,45 @@ public:
     h5::write_virtual_dataset(*m_data, name, all, fill, parts);
   }
 
-  /// A field that covers the image.
-  void add(const char* name, const Shape& shape)
+  using Body = BodyLayout StateLayout::*;
+
+  /// A field of a body. The image has the grid of the last state; those of earlier ones may be smaller.
+  /// @param beyond  value where these do not reach
+  void add_volume(const char* name, Body body, double beyond)
   {
-    const Part part{fmt::format("{}/{}", m_body, name), shape, whole(shape), whole(shape)};
-    add(name, shape, 0.0, [&](const StateLayout&) { return std::vector{part}; });
+    add_field(name, body, beyond, [](const BodyLayout& b) { return cells(b.grid); });
+  }
+  void add_surface(const char* name, Body body, double beyond)
+  {
+    add_field(name, body, beyond, [](const BodyLayout& b) { return cells(b.grid.surface); });
   }
 
-  void add_tensor(const char* name, const Shape& shape)
+  template <typename ShapeOf>
+  void add_field(const char* name, Body body, double beyond, const ShapeOf& shape_of)
   {
-    Shape with_components = shape;
-    with_components.push_back(components.size());
-    add(name, with_components, 0.0,
-        [&](const StateLayout&)
+    const BodyLayout& all = m_states.back().layout.*body;
+    add(name, shape_of(all), beyond,
+        [&](const StateLayout& l)
         {
+          const Shape shape = shape_of(l.*body);
+          return std::vector{
+              Part{fmt::format("{}/{}", m_body, name), shape, whole(shape), place_of(shape, all, l.*body)}};
+        });
+  }
+
+  void add_tensor(const char* name, Body body, double beyond)
+  {
+    const BodyLayout& all = m_states.back().layout.*body;
+    Shape with_components = cells(all.grid);
+    with_components.push_back(components.size());
+    add(name, with_components, beyond,
+        [&](const StateLayout& l)
+        {
+          const Shape shape = cells((l.*body).grid);
           std::vector<Part> parts;
           for (hsize_t c = 0; c < components.size(); ++c)
           {
-            h5::Box target = whole(shape);
+            h5::Box target = place_of(shape, all, l.*body);
             target.start.push_back(c);
             target.count.push_back(1);
             parts.push_back({fmt::format("{}/{}/{}", m_body, name, components[c]), shape, whole(shape), target});
@@ -144,27 +183,31 @@ private:
   std::optional<h5::Handle> m_data;
 };
 
-void write_volume(Block block, const BodyLayout& body)
+using Body = BodyLayout StateLayout::*;
+
+/// Of fields that are not zero beyond a grid but were not computed there.
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+void write_volume(Block block, Body which, const BodyLayout& body)
 {
   const SurfaceGrid& s = body.grid.surface;
   block.place({s.nx, s.ny, body.grid.nz}, {body.x0 - 0.5 * s.dx, body.y0 - 0.5 * s.dy, 0.0},
               {s.dx, s.dy, body.grid.dz});
   block.begin("CellData");
-  const Shape shape = cells(body.grid);
   if (body.has_plastic_strain)
   {
-    block.add("equivalent_plastic_strain", shape);
-    block.add_tensor("plastic_strain", shape);
+    block.add_volume("equivalent_plastic_strain", which, 0.0);
+    block.add_tensor("plastic_strain", which, 0.0);
   }
   if (body.has_stress)
   {
-    block.add("von_mises_stress", shape);
-    block.add_tensor("stress", shape);
+    block.add_volume("von_mises_stress", which, unknown);
+    block.add_tensor("stress", which, unknown);
   }
 }
 
-/// The cells of the contact that lie on the lower body's grid. @returns none if the grids are apart.
-std::vector<Block::Part> contact_part(const char* name, const StateLayout& layout)
+/// The cells of the contact that lie on the lower body's grid, placed on that of `all`. @returns none if the grids are apart.
+std::vector<Block::Part> contact_part(const char* name, const StateLayout& layout, const BodyLayout& all)
 {
   const ContactLayout& c = layout.contact;
   const SurfaceGrid& lower = layout.lower.grid.surface;
@@ -177,25 +220,28 @@ std::vector<Block::Part> contact_part(const char* name, const StateLayout& layou
     return h5::Box{{static_cast<hsize_t>(first_row - row), static_cast<hsize_t>(first_column - column)},
                    {static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)}};
   };
+  h5::Box target = box(0, 0);
+  const auto [row, column] = offset(all, layout.lower);
+  target.start[0] += row;
+  target.start[1] += column;
   return {{fmt::format("contact/{}", name),
            {static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)},
            box(c.row, c.column),
-           box(0, 0)}};
+           target}};
 }
 
 /// A sheet of points in the cells' centres: so it can be warped by its values.
-void write_surface(Block block, const BodyLayout& body, bool with_contact)
+void write_surface(Block block, Body which, const BodyLayout& body, bool with_contact)
 {
   const SurfaceGrid& s = body.grid.surface;
   block.place({s.nx - 1, s.ny - 1, 0}, {body.x0, body.y0, 0.0}, {s.dx, s.dy, body.grid.dz});
   block.begin("PointData");
   if (body.has_residual_displacement)
-    block.add("residual_displacement", cells(s));
+    block.add_surface("residual_displacement", which, unknown);
   if (!with_contact)
     return;
-  block.add("pressure", cells(s), 0.0, [](const StateLayout& l) { return contact_part("pressure", l); });
-  block.add("gap", cells(s), std::numeric_limits<double>::quiet_NaN(),
-            [](const StateLayout& l) { return contact_part("gap", l); });
+  block.add("pressure", cells(s), 0.0, [&](const StateLayout& l) { return contact_part("pressure", l, body); });
+  block.add("gap", cells(s), unknown, [&](const StateLayout& l) { return contact_part("gap", l, body); });
 }
 
 BodyLayout layout_of(const simulation::BodySnapshot& body)
@@ -238,14 +284,14 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
     h5::link_soft(node, name, fmt::format("/VTKHDF/{}", name));
     return Block(root, name, body, count++, states);
   };
-  const auto& [lower, upper, contact] = states.front().layout;
+  const auto& [lower, upper, contact] = states.back().layout;
   if (lower.has_plastic_strain || lower.has_stress)
-    write_volume(block("lower_volume", "lower"), lower);
+    write_volume(block("lower_volume", "lower"), &StateLayout::lower, lower);
   if (upper.has_plastic_strain || upper.has_stress)
-    write_volume(block("upper_volume", "upper"), upper);
-  write_surface(block("lower_surface", "lower"), lower, true);
+    write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper);
+  write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, true);
   if (upper.has_residual_displacement)
-    write_surface(block("upper_surface", "upper"), upper, false);
+    write_surface(block("upper_surface", "upper"), &StateLayout::upper, upper, false);
   if (states.size() > 1)
     Block(root, "Steps", "", count, states).imitate_steps();
 }

@@ -45,7 +45,7 @@ struct StoredState
 };
 
 /// Writes /VTKHDF, docs/reference/results-format.md.
-/// @param states  ascending in time, on the same grids; nothing is written if there are none.
+/// @param states  ascending in time, on grids that may have grown; nothing is written if there are none.
 /// @throws IoError
 void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states);
 

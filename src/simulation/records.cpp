@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records.hpp"
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/tugging.hpp"
 
+#include <array>
 #include <fmt/format.h>
 
 namespace brinell::simulation
@@ -49,34 +51,42 @@ void GridChange::exchange(Archive& archive)
   archive("step", step);
   int code = static_cast<int>(extent);
   archive("extent", code);
+  if (code < 0 || code > static_cast<int>(Extent::upper_layers))
+    throw InputError("the stored state has an unknown change of a grid");
   extent = static_cast<Extent>(code);
   archive("before", before);
   archive("after", after);
 }
 
+namespace
+{
+
+struct ExtentText
+{
+  const char *name, *grows, *unit;
+};
+
+/// In the order of GridChange::Extent.
+constexpr std::array extents{
+    ExtentText{"contact_columns", "the grid of the contact grows", "columns"},
+    ExtentText{"rows", "all grids grow", "rows"},
+    ExtentText{"lower_columns", "the grid of the lower body grows", "columns"},
+    ExtentText{"upper_columns", "the grid of the upper body grows", "columns"},
+    ExtentText{"lower_layers", "the grid of the lower body grows", "layers"},
+    ExtentText{"upper_layers", "the grid of the upper body grows", "layers"},
+};
+
+} // namespace
+
+const char* extent_name(GridChange::Extent extent)
+{
+  return extents.at(static_cast<std::size_t>(extent)).name;
+}
+
 std::string text(const GridChange& change)
 {
-  using Extent = GridChange::Extent;
-  const auto [what, unit] = [&]() -> std::pair<const char*, const char*>
-  {
-    switch (change.extent)
-    {
-    case Extent::contact_columns:
-      return {"the grid of the contact grows", "columns"};
-    case Extent::rows:
-      return {"all grids grow", "rows"};
-    case Extent::lower_columns:
-      return {"the grid of the lower body grows", "columns"};
-    case Extent::upper_columns:
-      return {"the grid of the upper body grows", "columns"};
-    case Extent::lower_layers:
-      return {"the grid of the lower body grows", "layers"};
-    case Extent::upper_layers:
-      break;
-    }
-    return {"the grid of the upper body grows", "layers"};
-  }();
-  return fmt::format("step {}: {} from {} to {} {}", change.step, what, change.before, change.after, unit);
+  const ExtentText& e = extents.at(static_cast<std::size_t>(change.extent));
+  return fmt::format("step {}: {} from {} to {} {}", change.step, e.grows, change.before, change.after, e.unit);
 }
 
 void TuggingRecord::exchange(Archive& archive)

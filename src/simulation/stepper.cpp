@@ -123,6 +123,7 @@ void Stepper::exchange(Archive& archive)
   {
     stored.lower.surface.ny = stored.upper.surface.ny = stored.contact.ny;
     require_growth(plan_, stored);
+    stored.memory_bytes = memory_of(stored);
     move_to(stored);
   }
   archive("pair", *pair_);
@@ -234,8 +235,7 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
   if (plan_.twin != elastoplastic::Twin::none)
     larger.upper = larger.lower;
   // While the history moves, the smaller grids are gone but for the state.
-  larger.memory_bytes =
-      memory_bytes(larger, setup_.lower.is_plastic(), setup_.upper.is_plastic(), setup_.solver.anderson_depth);
+  larger.memory_bytes = memory_of(larger);
   if (!(larger.memory_bytes <= setup_.available_memory))
     throw GridError(
         fmt::format("{}: contact or plastic zone has reached an edge of its grid, and larger grids would need "
@@ -246,6 +246,12 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
   elastoplastic::History history = std::move(*pair_).take_history();
   move_to(larger);
   pair_->continue_from(std::move(history));
+}
+
+double Stepper::memory_of(const Plan& plan) const
+{
+  return simulation::memory_bytes(plan, setup_.lower.is_plastic(), setup_.upper.is_plastic(),
+                                  setup_.solver.anderson_depth);
 }
 
 void Stepper::announce(const Plan& larger)

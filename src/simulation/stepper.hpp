@@ -110,6 +110,7 @@ private:
   void place(const Frame& frame);
   [[nodiscard]] std::unique_ptr<elastoplastic::CoupledContact> make_pair() const;
   void grow(const elastoplastic::Outgrown& outgrown);
+  [[nodiscard]] double memory_of(const Plan& plan) const;
   void announce(const Plan& larger);
   void move_to(const Plan& larger);
 

@@ -87,6 +87,8 @@ struct GridChange
 
 /// "the grid of the lower body grows from 31 to 44 layers"
 [[nodiscard]] std::string text(const GridChange& change);
+/// "lower_layers"
+[[nodiscard]] const char* extent_name(GridChange::Extent extent);
 
 /// Fields of one body on its own material grid.
 struct BodySnapshot

@@ -21,6 +21,8 @@ __all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
 FloatArray = NDArray[np.float64]
 
 Body = Literal["lower", "upper"]
+Grid = tuple[FloatArray, ...]
+"""Cell centres along [z,] y and x."""
 
 CONTACT_FIELDS = ("pressure", "gap")
 """Fields of the contact, which lie on the surface of the lower body."""
@@ -49,14 +51,15 @@ def labelled_field(path: Path, body: Body, name: str) -> Labelled:
         raise RunError(f"{path}: the {body} body has no field {name!r}; stored are {listed(names)}")
     with ResultFile(path) as file:
         states = file.states()
-        first = file.group(next(iter(states.values())))
+        last = file.group(list(states.values())[-1])  # grids only grow: its grid holds those of all states
         try:
-            data = _first_dataset(first, body, name)
-            coords = _coords(first, body, name, data)
+            data = _first_dataset(last, body, name)
+            coords = _coords(last, body, name, data)
             units, long_name = str(data.attrs["units"]), str(data.attrs["long_name"])
         except (KeyError, OSError, ValueError) as error:
-            raise RunError(f"{path}: {first.name} is damaged ({one_line(error)})") from error
+            raise RunError(f"{path}: {last.name} is damaged ({one_line(error)})") from error
     part = _part_of_contact if name in CONTACT_FIELDS else _part_of_tensor if "component" in coords else _part
+    grid = tuple(axis for key, axis in coords.items() if key != "component")
 
     def read(taken: tuple[Axis, ...]) -> FloatArray:
         groups = list(states.values())
@@ -65,7 +68,7 @@ def labelled_field(path: Path, body: Body, name: str) -> Labelled:
 
             def at(step: int) -> FloatArray:
                 try:
-                    return part(opened.group(groups[step]), body, name, inside)
+                    return part(opened.group(groups[step]), body, name, inside, grid)
                 except (KeyError, OSError, ValueError) as error:
                     raise RunError(f"{path}: /{groups[step]} is damaged ({one_line(error)})") from error
 
@@ -116,25 +119,38 @@ def _selected(data: Any, taken: tuple[Axis, ...]) -> FloatArray:
     return np.asarray(data[tuple(ascending)], dtype=np.float64)[tuple(flips)]
 
 
-def _part(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...]) -> FloatArray:
-    return _selected(state[body][name], taken)
+def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: Grid) -> h5py.Dataset | FloatArray:
+    """A field of a body on a grid that holds its own: beyond it there was no plastic strain, and the rest is not known."""
+    if data.shape == tuple(len(axis) for axis in grid):
+        return data
+    spacing, origin = state[body].attrs["spacing"], state[body].attrs["origin"]
+    row, column = (round((origin[i] - axis[0]) / spacing[i]) for i, axis in ((1, grid[-2]), (0, grid[-1])))
+    whole = np.full([len(axis) for axis in grid], 0.0 if "plastic_strain" in name else np.nan)
+    ny, nx = data.shape[-2:]
+    layers = (slice(0, data.shape[0]),) if data.ndim == 3 else ()
+    whole[(*layers, slice(row, row + ny), slice(column, column + nx))] = data[()]
+    return whole
 
 
-def _part_of_tensor(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...]) -> FloatArray:
+def _part(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
+    return _selected(_on_grid(state, body, name, state[body][name], grid), taken)
+
+
+def _part_of_tensor(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
     component, inside = taken[0], taken[1:]
     tensor = state[body][name]
     if isinstance(component, int):
-        return _selected(tensor[COMPONENTS[component]], inside)
-    return np.array([_selected(tensor[COMPONENTS[c]], inside) for c in component])
+        return _selected(_on_grid(state, body, name, tensor[COMPONENTS[component]], grid), inside)
+    return np.array([_selected(_on_grid(state, body, name, tensor[COMPONENTS[c]], grid), inside) for c in component])
 
 
-def _part_of_contact(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...]) -> FloatArray:
+def _part_of_contact(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
     """The contact's grid takes cells of the lower body's surface; around it there is no pressure."""
     surface, contact = state[body], state["contact"]
     values = np.asarray(contact[name][()], dtype=np.float64)
     origin = contact.attrs["origin"] + [surface.attrs["contact_x"], 0.0]
-    column, row = np.rint((origin - surface.attrs["origin"][:2]) / contact.attrs["spacing"]).astype(int)
-    ny, nx = surface["residual_displacement"].shape
+    column, row = np.rint((origin - [grid[-1][0], grid[-2][0]]) / contact.attrs["spacing"]).astype(int)
+    ny, nx = len(grid[-2]), len(grid[-1])
     whole = np.full((ny, nx), 0.0 if name == "pressure" else np.nan)
     to_row, to_column = max(row, 0), max(column, 0)
     inside = values[to_row - row : max(ny - row, 0), to_column - column : max(nx - column, 0)]
