@@ -72,15 +72,26 @@ def test_a_rolling_over_a_dent_runs() -> None:
     assert run.case("lower", "texture", "depth") == pytest.approx(0.2e-6)
 
 
-def test_a_grid_that_turns_out_too_small_is_an_error_of_its_own() -> None:
-    with pytest.raises(brinell.GridError, match="enlarge it by grid.extent"):
-        brinell.Rolling(
-            lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", radius="10 um")),
-            upper=body_of_radius("100 um", brinell.Material("300 GPa", 0.25)),
-            distance="30 um",
-            hertz_pressure="4 GPa",
-            grid={"resolution": 4, "extent": 0.6},
-        ).run()
+def test_a_grid_that_turns_out_too_small_grows() -> None:
+    rolling = brinell.Rolling(
+        lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", radius="10 um")),
+        upper=body_of_radius("100 um", brinell.Material("300 GPa", 0.25)),
+        distance="30 um",
+        hertz_pressure="4 GPa",
+        grid={"resolution": 4, "extent": 0.6},
+        output={"snapshots": "all"},
+    )
+    run = rolling.run()
+    assert run.summary is not None
+    changes = run.summary["grid"]["changes"]
+    assert changes
+    stress = run.field("lower", "von_mises_stress")
+    before, after = stress.isel(step=0).values, stress.isel(step=-1).values
+    assert np.isnan(before).any()  # not computed beyond the first grid
+    assert not np.isnan(after).any()
+    strain = run.field("lower", "equivalent_plastic_strain").values
+    assert strain.shape[1:] == tuple(reversed(run.summary["grid"]["lower_cells"]))
+    assert np.isfinite(strain).all()
 
 
 def test_with_values_keeps_the_class() -> None:

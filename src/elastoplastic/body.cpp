@@ -89,7 +89,9 @@ void Body::exchange(Archive& archive)
 {
   std::vector<double> texture = texture_;
   archive.list("texture", texture);
-  if (texture != texture_)
+  const auto alike = [](double a, double b)
+  { return std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b)); }; // rounding
+  if (!std::equal(texture.begin(), texture.end(), texture_.begin(), texture_.end(), alike))
     throw InputError("the texture of a surface is not that of the stored state");
   if (!is_plastic())
     return;

@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <sstream>
 #include <sys/file.h>
 #include <unistd.h>
 #include <utility>
@@ -127,6 +128,17 @@ InputError nothing_to_resume(const fs::path& folder)
   return InputError(fmt::format("{}: no run was stopped there that could be resumed", folder.string()));
 }
 
+/// A case without what only decides with which grids a run begins: they grow as far as they must.
+std::string without_extent(const std::string& text)
+{
+  std::string kept;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("extent = "))
+      kept += line + "\n";
+  return kept;
+}
+
 /// What a run can go on from: nothing if it was stopped before its first checkpoint.
 std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
 {
@@ -136,7 +148,7 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
   if (!stream)
     throw nothing_to_resume(folder);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (text != resolved_text(c.values))
+  if (without_extent(text) != without_extent(resolved_text(c.values)))
     throw InputError(fmt::format("{}: the run that was stopped there is of another case: compare resolved.toml there "
                                  "with what brinell check prints; without --resume it is replaced",
                                  folder.string()));

@@ -52,7 +52,8 @@ std::vector<Entry> grid_entries()
        .type = Type::number,
        .range = between(0.5, 10.0),
        .fallback = defaults.extent,
-       .text = "Factor on the automatic extent of the grids around contact and plastic zone."},
+       .text = "Factor on the first extent of the grids around contact and plastic zone; they grow where that is not "
+               "enough."},
   };
 }
 

@@ -92,7 +92,8 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
   f.half_x = e.semi_axis_x * growth;
   f.half_y = e.semi_axis_y * growth;
   f.approach = e.approach;
-  const double over_yield = std::max(1.0, e.peak_pressure / pair.yield_pressure);
+  f.peak_ratio = e.peak_pressure / pair.yield_pressure;
+  const double over_yield = std::max(1.0, f.peak_ratio);
   f.first_yield_approach = e.approach / (over_yield * over_yield); // peak pressure grows as the root of the approach
   const double a = std::min(f.half_x, f.half_y);
   f.plastic_reach = plastic_reach(pair, a, a / std::min(radius_x, radius_y));
@@ -124,7 +125,8 @@ Footprint of_roller(const Pair& pair, double radius, double length, const Drive&
   f.straight_y = true;
   f.half_y = 0.5 * length;
   f.approach = approach(load);
-  f.first_yield_approach = f.approach / std::max(1.0, std::pow(peak / (1.1 * pair.yield_pressure), 2));
+  f.peak_ratio = peak / (1.1 * pair.yield_pressure);
+  f.first_yield_approach = f.approach / std::max(1.0, f.peak_ratio * f.peak_ratio);
   f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / radius);
   return f;
 }
@@ -144,6 +146,7 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
   Footprint f;
   f.approach = drive.kind == Drive::Kind::load ? 0.5 * pi * a * slope : drive.value;
   f.first_yield_approach = 0.0;
+  f.peak_ratio = std::numeric_limits<double>::infinity();
   if (tip_radius > 0.0)
   {
     const Footprint ball = of_paraboloids(pair, tip_radius, tip_radius, drive);
@@ -217,6 +220,106 @@ double checkpoint_bytes(const VolumeGrid& grid, bool solved)
 
 } // namespace
 
+namespace
+{
+
+/// Where a texture is on its body, and over which length it rises and falls [m]; none if the body is smooth.
+struct Waviness
+{
+  double x = 0.0, length = 0.0;
+};
+
+/// 2 pi times the ratio of the root mean squares of height and slope: the wavelength of a sinusoid.
+double wavelength(const HeightMap& map)
+{
+  double mean = 0.0;
+  for (const double h : map.heights)
+    mean += h / static_cast<double>(map.heights.size());
+  double squares = 0.0;
+  double slopes = 0.0;
+  for (int j = 0; j < map.ny; ++j)
+    for (int i = 0; i < map.nx; ++i)
+    {
+      const double* h = map.heights.data() + i + static_cast<std::ptrdiff_t>(map.nx) * j;
+      squares += (*h - mean) * (*h - mean);
+      slopes += i + 1 < map.nx ? std::pow((h[1] - h[0]) / map.dx, 2) : 0.0;
+      slopes += j + 1 < map.ny ? std::pow((h[map.nx] - h[0]) / map.dy, 2) : 0.0;
+    }
+  return slopes > 0.0 ? 2.0 * pi * std::sqrt(2.0 * squares / slopes) : 0.0;
+}
+
+std::optional<Waviness> waviness(const Texture& texture)
+{
+  if (const auto* dent = std::get_if<Dent>(&texture))
+    return Waviness{dent->x, dent->radius};
+  if (const auto* map = std::get_if<HeightMap>(&texture))
+    return Waviness{map->x, wavelength(*map)};
+  return std::nullopt;
+}
+
+/// Half-lengths that the elastic contact covers with a texture's middle under its own, by a solution on a coarse grid.
+std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
+                                    double modulus, const Footprint& smooth, double x)
+{
+  constexpr int cells = 41;
+  constexpr double tolerance = 1e-3; // of the approach
+  constexpr int iterations = 500;
+  std::array<double, 2> half{2.5 * smooth.half_x, 2.5 * smooth.half_y};
+  for (int attempt = 0; attempt < 4; ++attempt)
+  {
+    const SurfaceGrid grid{cells, cells, 2.0 * half[0] / cells, 2.0 * half[1] / cells};
+    std::vector<double> distance(grid.size());
+    for (int j = 0; j < cells; ++j)
+      for (int i = 0; i < cells; ++i)
+      {
+        const double u = (i - 0.5 * (cells - 1)) * grid.dx;
+        const double v = (j - 0.5 * (cells - 1)) * grid.dy;
+        distance[static_cast<std::size_t>(i + cells * j)] = height(lower.shape, u, v) + height(upper.shape, u, v) +
+                                                            depth(lower.texture, x + u, v) +
+                                                            depth(upper.texture, x + u, v);
+      }
+    const halfspace::SurfaceCompliance compliance(grid, modulus);
+    contact::ElasticContact solver(compliance);
+    std::vector<double> pressure(grid.size(), 0.0);
+    std::vector<double> gap(grid.size());
+    // An estimate: what has not converged by then still shows where the contact is.
+    static_cast<void>(solver.solve(distance, drive, tolerance * smooth.approach, iterations, pressure, gap));
+    int reach_x = 0;
+    int reach_y = 0;
+    for (int j = 0; j < cells; ++j)
+      for (int i = 0; i < cells; ++i)
+        if (pressure[static_cast<std::size_t>(i + cells * j)] > 0.0)
+        {
+          reach_x = std::max(reach_x, std::abs(i - cells / 2));
+          reach_y = std::max(reach_y, std::abs(j - cells / 2));
+        }
+    if (reach_x < cells / 2 && reach_y < cells / 2)
+      return {(reach_x + 1) * grid.dx, (reach_y + 1) * grid.dy};
+    half = {reach_x < cells / 2 ? half[0] : 1.6 * half[0], reach_y < cells / 2 ? half[1] : 1.6 * half[1]};
+  }
+  return half;
+}
+
+/// Widens the footprint to what textures touch. Where the smooth bodies would stay elastic it need only be as deep as the
+/// stress of the texture goes: a wavelength, over which exp(-kz) (1 + kz) falls to 1.4 %.
+void add_textures(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Pair& pair, Footprint& f)
+{
+  constexpr double clearly_elastic = 0.7; // of the pressure at first yield
+  double longest = 0.0;
+  for (const ShapedBody* body : {&lower, &upper})
+    if (const std::optional<Waviness> texture = waviness(body->texture))
+    {
+      longest = std::max(longest, texture->length);
+      const auto [x, y] = elastic_cover(lower, upper, drive, pair.modulus, f, texture->x);
+      f.over_x = std::max(f.over_x, x);
+      f.over_y = f.straight_y ? f.over_y : std::max(f.over_y, y);
+    }
+  if (longest > 0.0 && f.peak_ratio < clearly_elastic)
+    f.depth = std::min(f.depth, longest);
+}
+
+} // namespace
+
 Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
 {
   const Pair pair = pair_of(lower, upper);
@@ -224,6 +327,9 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
   // Under a point contact the largest shear is at 0.48 a, under a line contact at 0.79 a.
   const double narrow = std::min(f.half_x, f.half_y) / std::max(f.half_x, f.half_y);
   f.depth = std::max((2.9 - 1.05 * narrow) * std::min(f.half_x, f.half_y), 1.3 * f.plastic_reach);
+  f.over_x = f.half_x;
+  f.over_y = f.half_y;
+  add_textures(lower, upper, drive, pair, f);
   return f;
 }
 
@@ -280,8 +386,8 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   const auto [dx, dy, dz] = cell_sizes(numerics, f);
   const double scale = numerics.extent;
   const double width = std::min(f.half_x, f.half_y); // of what surrounds the contact
-  const double half_y = scale * std::max(f.half_y + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
-  const double reach_x = scale * std::max(f.half_x + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
+  const double half_y = scale * std::max(f.over_y + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
+  const double reach_x = scale * std::max(f.over_x + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
   constexpr int margin = 4;          // cells: material pushed ahead
   constexpr double most_cells = 2e9; // beyond it indices would overflow; far beyond any machine
   const double cells =
@@ -291,7 +397,7 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
         fmt::format("grid: {:.1e} cells for a contact of {:.3g} x {:.3g} m with a plastic zone of {:.3g} m; "
                     "allowed: fewer than {:.0e}, so larger cells or a shorter track",
                     cells, 2.0 * f.half_x, 2.0 * f.half_y, f.plastic_reach, most_cells));
-  plan.contact = {2 * half_cells(scale * 1.6 * f.half_x, dx) + 1, 2 * half_cells(half_y, dy) + 1, dx, dy};
+  plan.contact = {2 * half_cells(scale * 1.6 * f.over_x, dx) + 1, 2 * half_cells(half_y, dy) + 1, dx, dy};
   for (const auto& [grid, track] : {std::pair{&plan.lower, track_lower}, {&plan.upper, track_upper}})
   {
     grid->surface = plan.contact;

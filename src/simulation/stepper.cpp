@@ -43,32 +43,30 @@ double largest(const std::vector<double>& values)
 namespace
 {
 
-/// A stored state may have larger grids than the plan, never others.
-void require_growth(const Plan& plan, const Plan& stored)
+/// A stored state may have grown, or come from a plan with another extent: its grids have the same middles.
+void require_same_middles(const Plan& plan, const Plan& stored)
 {
   constexpr int most = 1 << 20;
   for (const auto& [now, before] : {std::pair{stored.contact.nx, plan.contact.nx},
                                     {stored.contact.ny, plan.contact.ny},
                                     {stored.lower.surface.nx, plan.lower.surface.nx},
                                     {stored.upper.surface.nx, plan.upper.surface.nx}})
-    if (now < before || now > most || (now - before) % 2 != 0)
-      throw InputError("the stored state has other grids");
-  for (const auto& [now, before] : {std::pair{stored.lower.nz, plan.lower.nz}, {stored.upper.nz, plan.upper.nz}})
-    if (now < before || now > most)
-      throw InputError("the stored state has other grids");
+    if (now < 1 || now > most || (now - before) % 2 != 0)
+      throw InputError(fmt::format("the stored state has a grid of {} columns or rows, which does not fit", now));
+  for (const int layers : {stored.lower.nz, stored.upper.nz})
+    if (layers < 1 || layers > most)
+      throw InputError(fmt::format("the stored state has a grid of {} layers, which does not fit", layers));
 }
 
 } // namespace
 
 Lattice::Lattice(const Plan& plan, const Centre& start)
-    : dx_(plan.contact.dx), half_((plan.contact.nx - 1) / 2), lower_origin_(0.0), upper_origin_(0.0)
+    : dx_(plan.contact.dx), half_((plan.contact.nx - 1) / 2),
+      // Local x' of the contact's column 0, as a coordinate of the upper body, is to fall on one of its columns.
+      upper_start_(static_cast<double>(centre_column(start.lower) - half_) * dx_ - start.lower + start.upper),
+      lower_columns_((plan.lower.surface.nx - 1) / 2),
+      upper_columns_(static_cast<int>(std::lround(upper_start_ / dx_ + (plan.upper.surface.nx - 1) / 2)))
 {
-  const int lower_zero = (plan.lower.surface.nx - 1) / 2;
-  lower_origin_ = -lower_zero * dx_;
-  // Local x' of the contact's column 0, as a coordinate of the upper body, is to fall on one of its columns.
-  const double upper = static_cast<double>(centre_column(start.lower) - half_) * dx_ - start.lower + start.upper;
-  const int upper_zero = (plan.upper.surface.nx - 1) / 2;
-  upper_origin_ = upper - std::round(upper / dx_ + upper_zero) * dx_;
 }
 
 long Lattice::centre_column(double arc_lower) const
@@ -81,16 +79,16 @@ Frame Lattice::frame(const Centre& centre) const
   Frame f;
   const double left = static_cast<double>(centre_column(centre.lower) - half_) * dx_; // on the lower body
   f.x0 = left - centre.lower;
-  f.placement.lower = place_at((left - lower_origin_) / dx_);
-  f.placement.upper = place_at((f.x0 + centre.upper - upper_origin_) / dx_);
+  f.placement.lower = place_at((left - lower_origin()) / dx_);
+  f.placement.upper = place_at((f.x0 + centre.upper - upper_origin()) / dx_);
   return f;
 }
 
 void Lattice::grow(int contact, int lower, int upper)
 {
   half_ += contact;
-  lower_origin_ -= lower * dx_;
-  upper_origin_ -= upper * dx_;
+  lower_columns_ += lower;
+  upper_columns_ += upper;
 }
 
 Stepper::Stepper(const Plan& plan, Setup setup)
@@ -122,8 +120,11 @@ void Stepper::exchange(Archive& archive)
   if (archive.gives())
   {
     stored.lower.surface.ny = stored.upper.surface.ny = stored.contact.ny;
-    require_growth(plan_, stored);
+    require_same_middles(plan_, stored);
     stored.memory_bytes = memory_of(stored);
+    if (!(stored.memory_bytes <= setup_.available_memory))
+      throw InputError(fmt::format("the stored state needs {:.3g} GB; available are {:.3g} GB",
+                                   1e-9 * stored.memory_bytes, 1e-9 * setup_.available_memory));
     move_to(stored);
   }
   archive("pair", *pair_);

@@ -40,17 +40,19 @@ public:
 
   [[nodiscard]] Frame frame(const Centre& centre) const;
   /// Surface coordinate of column 0 of a body's grid [m].
-  [[nodiscard]] double lower_origin() const { return lower_origin_; }
-  [[nodiscard]] double upper_origin() const { return upper_origin_; }
-  /// The grids have grown by so many columns at each end; every cell stays where it is.
+  [[nodiscard]] double lower_origin() const { return -lower_columns_ * dx_; }
+  [[nodiscard]] double upper_origin() const { return upper_start_ - upper_columns_ * dx_; }
+  /// The grids have grown by so many columns at each end (shrunk, if negative); every cell stays where it is.
   void grow(int contact, int lower, int upper);
 
 private:
   [[nodiscard]] long centre_column(double arc_lower) const;
 
   double dx_;
-  int half_;
-  double lower_origin_, upper_origin_;
+  int half_;           ///< columns of the contact grid on either side of its middle one
+  double upper_start_; ///< of the contact's column 0 at the start, on the upper body [m]
+  int lower_columns_;  ///< before the one at 0
+  int upper_columns_;  ///< before the one at `upper_start_`
 };
 
 /// The state of both bodies and the way from one moment to the next, the same for all scenarios. Its grids grow where pressure

@@ -97,9 +97,14 @@ def finished_summary(folder: str | Path, text: str) -> dict[str, Any] | None:
         summary = open_run(folder).summary
     except (RunError, OSError):
         return None
-    if summary is None or summary.get("case") != tomllib.loads(text):
+    if summary is None or _without_extent(summary.get("case", {})) != _without_extent(tomllib.loads(text)):
         return None
     return {key: value for key, value in summary.items() if key != "case"}
+
+
+def _without_extent(case: Mapping[str, Any]) -> dict[str, Any]:
+    """A case without what only decides with which grids a run begins: they grow as far as they must."""
+    return {**case, "grid": {key: value for key, value in case.get("grid", {}).items() if key != "extent"}}
 
 
 def _run(task: Task, wants_stop: Callable[[], bool]) -> None:

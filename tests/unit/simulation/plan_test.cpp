@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/tugging.hpp"
 
 #include <gtest/gtest.h>
@@ -168,6 +169,56 @@ TEST(PlanTest, StepsLieOnTheCellsOfBothBodies)
         (void)run(t, observer);
         EXPECT_GT(snapshots, 2);
       }
+}
+
+/// A steel ball of 20 mm on a flat, pressed lightly: the smooth bodies would stay elastic.
+IndentationCase light_press(double newton)
+{
+  const constitutive::Material steel{{210e9, 0.3}, constitutive::PerfectPlasticity{1.5e9}};
+  IndentationCase c;
+  c.lower = {Plane{}, steel};
+  c.upper = {Paraboloid{20e-3, 20e-3}, steel};
+  c.sequence = {{contact::Drive::Kind::load, newton}};
+  return c;
+}
+
+/// A sinusoid along x.
+HeightMap waves(double length, double amplitude, double extent)
+{
+  constexpr int points = 257;
+  HeightMap map{points, points, extent / (points - 1), extent / (points - 1), 0.0, 0.0, {}};
+  for (int j = 0; j < points; ++j)
+    for (int i = 0; i < points; ++i)
+      map.heights.push_back(amplitude * std::cos(2.0 * 3.14159265358979 * (i - points / 2) * map.dx / length));
+  return map;
+}
+
+TEST(PlanTest, ARoughContactThatIsElasticAsAWholeNeedsLittleDepth)
+{
+  IndentationCase c = light_press(50.0);
+  const IndentationPlan smooth = plan(c);
+  constexpr double length = 10e-6;
+  c.upper.texture = waves(length, 10e-9, 1.2e-3);
+  const IndentationPlan rough = plan(c);
+  EXPECT_GT(smooth.lower.nz * smooth.lower.dz, 1.8 * smooth.contact_radius);
+  const double wavelength = std::sqrt(2.0) * length; // slopes along y are zero: half the mean square of all slopes
+  EXPECT_NEAR(rough.lower.nz * rough.lower.dz, wavelength, 0.02 * wavelength + rough.lower.dz);
+  EXPECT_LT(rough.memory_bytes, 0.2 * smooth.memory_bytes);
+  // Pressed so far that the smooth bodies yield, too, it needs the depth of these.
+  c.sequence = {{contact::Drive::Kind::load, 5000.0}};
+  const IndentationPlan deep = plan(c);
+  EXPECT_GT(deep.lower.nz * deep.lower.dz, 1.8 * deep.contact_radius);
+}
+
+TEST(PlanTest, ATextureWidensTheGrids)
+{
+  IndentationCase c = light_press(50.0);
+  const IndentationPlan smooth = plan(c);
+  c.lower.texture = Dent{.y = 0.4e-3, .depth = -6e-6, .radius = 0.3e-3}; // a bump beside the contact, which bears
+  const IndentationPlan rough = plan(c);
+  EXPECT_EQ(rough.contact.dy, smooth.contact.dy);
+  EXPECT_LT(smooth.contact.ny * smooth.contact.dy, 2.0 * 0.4e-3);
+  EXPECT_GT(rough.contact.ny * rough.contact.dy, 2.0 * 0.4e-3);
 }
 
 } // namespace
