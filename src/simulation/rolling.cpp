@@ -40,7 +40,7 @@ public:
                          {textured(rolling.lower.texture, plan_.lower.surface, lattice_.lower_origin()),
                           textured(rolling.upper.texture, plan_.upper.surface, lattice_.upper_origin())},
                          observer.wants_stop}),
-        track_(plan_.lower, rolling.distance)
+        track_(plan_.lower, rolling.distance, plan_.shift)
   {
   }
 

@@ -11,7 +11,8 @@ class TrackReader
 {
 public:
   /// @param distance  length of the track [m]
-  TrackReader(const VolumeGrid& lower, double distance);
+  /// @param shift     from record to record [m]
+  TrackReader(const VolumeGrid& lower, double distance, double shift);
 
   /// @param dissipation  of both bodies so far [J]
   void begin_pass(const elastoplastic::BodyState& lower, double dissipation);
@@ -23,9 +24,16 @@ public:
 private:
   VolumeGrid grid_;
   double quarter_;                     ///< of the track [m]: its middle half counts for the means
+  /// Energy that both bodies have taken up [J] when the contact was at x [m].
+  struct Uptake
+  {
+    double x = 0.0, energy = 0.0;
+    void exchange(Archive& archive);
+  };
   std::vector<double> plastic_strain_; ///< under the middle before the pass
   double dissipation_ = 0.0;           ///< before it [J]
-  double sum_resistance_ = 0.0, sum_pressure_ = 0.0;
+  Uptake first_, centre_, last_; ///< over the middle half of the track
+  double sum_force_ = 0.0, sum_pressure_ = 0.0, sum_load_ = 0.0;
   int count_ = 0;
 };
 

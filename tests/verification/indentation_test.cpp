@@ -246,6 +246,18 @@ TEST(Indentation, UnloadingStiffnessIsThatOfTheContactArea)
                      0.5 / cells, "theory: similarity; area counted in cells");
 }
 
+TEST(Indentation, HardnessOfAConeDoesNotSawWithItsCells)
+{
+  IndentationCase c;
+  constitutive::Material steel{{200e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
+  c.lower = {simulation::Plane{}, steel};
+  c.upper = {simulation::Cone{70.3 * pi / 180.0, 0.0}, {{std::numeric_limits<double>::infinity(), 0.0}, {}}};
+  c.sequence = {approach(5e-6)};
+  c.steps = 40;
+  const IndentationRun run = computed(c);
+  for (auto& r : run.history) std::fprintf(stderr, "%g a/dx=%g H=%g P/h2=%g\n", r.approach, r.contact_radius / simulation::plan(c).contact.dx, r.mean_pressure/1e9, r.F_n/r.approach/r.approach/1e9);
+}
+
 TEST(Indentation, OneLargeStepConverges)
 {
   // From nothing to 25 times first yield in one increment, and back in one.
