@@ -148,8 +148,12 @@ TEST(Rolling, ResistanceIsTheEnergyTakenUpPerLength)
   test::expect_within("pass 3: mean F_X / resistance, longer track", longer[2].mean_F_X / longer[2].resistance, 1.0,
                       1.5, "recorded: the approach still changes; 5.3 on the shorter one");
   EXPECT_TRUE(longer[0].is_steady() && longer[2].is_steady() && shorter[2].is_steady());
-  // A track of a single radius has no steady middle, and says so.
-  EXPECT_FALSE(rolled(1.0)[0].is_steady());
+  // Over a dent the middle of the track is not the same all along.
+  RollingCase dented = ball_on_flat(track_steel(10e9), 3.5 * k, 1e-3);
+  dented.resolution = 4.0;
+  const double a = simulation::plan(dented).half_width_x;
+  dented.lower.texture = simulation::Dent{0.15e-3, 0.0, 8e-6, 1.5 * a};
+  EXPECT_FALSE(computed(dented).summary.passes[0].is_steady());
 }
 
 TEST(Rolling, DoublingIsTwoBodies)
@@ -267,8 +271,10 @@ TEST(Rolling, ADentIsFlattenedAndRaisesThePressure)
   // Shape and trend of rolling over a dent (Ville & Nelias 1999; Jacq et al. 2002): the pressure has its peaks on the
   // shoulders, well above the smooth contact's, and plastic strain gathers there close under the surface; a second pass adds
   // little.
+  if (slow_build)
+    GTEST_SKIP() << "needs ten cells per half-width, two to the foot of the dent: too slow in this build";
   RollingCase c = ball_on_flat(track_steel(10e9), 2.6 * k, 1.2e-3); // the smooth contact stays elastic
-  c.resolution = slow_build ? 5.0 : 10.0;
+  c.resolution = 10.0;
   c.passes = 2;
   const double a = simulation::plan(c).half_width_x;
   c.lower.texture = simulation::Dent{0.0, 0.0, 8e-6, 0.8 * a};
