@@ -2,7 +2,7 @@
 #   make build   compile with CMake (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
-# Further: setup, format, check, tidy, sanitize, docs, package, bench, clean. All of them may be repeated; what is done is
+# Further: setup, format, check, tidy, sanitize, sanitize-fast, docs, package, bench, clean. All of them may be repeated; what is done is
 # not redone.
 
 SHELL := /bin/bash
@@ -18,7 +18,7 @@ python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test run setup format check tidy sanitize package bench docs clean force
+.PHONY: build test run setup format check tidy sanitize sanitize-fast package bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done
@@ -85,6 +85,12 @@ tidy: build/tidy/build.ninja
 sanitize: build/sanitize/build.ninja
 	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
+
+# The floors one by one, files and messages; minutes where the whole suite takes hours.
+sanitize-fast: build/sanitize/build.ninja
+	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS) \
+	  --target brinell_unit_tests brinell_cli_tests
+	ctest --preset sanitize --parallel $(JOBS) --timeout 120 -R '^unit\.|^cli\.(Errors|Refusals|Cite)'
 
 package: build/.setup-packages .venv/.setup-done
 	tools/package.sh

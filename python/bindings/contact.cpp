@@ -4,6 +4,7 @@
 #include "module.hpp"
 #include "python_calls.hpp"
 
+#include "brinell/contact/contact_area.hpp"
 #include "brinell/contact/elastic_contact.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -61,6 +62,13 @@ auto solve_contact(const SurfaceCompliance& compliance, const Input& distance, c
   return std::tuple{array(std::move(pressure), on_grid), array(std::move(gap), on_grid), report};
 }
 
+double area(const SurfaceGrid& grid, const Input& pressure, const Input& gap, double contact_modulus)
+{
+  const Shape on_grid = shape(grid);
+  return contact::contact_area(grid, values(pressure, on_grid, "pressure"), values(gap, on_grid, "gap"),
+                               contact_modulus);
+}
+
 } // namespace
 
 void bind_contact(nb::module_& m)
@@ -78,6 +86,7 @@ void bind_contact(nb::module_& m)
       .def_ro("penetration", &contact::Report::penetration);
   m.def("solve_contact", &solve_contact, "compliance"_a, "distance"_a, "drive"_a, "tolerance"_a, "max_iterations"_a,
         "guess"_a.none());
+  m.def("contact_area", &area, "grid"_a, "pressure"_a, "gap"_a, "contact_modulus"_a);
 }
 
 } // namespace brinell::python

@@ -20,7 +20,7 @@ from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceCompliance, SurfaceGrid
 from brinell.materials import RIGID, Material
 
-__all__ = ["ContactResult", "ElasticContact"]
+__all__ = ["ContactResult", "ElasticContact", "contact_area"]
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,7 @@ class ContactResult:
         iterations: of the conjugate gradients.
         converged: whether the residual is within the tolerance.
         residual: largest |gap| under pressure or penetration elsewhere [m].
+        area: of the contact, finer than its cells: see `contact_area` [m^2].
     """
 
     pressure: Array
@@ -44,6 +45,7 @@ class ContactResult:
     iterations: int
     converged: bool
     residual: float
+    area: float
 
     def __repr__(self) -> str:
         return f"<ContactResult {cells(self.pressure.shape)}, load {self.load:g} N, approach {self.approach:g} m>"
@@ -124,6 +126,7 @@ class ElasticContact:
             report.iterations,
             report.converged,
             residual,
+            contact_area(self.grid, pressure, gap, self.compliance.contact_modulus),
         )
 
     def _tolerance(self, distance: Array, load: float | None, approach: float | None) -> float:
@@ -132,6 +135,27 @@ class ElasticContact:
             return 1e-7 * load / (self.compliance.contact_modulus * length)
         overlap = (approach or 0.0) - float(distance.min())
         return 1e-7 * max(overlap, 0.0)
+
+
+def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modulus: float) -> float:
+    """Area of a solved contact [m^2], finer than its cells: the edge lies where pressure inside and gap outside say.
+
+    Contact that reaches the end of the grid ends with its cells there, and so does that under a body with an edge.
+
+    Args:
+        grid: of the fields.
+        pressure: (ny, nx), >= 0 [Pa].
+        gap: (ny, nx) between the deformed surfaces [m].
+        contact_modulus: E' of the pair [Pa].
+
+    Raises:
+        InputError: a wrong shape, or a modulus that is not above 0.
+    """
+    if not contact_modulus > 0.0:
+        raise InputError(f"contact_modulus = {contact_modulus:g}; allowed: > 0")
+    return _core.contact_area(
+        grid._engine, contiguous(pressure, "pressure"), contiguous(gap, "gap"), float(contact_modulus)
+    )
 
 
 def drive_of(load: float | None, approach: float | None) -> _core.Drive:

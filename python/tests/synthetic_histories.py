@@ -222,6 +222,9 @@ def rolling_results(passes: int) -> dict[str, Any]:
             "track_plastic_increment": 0.015 * 0.1 ** (n - 1),
             "dissipation_J": 2.0 * 0.1 ** (n - 1),
             "resistance_N": 50.0 / n,
+            "steady": True,
+            "unsteadiness": 0.01,
+            "mean_F_X_N": 60.0 / n,
             "max_pressure_Pa": 2.5e9,
         }
         for n in range(1, passes + 1)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import brinell
-from brinell.contact import ElasticContact
+from brinell.contact import ElasticContact, contact_area
 from brinell.halfspace import SurfaceGrid
 from brinell.reference import point_contact
 
@@ -42,6 +42,20 @@ def test_pressure_and_approach_converge_to_hertz() -> None:
     order = np.log2(np.array(pressures[:-1]) / pressures[1:])
     assert order.mean() > 1.0
     assert approaches[-1] < 1e-5
+
+
+def test_area_is_finer_than_the_cells() -> None:
+    exact = np.pi * HERTZ.contact_radius**2
+    for cells in (4, 8, 16):
+        contact, distance = ball(cells)
+        result = contact.solve(distance, load=HERTZ.load)
+        assert result.area == pytest.approx(exact, rel=0.15 * cells**-1.5)
+        again = contact_area(contact.grid, result.pressure, result.gap, contact.compliance.contact_modulus)
+        assert again == result.area
+    with pytest.raises(brinell.InputError, match="pressure"):
+        contact_area(contact.grid, result.pressure[1:], result.gap, 1e9)
+    with pytest.raises(brinell.InputError, match="contact_modulus = 0; allowed: > 0"):
+        contact_area(contact.grid, result.pressure, result.gap, 0.0)
 
 
 def test_load_and_approach_give_the_same_contact() -> None:

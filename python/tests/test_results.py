@@ -156,6 +156,7 @@ def test_rolling_passes_and_profile(make_rolling: MakeRun) -> None:
     run = open_run(make_rolling(passes=2))
     assert [one.rut_depth for one in run.passes] == pytest.approx([5e-5, 7.5e-5])
     assert run.passes[1].resistance == 25.0
+    assert (run.passes[1].steady, run.passes[1].mean_F_X) == (True, 30.0)
     assert run.passes[1].track_plastic_increment == pytest.approx(0.0015)
     assert run.profile.depth.shape == run.profile.residual_xx.shape == (12,)
     assert run.profile.residual_yy[0] < 0.0

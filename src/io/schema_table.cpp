@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/schema.hpp"
 
-#include "brinell/simulation/scenario.hpp"
+#include "brinell/simulation/tugging.hpp"
 #include "schema_parts.hpp"
+
+#include <fmt/format.h>
 
 namespace brinell::io
 {
@@ -31,6 +33,8 @@ std::vector<Entry> root_entries()
 std::vector<Entry> grid_entries()
 {
   const simulation::Numerics defaults;
+  const std::string resolutions =
+      fmt::format("{:g}; in tugging {:g}", defaults.resolution, simulation::TuggingCase().resolution);
   return {
       {.key = "grid.spacing",
        .type = Type::vector3,
@@ -43,10 +47,10 @@ std::vector<Entry> grid_entries()
       {.key = "grid.resolution",
        .type = Type::number,
        .range = between(1.0, 1000.0),
-       .fallback = defaults.resolution,
+       .unset = resolutions,
        .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
                "Tugging: the "
-               "elastic contact radius at alignment.",
+               "elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
        .excludes = "grid.spacing"},
       {.key = "grid.extent",
        .type = Type::number,

@@ -221,6 +221,9 @@ Json pass_json(const simulation::RollingPass& p)
           {"track_plastic_increment", p.track_plastic_increment},
           {"dissipation_J", p.dissipation},
           {"resistance_N", p.resistance},
+          {"steady", p.is_steady()},
+          {"unsteadiness", p.unsteadiness},
+          {"mean_F_X_N", p.mean_F_X},
           {"max_pressure_Pa", p.max_pressure}};
 }
 

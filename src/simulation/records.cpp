@@ -151,6 +151,8 @@ void RollingPass::exchange(Archive& archive)
   archive("track_plastic_increment", track_plastic_increment);
   archive("dissipation", dissipation);
   archive("resistance", resistance);
+  archive("unsteadiness", unsteadiness);
+  archive("mean_F_X", mean_F_X);
   archive("max_pressure", max_pressure);
 }
 

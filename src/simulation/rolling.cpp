@@ -43,7 +43,7 @@ public:
                          observer.wants_stop,
                          observer.on_grid_change,
                          observer.available_memory}),
-        track_(rolling.distance)
+        track_(rolling.distance, plan_.shift)
   {
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stepper.hpp"
 
+#include "brinell/contact/contact_area.hpp"
 #include "brinell/foundation/error.hpp"
 #include "footprint.hpp"
 #include "snapshot.hpp"
@@ -344,11 +345,10 @@ void Stepper::fill(StepRecord& r) const
 {
   const elastoplastic::BodyState& lower = pair_->lower().state();
   const elastoplastic::BodyState& upper = pair_->upper().state();
+  r.contact_area = contact::contact_area(pair_->grid(), pair_->pressure(), pair_->gap(),
+                                         contact_modulus(setup_.lower.elastic, setup_.upper.elastic));
   for (const double p : pair_->pressure())
-  {
-    r.contact_area += p > 0.0 ? pair_->grid().cell_area() : 0.0;
     r.max_pressure = std::max(r.max_pressure, p);
-  }
   r.F_n = pair_->load();
   r.dissipation_lower = lower.dissipation;
   r.dissipation_upper = upper.dissipation;

@@ -19,7 +19,7 @@ std::size_t middle(const VolumeGrid& grid, int layer)
 
 } // namespace
 
-TrackReader::TrackReader(double distance) : quarter_(0.25 * distance) {}
+TrackReader::TrackReader(double distance, double shift) : quarter_(std::max(0.25 * distance, shift) * (1.0 + 1e-9)) {}
 
 void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipation)
 {
@@ -27,7 +27,7 @@ void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipatio
   for (int layer = 0; layer < lower.grid().nz; ++layer)
     plastic_strain_[static_cast<std::size_t>(layer)] = lower.state().equivalent[middle(lower.grid(), layer)];
   dissipation_ = dissipation;
-  sum_resistance_ = sum_pressure_ = 0.0;
+  sum_force_ = sum_pressure_ = sum_load_ = 0.0;
   count_ = 0;
 }
 
@@ -35,8 +35,15 @@ void TrackReader::add(const RollingRecord& record)
 {
   if (std::abs(record.x) > quarter_)
     return;
-  sum_resistance_ += record.F_X;
+  const Uptake now{record.x, record.dissipation_lower + record.dissipation_upper + record.energy_residual};
+  if (count_ == 0)
+    first_ = now;
+  if (count_ == 0 || std::abs(now.x) < std::abs(centre_.x))
+    centre_ = now;
+  last_ = now;
+  sum_force_ += record.F_X;
   sum_pressure_ += record.max_pressure;
+  sum_load_ += record.F_n;
   ++count_;
 }
 
@@ -63,11 +70,18 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
     pass.track_plastic_increment = std::max(pass.track_plastic_increment, now - before);
   }
   pass.dissipation = dissipation - dissipation_;
-  if (count_ > 0)
-  {
-    pass.resistance = sum_resistance_ / count_;
-    pass.max_pressure = sum_pressure_ / count_;
-  }
+  if (count_ == 0)
+    return pass;
+  pass.mean_F_X = sum_force_ / count_;
+  pass.max_pressure = sum_pressure_ / count_;
+  const auto per_length = [](const Uptake& from, const Uptake& to)
+  { return to.x > from.x ? (to.energy - from.energy) / (to.x - from.x) : 0.0; };
+  pass.resistance = per_length(first_, last_);
+  const double before = per_length(first_, centre_);
+  const double after = per_length(centre_, last_);
+  constexpr double nothing = 1e-6; // of the load: rounding and the tolerances, where the bodies take up no more
+  if (const double larger = std::max({std::abs(before), std::abs(after), nothing * sum_load_ / count_}); larger > 0.0)
+    pass.unsteadiness = std::abs(after - before) / larger;
   return pass;
 }
 
@@ -75,9 +89,19 @@ void TrackReader::exchange(Archive& archive)
 {
   archive.list("plastic_strain", plastic_strain_);
   archive("dissipation", dissipation_);
-  archive("sum_resistance", sum_resistance_);
+  archive("first", first_);
+  archive("centre", centre_);
+  archive("last", last_);
+  archive("sum_force", sum_force_);
   archive("sum_pressure", sum_pressure_);
+  archive("sum_load", sum_load_);
   archive("count", count_);
+}
+
+void TrackReader::Uptake::exchange(Archive& archive)
+{
+  archive("x", x);
+  archive("energy", energy);
 }
 
 TrackProfile track_profile(const BodySnapshot& body)

@@ -11,7 +11,8 @@ class TrackReader
 {
 public:
   /// @param distance  length of the track [m]
-  explicit TrackReader(double distance);
+  /// @param shift     from record to record [m]
+  TrackReader(double distance, double shift);
 
   /// @param dissipation  of both bodies so far [J]
   void begin_pass(const elastoplastic::Body& lower, double dissipation);
@@ -21,10 +22,17 @@ public:
   void exchange(Archive& archive);
 
 private:
-  double quarter_;                     ///< of the track [m]: its middle half counts for the means
+  double quarter_; ///< of the track [m]: its middle half counts for the means
+  /// Energy that both bodies have taken up [J] when the contact was at x [m].
+  struct Uptake
+  {
+    double x = 0.0, energy = 0.0;
+    void exchange(Archive& archive);
+  };
   std::vector<double> plastic_strain_; ///< under the middle before the pass
   double dissipation_ = 0.0;           ///< before it [J]
-  double sum_resistance_ = 0.0, sum_pressure_ = 0.0;
+  Uptake first_, centre_, last_;       ///< over the middle half of the track
+  double sum_force_ = 0.0, sum_pressure_ = 0.0, sum_load_ = 0.0;
   int count_ = 0;
 };
 

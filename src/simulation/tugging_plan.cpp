@@ -112,7 +112,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.elastic_contact_radius = std::sqrt(equivalent_radius(tugging) * tugging.interference);
   const double a = plan.elastic_contact_radius;
   const double cell = a / tugging.resolution;
-  const std::array<double, 3> spacing = tugging.spacing.value_or(std::array<double, 3>{cell, cell, 0.5 * cell});
+  const std::array<double, 3> spacing = tugging.spacing.value_or(std::array<double, 3>{cell, 2.0 * cell, 0.5 * cell});
   const auto [dx, dy, dz] = spacing;
   constexpr double most_cells = 1e5;
   if (const double finest = std::min({dx, dy, dz}); a / finest > most_cells)

@@ -49,6 +49,7 @@ inline simulation::TuggingCase equal_spheres(double interference_ratio, const co
   t.lower = {1.0, material};
   t.upper = {1.0, material};
   t.interference = interference_ratio * critical().interference;
+  t.resolution = 8.0; // these tests do not need the accuracy of the default
   return t;
 }
 

@@ -52,8 +52,15 @@ struct RollingPass
   double track_plastic_strain = 0.0;          ///< largest equivalent plastic strain of the lower body under x = y = 0
   double track_plastic_increment = 0.0;       ///< largest growth of it in this pass
   double dissipation = 0.0;                   ///< of both bodies in this pass [J]
-  double resistance = 0.0;                    ///< mean F_X over the middle half of the track [N]
-  double max_pressure = 0.0;                  ///< mean over the same of the largest pressure [Pa]
+  /// Energy that both bodies take up, dissipated and locked in, per length over the middle half of the track [N].
+  double resistance = 0.0;
+  /// Difference of that between the two quarters of the middle half, over the larger of them.
+  double unsteadiness = 0.0;
+  double mean_F_X = 0.0;     ///< over the middle half of the track; the approach may change meanwhile [N]
+  double max_pressure = 0.0; ///< mean over the same of the largest pressure [Pa]
+
+  /// Whether the middle of the track was the same all along, so that its means do not depend on the length of the track.
+  [[nodiscard]] bool is_steady() const { return unsteadiness <= 0.1; }
 
   void exchange(Archive& archive);
 };

@@ -33,7 +33,7 @@ def _of_passes(run: Run, name: str) -> FloatArray:
 _QUANTITIES: tuple[tuple[str, str, str, str], ...] = (
     ("rut_depth", "rut depth", r"u^r_0", "m"),
     ("shoulder_height", "height of the shoulders", r"-u^r_\mathrm{min}", "m"),
-    ("resistance", "mean resistance", "F_X", "N"),
+    ("resistance", "energy taken up per length", "F", "N"),
     ("track_plastic_strain", "plastic strain under the track", r"\varepsilon^p_\mathrm{eq}", "%"),
     ("track_plastic_increment", "its growth per pass", r"\Delta\varepsilon^p_\mathrm{eq}", "%"),
     ("dissipation", "dissipation per pass", "W^p", "J"),

@@ -92,7 +92,8 @@ def _of_rolling(run: Run) -> Iterator[Number]:
         yield Number("Passes", str(len(run.passes)))
         yield _depth(run, "Rut depth after the last pass", last.rut_depth)
         yield _depth(run, "Height of its shoulders", last.shoulder_height)
-        yield _force(run, "Mean resistance, last pass", last.resistance)
+        steady = "" if last.steady else ", not steady"
+        yield _force(run, f"Resistance, last pass{steady}", last.resistance)
         yield Number("Growth of strain in the last pass", text.percent(last.track_plastic_increment, 3))
 
 

@@ -6,8 +6,9 @@ All numbers are SI.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import MISSING, dataclass, fields
 from types import MappingProxyType
 from typing import Any, Literal, TypeVar, get_args
 
@@ -131,9 +132,15 @@ class RollingPass:
     dissipation: float
     """Plastic work in both bodies in this pass [J]."""
     resistance: float
-    """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
+    """Energy that both bodies take up, dissipated and locked in, per length over the middle half of the track [N]."""
     max_pressure: float
     """Mean over the same of the largest pressure [Pa]."""
+    steady: bool = False
+    """Whether the resistance was the same all along: then it does not depend on the length of the track."""
+    unsteadiness: float = math.nan
+    """Difference of it between the two quarters of the middle half, over the larger of them; steady up to 0.1 [-]."""
+    mean_F_X: float = math.nan
+    """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,6 +173,8 @@ def parsed(kind: type[_T], entry: Any, where: str) -> _T:
     """
     values = {}
     for one in fields(kind):
+        if one.default is not MISSING and not any(one.name + unit in entry for unit in _UNITS):
+            continue  # a result of an older version
         try:
             key = next(one.name + unit for unit in _UNITS if one.name + unit in entry)
             values[one.name] = _READERS[str(one.type)](entry[key])
@@ -178,6 +187,7 @@ _UNITS = ("", "_m", "_m2", "_N", "_N_per_m", "_J", "_Pa")
 """What keys of the summary end with."""
 
 _READERS: Mapping[str, Callable[[Any], Any]] = {
+    "bool": bool,
     "int": int,
     "float": lambda value: float("nan") if value is None else float(value),
     "FloatArray": lambda value: np.array(value, dtype=np.float64),

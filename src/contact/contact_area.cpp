@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/contact/contact_area.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace brinell::contact
+{
+
+namespace
+{
+
+constexpr double wall = std::numeric_limits<double>::infinity();
+
+struct Cell
+{
+  int i = 0, j = 0;
+};
+
+/// Where the contact ends on the way between the centres of two neighbours.
+struct Edge
+{
+  double covered = 0.0; ///< share of the way that is in contact
+  bool is_wall = false; ///< it follows the cells there
+};
+
+/// How much of an edge is a kink that plastic strain has left in the surfaces, 0 to 1. Beside an elastic edge the slope of the gap,
+/// 2 K sqrt(s)/E', and the pressure, K sqrt(s), have a fixed ratio at one distance s: times E'/2 it is up to sqrt(3/2) where the
+/// cells lie, more in contacts of a few cells.
+/// @param slope_over_pressure  E'/2 times the slope, over the pressure
+double kink_share(double slope_over_pressure)
+{
+  constexpr double elastic = 2.0;
+  return slope_over_pressure > elastic ? 1.0 - std::pow(elastic / slope_over_pressure, 2) : 0.0;
+}
+
+/// Pressure and gap of a solved contact, cell by cell; the grid is surrounded by walls.
+class Field
+{
+public:
+  Field(const SurfaceGrid& grid, std::span<const double> pressure, std::span<const double> gap, double modulus)
+      : grid_(grid), pressure_(pressure), gap_(gap), modulus_(modulus)
+  {
+  }
+
+  [[nodiscard]] bool touches(const Cell& c) const { return has(c) && pressure_[at(c)] > 0.0; }
+
+  /// The edge between two neighbours, one of them under pressure.
+  [[nodiscard]] Edge edge(const Cell& a, const Cell& b) const
+  {
+    if (!touches(a))
+      return edge(b, a);
+    const double distance = a.j == b.j ? grid_.dx : grid_.dy;
+    // A gap that rises by more than 45 degrees is no surface of a half space: it is the side of a body.
+    if (!has(b) || gap_[at(b)] > distance)
+      return {edge_position(wall), true};
+    const double gap = std::max(0.0, gap_[at(b)]);
+    const double elastic = edge_position(0.75 * modulus_ * gap / (pressure_[at(a)] * distance));
+    const Cell behind{2 * a.i - b.i, 2 * a.j - b.j};
+    const Cell beyond{2 * b.i - a.i, 2 * b.j - a.j};
+    if (!touches(behind) || !has(beyond) || gap_[at(beyond)] > distance)
+      return {elastic, false};
+    const double rise = gap_[at(beyond)] - gap;
+    const double pressure = std::max(pressure_[at(a)], pressure_[at(behind)]);
+    const double kink = kink_share(0.5 * modulus_ * rise / (pressure * distance));
+    if (kink == 0.0)
+      return {elastic, false};
+    // Beside a kink both grow in proportion to the distance.
+    const double inside = pressure_[at(a)] / pressure;
+    const double outside = gap / rise;
+    return {elastic + kink * (inside / (inside + outside) - elastic), false};
+  }
+
+private:
+  [[nodiscard]] bool has(const Cell& c) const { return c.i >= 0 && c.j >= 0 && c.i < grid_.nx && c.j < grid_.ny; }
+  [[nodiscard]] std::size_t at(const Cell& c) const { return static_cast<std::size_t>(c.i + grid_.nx * c.j); }
+
+  const SurfaceGrid& grid_;
+  std::span<const double> pressure_, gap_;
+  double modulus_;
+};
+
+/// Share of the square between the centres of four cells that is in contact; the first one is (i, j).
+double share_of_square(const Field& field, int i, int j)
+{
+  // Around the square, so that corner k and k + 1 are neighbours.
+  const std::array<Cell, 4> corner{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
+  std::array<bool, 4> in{};
+  int count = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    count += in[k] = field.touches(corner[k]);
+  if (count == 0 || count == 4)
+    return count / 4.0;
+  const auto edge = [&](std::size_t k, std::size_t next) { return field.edge(corner[k], corner[next % 4]); };
+  if (count == 2 && in[0] != in[2]) // side by side: a trapezium
+    for (std::size_t k = 0; k < 4; ++k)
+      if (in[k] && in[(k + 1) % 4])
+        return 0.5 * (edge(k, k + 3).covered + edge((k + 1) % 4, k + 2).covered);
+  // Corners one by one, those in contact, or of three the one that is not: triangles, beside a wall rectangles.
+  const bool odd_one = count != 3;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (in[k] == odd_one)
+    {
+      const Edge a = edge(k, k + 1);
+      const Edge b = edge(k, k + 3);
+      const double box = odd_one ? a.covered * b.covered : (1.0 - a.covered) * (1.0 - b.covered);
+      sum += a.is_wall || b.is_wall ? box : 0.5 * box;
+    }
+  return odd_one ? sum : 1.0 - sum;
+}
+
+} // namespace
+
+double edge_position(double gap_over_pressure)
+{
+  if (std::isinf(gap_over_pressure))
+    return 0.5;
+  // The left side of (1 - t)^3 = r^2 t falls, the right one rises: one root, halved in to rounding.
+  const double r2 = gap_over_pressure * gap_over_pressure;
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 54; ++i)
+  {
+    const double t = 0.5 * (low + high);
+    const double left = (1.0 - t) * (1.0 - t) * (1.0 - t);
+    (left > r2 * t ? low : high) = t;
+  }
+  return 0.5 * (low + high);
+}
+
+double contact_area(const SurfaceGrid& grid, std::span<const double> pressure, std::span<const double> gap,
+                    double contact_modulus)
+{
+  const Field field(grid, pressure, gap, contact_modulus);
+  double cells = 0.0;
+  for (int j = -1; j < grid.ny; ++j)
+    for (int i = -1; i < grid.nx; ++i)
+      cells += share_of_square(field, i, j);
+  return cells * grid.cell_area();
+}
+
+} // namespace brinell::contact
