@@ -41,7 +41,7 @@ std::string run(const io::Case& c, const std::filesystem::path& folder, bool res
   try
   {
     const nb::gil_scoped_release release;
-    report = app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor);
+    report = app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor).text;
   }
   catch (const Interrupted&) // by what Python raised
   {

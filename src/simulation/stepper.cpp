@@ -2,6 +2,7 @@
 #include "stepper.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "coverage.hpp"
 #include "snapshot.hpp"
 
 #include <algorithm>
@@ -90,6 +91,7 @@ void Stepper::exchange(Archive& archive)
 {
   archive("pair", pair_);
   archive("split_increments", split_increments_);
+  archive("coverage", coverage_);
 }
 
 int Stepper::advance(const std::function<Target(double)>& path, double finest, const std::string& where)
@@ -106,6 +108,7 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
   if (pair_.reaches_edge())
     throw GridError(
         "the contact has reached the edge of its grid: enlarge it by grid.extent. All steps so far are kept");
+  widen(coverage_, pair_);
   return evaluations_;
 }
 
@@ -239,6 +242,7 @@ void Stepper::fill(StepRecord& r) const
   r.max_residual_lower = largest(lower.residual_displacement);
   r.max_residual_upper = largest(upper.residual_displacement);
   r.max_equivalent_plastic_strain = std::max(largest(lower.equivalent), largest(upper.equivalent));
+  r.coverage = coverage_;
 }
 
 Snapshot Stepper::snapshot(const Lattice& lattice, const Frame& frame, double arc_lower, double arc_upper) const
@@ -262,7 +266,7 @@ std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, do
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       depths[static_cast<std::size_t>(i + grid.nx * j)] =
-          depth(texture, x0 + i * grid.dx, (j - 0.5 * (grid.ny - 1)) * grid.dy);
+          cell_depth(texture, x0 + i * grid.dx, (j - 0.5 * (grid.ny - 1)) * grid.dy, grid.dx, grid.dy);
   return depths;
 }
 

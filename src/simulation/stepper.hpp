@@ -102,6 +102,7 @@ private:
   std::string where_;
   int evaluations_ = 0;
   int split_increments_ = 0;
+  Coverage coverage_;
 };
 
 /// Depths of a texture on a grid of a body; empty if it is smooth.

@@ -45,6 +45,16 @@ struct Plan
   elastoplastic::Scales scales; ///< of the tolerances
 };
 
+/// What the cells had to resolve so far: from it follows how well they do (simulation/quality.hpp).
+struct Coverage
+{
+  int contact_columns = 0, contact_rows = 0; ///< over which the contact stretched in one step, at most
+  int plastic_layers = 0;                    ///< of the plastic zone, in the body that has yielded more
+  double edge_strain = 0.0; ///< now: largest plastic strain at an edge of a grid, over the largest of that body
+
+  void exchange(Archive& archive);
+};
+
 /// What every row of a history tells.
 struct StepRecord
 {
@@ -59,6 +69,7 @@ struct StepRecord
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
   double max_equivalent_plastic_strain = 0.0;
   int iterations = 0; ///< evaluations of the elastic-plastic operator in this step
+  Coverage coverage;  ///< until this step
 
   void exchange(Archive& archive);
 };
@@ -96,6 +107,7 @@ struct RunTotals
   double energy_balance_error = 0.0; ///< (work - dissipation - stored energy) / largest work reached
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< at the end [m]
   double max_equivalent_plastic_strain = 0.0;
+  Coverage coverage;
   Snapshot final_state;
 };
 
