@@ -54,7 +54,10 @@ std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& 
     return std::nullopt;
   const simulation::Plan plan =
       std::visit([](const auto& scenario) -> simulation::Plan { return simulation::plan(scenario); }, c.scenario);
-  return io::Level{cells, {plan.contact.dx, plan.contact.dy, plan.lower.dz}, io::numbers_of(summary)};
+  io::Level level = io::level_of(summary, cells);
+  if (level.spacing != io::Vector3{plan.contact.dx, plan.contact.dy, plan.lower.dz})
+    return std::nullopt;
+  return level;
 }
 
 /// Whether a run was stopped there that can go on.

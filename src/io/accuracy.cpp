@@ -111,6 +111,11 @@ double fitting_dy(const Scenario& scenario, double dy)
 
 } // namespace
 
+Level level_of(const std::string& summary, double cells)
+{
+  return {cells, Json::parse(summary).at("grid").at("spacing_m").get<Vector3>(), numbers_of(summary)};
+}
+
 Numbers numbers_of(const std::string& summary)
 {
   const Json json = Json::parse(summary);
@@ -130,13 +135,11 @@ Case with_cells(const Case& c, double size)
         if (!scenario.spacing)
         {
           scenario.resolution /= size;
-          finer.values.replace("grid.resolution", {{"grid.resolution", Value{scenario.resolution}}});
           return;
         }
         Vector3& spacing = *scenario.spacing;
         if (size != 1.0)
           spacing = {spacing[0] * size, fitting_dy(c.scenario, spacing[1] * size), spacing[2] * size};
-        finer.values.replace("grid.spacing", {{"grid.spacing", Value{spacing}}});
       },
       finer.scenario);
   return finer;

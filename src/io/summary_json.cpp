@@ -173,6 +173,7 @@ Json resolution_json(const simulation::Resolution& r)
                {"cells_per_contact_radius_y", r.cells_y},
                {"layers_of_plastic_zone", nullptr},
                {"expected_errors", Json::object()},
+               {"text", simulation::resolution_text(r)},
                {"source", "estimate from the convergence tables of brinell, docs/verification.md"}};
   if (r.plastic_layers)
     json["layers_of_plastic_zone"] = *r.plastic_layers;
@@ -183,8 +184,8 @@ Json resolution_json(const simulation::Resolution& r)
 
 Json accuracy_json(const Accuracy& a)
 {
-  Json json = {{"asked", a.asked},         {"reached", a.reached},         {"error", a.error},     {"key_numbers", a.key_numbers}, {"runs", Json::array()},
-               {"numbers", Json::object()}};
+  Json json = {{"asked", a.asked},      {"reached", a.reached},     {"error", a.error}, {"key_numbers", a.key_numbers},
+               {"runs", Json::array()}, {"numbers", Json::object()}};
   for (const Level& level : a.levels)
     json["runs"].push_back({{"cells", level.cells}, {"spacing_m", level.spacing}});
   for (const auto& [name, n] : a.numbers)

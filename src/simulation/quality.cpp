@@ -222,7 +222,7 @@ public:
       if (const Dent* dent = texture ? std::get_if<Dent>(texture) : nullptr;
           dent && dent->radius < fewest_cells_of_dent * cell)
         add("coarse_texture",
-            fmt::format("{}.texture: a {} of radius {} on cells of {} is not resolved or missed; {:g} cells "
+            fmt::format("{}.texture: a {} of radius {} on cells of {} is not resolved: only its mean over each cell counts; {:g} cells "
                         "per radius are the fewest",
                         name, dent->depth < 0.0 ? "bump" : "dent", length_text(dent->radius), length_text(cell),
                         fewest_cells_of_dent));
@@ -241,7 +241,7 @@ public:
     if (f_.approach < smallest_approach)
       add("small_size",
           fmt::format("the bodies approach by {} only, less than some atoms, where materials are no continuum; "
-                      "is the load or the size what was meant",
+                      "is the load or the size what was meant?",
                       length_text(f_.approach)));
   }
 
@@ -263,7 +263,7 @@ public:
     if (f_.can_yield && f_.first_yield && *f_.first_yield >= f_.approach)
       add("no_yield",
           fmt::format("nothing will yield, by estimate: the bodies approach by about {}, and stay elastic up to "
-                      "there, though a yield stress is given; is a unit missing",
+                      "there, though a yield stress is given; is a unit missing?",
                       length_text(f_.approach)));
   }
 
