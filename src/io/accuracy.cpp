@@ -66,9 +66,8 @@ public:
   ScaleOf(const Case& c, const Numbers& numbers)
   {
     for (const auto& [name, value] : numbers)
-      for (auto& [unit, largest] : largest_)
-        if (name.ends_with(unit))
-          largest = std::max(largest, std::abs(value));
+      if (const auto unit = unit_of(name); unit != largest_.end())
+        unit->second = std::max(unit->second, std::abs(value));
     std::visit(
         [&](const auto& scenario)
         {
@@ -84,15 +83,28 @@ public:
   [[nodiscard]] double operator()(const std::string& name) const
   {
     constexpr double strain = 1e-4, ratio = 1e-3;
-    for (const auto& [unit, largest] : largest_)
-      if (name.ends_with(unit))
-        return (unit == "_J" ? 1e-2 : 1e-3) * largest;
+    if (const auto unit = unit_of(name); unit != largest_.end())
+      return (unit->first == "_J" ? 1e-2 : 1e-3) * unit->second;
     return name.starts_with("load_ratio") ? ratio : strain;
   }
 
 private:
-  std::map<std::string, double> largest_{{"_N", 0.0},  {"_J", 0.0},  {"_m", 0.0},
-                                         {"_Pa", 0.0}, {"_m2", 0.0}, {"_N_per_m", 0.0}};
+  using Largest = std::map<std::string, double>;
+
+  /// The longest unit that the name ends with: N/m is no length.
+  template <typename Self>
+  static auto found(Self& largest, const std::string& name)
+  {
+    auto best = largest.end();
+    for (auto unit = largest.begin(); unit != largest.end(); ++unit)
+      if (name.ends_with(unit->first) && (best == largest.end() || unit->first.size() > best->first.size()))
+        best = unit;
+    return best;
+  }
+  [[nodiscard]] Largest::iterator unit_of(const std::string& name) { return found(largest_, name); }
+  [[nodiscard]] Largest::const_iterator unit_of(const std::string& name) const { return found(largest_, name); }
+
+  Largest largest_{{"_N", 0.0}, {"_J", 0.0}, {"_m", 0.0}, {"_Pa", 0.0}, {"_m2", 0.0}, {"_N_per_m", 0.0}};
 };
 
 /// A cylinder is an odd number of cells long.

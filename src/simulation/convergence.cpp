@@ -13,11 +13,12 @@ namespace brinell::simulation
 namespace
 {
 
-constexpr double highest_order = 2.0; ///< of step and cells; more is by accident
-constexpr double lowest_order = 0.5;  ///< less is no convergence that could be extrapolated
-constexpr double safety = 1.25;       ///< Roache's, of three grids with an order
-constexpr double wide_safety = 3.0;   ///< Roache's, without
-constexpr double solver_share = 1e-4; ///< what steps are converged to: closer no two runs agree
+constexpr double highest_order = 2.0;  ///< of step and cells
+constexpr double believed_order = 2.2; ///< more is by accident, as Roache says of a tenth above the order of theory
+constexpr double lowest_order = 0.5;   ///< less is no convergence that could be extrapolated
+constexpr double safety = 1.25;        ///< Roache's, of three grids with an order
+constexpr double wide_safety = 3.0;    ///< Roache's, without
+constexpr double solver_share = 1e-4;  ///< what steps are converged to: closer no two runs agree
 
 /// The order by which differences fall: d32 / d21 = r21^p (r32^p - 1) / (r21^p - 1), by bisection; of equal ratios r^p.
 double observed_order(double d21, double d32, double r21, double r32)
@@ -54,10 +55,12 @@ Half half_interval(std::span<const double> h, std::span<const double> f)
   if (p < lowest_order)
     return {std::max(wide_safety * largest, safety * std::abs(d21) / (std::pow(r21, lowest_order) - 1.0)), nan, nan};
   const double q = std::min(p, highest_order);
-  // Of a difference that is small by accident: what second order would have made of the one before.
+  const double limit = f[n - 1] - d21 / (std::pow(r21, q) - 1.0);
+  if (p <= believed_order)
+    return {safety * std::abs(d21) / (std::pow(r21, q) - 1.0), p, limit};
+  // The difference is small by accident: at least what second order would have left of the one before.
   const double second = std::abs(d32) * (std::pow(r21, 2.0) - 1.0) / (std::pow(r32, 2.0) - 1.0) / std::pow(r21, 2.0);
-  const double difference = p > highest_order ? std::max(std::abs(d21), second) : std::abs(d21);
-  return {safety * difference / (std::pow(r21, q) - 1.0), p, f[n - 1] - d21 / (std::pow(r21, q) - 1.0)};
+  return {wide_safety * std::max(std::abs(d21), second) / (std::pow(r21, q) - 1.0), p, limit};
 }
 
 } // namespace

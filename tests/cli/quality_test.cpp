@@ -151,7 +151,7 @@ TEST_F(QualityOfRuns, AccuracyRunsASeries)
 TEST_F(QualityOfRuns, AnAccuracyThatIsMissedIsTold)
 {
   const Outcome series =
-      run({"run", "case.toml", "-o", "out", "-q", "--set", "grid.resolution=2.5", "--set", "solver.accuracy=0.0001 %"});
+      run({"run", "case.toml", "-o", "out", "-q", "--set", "grid.resolution=2", "--set", "solver.accuracy=0.0001 %"});
   ASSERT_EQ(series.exit_code, 0) << series.err;
   EXPECT_NE(series.err.find("is not reached"), std::string::npos) << series.err;
   const Json read = summary();

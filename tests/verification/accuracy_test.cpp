@@ -40,7 +40,7 @@ constexpr const char* steel =
 constexpr const char* perfect =
     R"({young_modulus = "200 GPa", poisson_ratio = 0.32, hardening = {law = "perfect", yield_stress = "0.9115 GPa"}})";
 constexpr const char* copper =
-    R"({young_modulus = "120 GPa", poisson_ratio = 0.34, hardening = {law = "swift", yield_stress = "80 MPa", offset = 0.002, exponent = 0.3}})";
+    R"({young_modulus = "120 GPa", poisson_ratio = 0.34, hardening = {law = "swift", coefficient = "300 MPa", offset = 0.002, exponent = 0.3}})";
 constexpr const char* elastic = R"({young_modulus = "210 GPa", poisson_ratio = 0.3})";
 
 std::string body(const char* name, const char* shape, const char* material)
@@ -68,7 +68,7 @@ std::vector<std::pair<std::string, std::string>> samples()
 {
   return {
       {"tugging, perfect, 9 alpha_c",
-       pair("tugging", ball, perfect, ball, perfect) + "[tugging]\ninterference = 9\n" + resolution(6)},
+       pair("tugging", ball, perfect, ball, perfect) + "[tugging]\ninterference = 9\n" + resolution(5)},
       {"tugging, hardening, 4 alpha_c",
        pair("tugging", ball, steel, ball, steel) + "[tugging]\ninterference = 4\n" + resolution(5)},
       {"tugging, one body elastic, 6 alpha_c",

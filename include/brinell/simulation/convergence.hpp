@@ -21,7 +21,7 @@ struct Convergence
 /// docs/theory/simulation.md (error of the cells).
 ///
 /// With differences d21, d32 of the three finest runs and r the ratio of their cells, the order p solves d32/d21 = r^p; half of
-/// the interval is 1.25 |d21| / (r^p - 1), with p at most 2. Where the values do not fall monotonically towards a limit there is no
+/// the interval is 1.25 |d21| / (r^p - 1), with p at most 2; an order above that is by accident, and the factor is 3. Where the values do not fall monotonically towards a limit there is no
 /// order: then the largest difference counts, three times. Two runs: as of first order, three times.
 /// @param cells   sizes, coarsest first, in any unit; two or more
 /// @param values  with them
