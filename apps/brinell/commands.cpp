@@ -8,6 +8,8 @@
 #include "progress.hpp"
 #include "run_case.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -18,18 +20,37 @@ namespace brinell::app
 namespace
 {
 
-void print_warnings(const io::Case& c)
+void print_warnings(const io::Case& c, const std::vector<io::Warning>& warnings)
 {
-  for (const auto& warning : c.warnings)
-    fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning);
+  for (const io::Warning& warning : warnings)
+    fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning.text);
+}
+
+/// Those on the result: the ones on the case have been told before the run.
+std::vector<io::Warning> new_warnings(const io::Case& c, const std::vector<io::Warning>& all)
+{
+  std::vector<io::Warning> warnings;
+  for (const io::Warning& warning : all)
+    if (std::find(c.warnings.begin(), c.warnings.end(), warning) == c.warnings.end())
+      warnings.push_back(warning);
+  return warnings;
+}
+
+/// Options that are keys of the case, too.
+std::vector<std::string> overrides_of(const RunArguments& arguments)
+{
+  std::vector<std::string> overrides = arguments.input.overrides;
+  if (!arguments.accuracy.empty())
+    overrides.push_back("solver.accuracy=" + arguments.accuracy);
+  return overrides;
 }
 
 } // namespace
 
 int run_command(const RunArguments& arguments)
 {
-  const io::Case c = io::read_case(arguments.input.file, arguments.input.overrides);
-  print_warnings(c);
+  const io::Case c = io::read_case(arguments.input.file, overrides_of(arguments));
+  print_warnings(c, c.warnings);
   using Mode = io::ResultDirectory::Mode;
   const RunOptions options{arguments.directory.empty() ? default_folder(c) : std::filesystem::path(arguments.directory),
                            arguments.resume ? Mode::resume : Mode::replace, arguments.threads};
@@ -48,13 +69,22 @@ int run_command(const RunArguments& arguments)
   monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
   { progress->step(step, count, where, iterations); };
   monitor.on_remark = [&](const std::string& remark) { progress->remark(remark); };
+  monitor.on_level = [&](int number, double cells, bool taken_over)
+  {
+    progress.reset();
+    if (!arguments.quiet)
+      fmt::print(stderr, "brinell: run {} for the accuracy, cells of {:.3g} times the size{}\n", number, cells,
+                 taken_over ? ": taken over, it had been finished" : "");
+  };
   monitor.wants_stop = [] { return InterruptGuard::signal() != 0; };
   try
   {
-    const std::string text = run_case(c, options, monitor);
+    const RunReport report = run_case(c, options, monitor);
     progress.reset();
     if (!arguments.quiet)
-      fmt::print("{}results in {}\n", text, folder);
+      fmt::print("{}results in {}\n", report.text, folder);
+    std::fflush(stdout); // so that the warnings come last
+    print_warnings(c, new_warnings(c, report.warnings));
   }
   catch (const Interrupted&)
   {
@@ -77,8 +107,9 @@ int run_command(const RunArguments& arguments)
 int check_command(const CaseArguments& arguments)
 {
   const io::Case c = io::read_case(arguments.file, arguments.overrides);
-  print_warnings(c);
-  fmt::print("{}", io::check_report(c, io::plan_case(c)));
+  const io::ScenarioPlan plan = io::plan_case(c);
+  print_warnings(c, io::expected_warnings(c, plan));
+  fmt::print("{}", io::check_report(c, plan));
   return exit_ok;
 }
 
@@ -103,7 +134,7 @@ int new_command(const NewArguments& arguments)
 int cite_command(const CiteArguments& arguments)
 {
   const io::Case c = io::read_case(arguments.input.file, arguments.input.overrides);
-  print_warnings(c);
+  print_warnings(c, c.warnings);
   if (arguments.bibtex)
   {
     fmt::print("{}", io::bibtex(io::brinell_reference()));

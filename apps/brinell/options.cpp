@@ -43,6 +43,11 @@ void declare_run(CLI::App& app, RunArguments& arguments)
   run->add_option("-o,--output", arguments.directory,
                   "Folder of the results; default: the case's, or results/<name of the case>")
       ->type_name("DIR");
+  run->add_option(
+         "--accuracy", arguments.accuracy,
+         "Run with coarser cells first and with finer ones as long as the key numbers are not yet that close to "
+         "their limit, and tell the interval of each: --accuracy 1%")
+      ->type_name("SHARE");
   run->add_option("--threads", arguments.threads, "Number of threads; default: all cores, or OMP_NUM_THREADS")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_case.hpp"
 
+#include "accuracy.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/snapshot_choice.hpp"
@@ -53,8 +54,8 @@ private:
 
 /// Runs one scenario, writes its steps and finishes the folder.
 template <typename ScenarioCase>
-std::string simulate(const ScenarioCase& scenario, const io::Case& c, io::ResultDirectory& results,
-                     const RunMonitor& monitor)
+LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, io::ResultDirectory& results,
+                     const RunMonitor& monitor, const LevelsBefore& before)
 {
   using Record = typename ScenarioCase::Record;
   const auto start = Clock::now();
@@ -97,13 +98,25 @@ std::string simulate(const ScenarioCase& scenario, const io::Case& c, io::Result
   };
   const auto summary = simulation::run(scenario, observer, results.checkpoint() ? &*results.checkpoint() : nullptr);
   const double seconds = seconds_since(start);
-  results.finish(summary.final_state, io::columns(summary.last),
-                 io::summary_text(c, simulation::plan(scenario), summary,
-                                  {.wall_time = seconds, .threads = omp_get_max_threads()}));
-  std::string text = fmt::format("{} steps, {} iterations, {:.2f} s\n", summary.steps, summary.iterations, seconds);
+  const auto plan = simulation::plan(scenario);
+  io::RunInfo info{
+      .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
+  info.quality.warnings.insert(info.quality.warnings.begin(), c.warnings.begin(), c.warnings.end());
+  LevelReport report{{}, {before.cells, {plan.contact.dx, plan.contact.dy, plan.lower.dz}, {}}, {}};
+  report.level.numbers = io::numbers_of(io::summary_text(c, plan, summary, info));
+  judge(c, before, report, info);
+  results.finish(summary.final_state, io::columns(summary.last), io::summary_text(c, plan, summary, info));
+
+  RunReport& told = report.told;
+  told.text = fmt::format("{} steps, {} iterations, {:.2f} s\n", summary.steps, summary.iterations, seconds);
   if (summary.split_increments > 0)
-    text += fmt::format("{} increments had to be split\n", summary.split_increments);
-  return text + fmt::format("{}energy balance error {:.2e}\n", summary_text(c, summary), summary.energy_balance_error);
+    told.text += fmt::format("{} increments had to be split\n", summary.split_increments);
+  told.text += fmt::format("{}energy balance error {:.2e}\n{}\n", summary_text(c, summary),
+                           summary.energy_balance_error, simulation::resolution_text(info.quality.resolution));
+  if (info.accuracy)
+    told.text += accuracy_text(*info.accuracy);
+  told.warnings = info.quality.warnings;
+  return report;
 }
 
 /// As many threads as asked for, as long as it lives.
@@ -130,14 +143,20 @@ std::filesystem::path default_folder(const io::Case& c)
   return c.directory.value_or(std::filesystem::path("results") / c.name);
 }
 
-std::string run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
+LevelReport run_level(const io::Case& c, const std::filesystem::path& folder, io::ResultDirectory::Mode mode,
+                      const RunMonitor& monitor, const LevelsBefore& before)
 {
-  const Threads threads(options.threads);
   static_cast<void>(io::plan_case(c)); // is refused before anything is written
-  io::ResultDirectory results(options.folder, c, options.mode);
+  io::ResultDirectory results(folder, c, mode);
   if (monitor.on_start)
     monitor.on_start(results.replaced(), results.finished_steps());
-  return std::visit([&](const auto& scenario) { return simulate(scenario, c, results, monitor); }, c.scenario);
+  return std::visit([&](const auto& scenario) { return simulate(scenario, c, results, monitor, before); }, c.scenario);
+}
+
+RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
+{
+  const Threads threads(options.threads);
+  return c.accuracy ? run_series(c, options, monitor) : run_level(c, options.folder, options.mode, monitor, {}).told;
 }
 
 } // namespace brinell::app

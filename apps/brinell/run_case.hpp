@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 /// One way to run a case, for the command line and for Python.
 namespace brinell::app
@@ -25,6 +26,17 @@ struct RunMonitor
   /// Asked between two iterations. The run then ends with `Interrupted`: after the step, with a checkpoint, if that takes no
   /// longer than a moment; else at once.
   std::function<bool()> wants_stop;
+  /// Of a series for an accuracy: the next run begins, or was taken over as it had been finished before.
+  /// @param number  counts from 1
+  /// @param cells   their size, over that of the case
+  std::function<void(int number, double cells, bool taken_over)> on_level;
+};
+
+/// For the user, at the end of a run.
+struct RunReport
+{
+  std::string text;                    ///< some lines about what came out
+  std::vector<io::Warning> warnings{}; ///< as in the summary
 };
 
 struct RunOptions
@@ -37,9 +49,8 @@ struct RunOptions
 /// Where the results of a case go if nobody says otherwise.
 [[nodiscard]] std::filesystem::path default_folder(const io::Case& c);
 
-/// Runs a case and writes its results.
-/// @returns some lines about what came out, for the user
+/// Runs a case and writes its results; with an accuracy asked for, a series of it.
 /// @throws InputError, ConvergenceError, IoError, Interrupted; the finished steps are in the folder then
-std::string run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor = {});
+RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor = {});
 
 } // namespace brinell::app

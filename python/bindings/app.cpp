@@ -12,6 +12,7 @@
 #include "brinell/run_case.hpp"
 
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -41,7 +42,7 @@ std::string run(const io::Case& c, const std::filesystem::path& folder, bool res
   try
   {
     const nb::gil_scoped_release release;
-    report = app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor);
+    report = app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor).text;
   }
   catch (const Interrupted&) // by what Python raised
   {
@@ -82,6 +83,23 @@ void bind_commands(nb::module_& m)
   m.def("command_line", &command_line, "arguments"_a);
 }
 
+std::vector<std::string> texts(const std::vector<io::Warning>& warnings)
+{
+  std::vector<std::string> result;
+  for (const io::Warning& warning : warnings)
+    result.push_back(warning.text);
+  return result;
+}
+
+/// Key and text of each.
+std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::Warning>& warnings)
+{
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const io::Warning& warning : warnings)
+    result.emplace_back(warning.key, warning.text);
+  return result;
+}
+
 } // namespace
 
 void bind_app(nb::module_& m)
@@ -90,7 +108,9 @@ void bind_app(nb::module_& m)
   nb::class_<io::Case>(m, "Case")
       .def_ro("name", &io::Case::name)
       .def_ro("title", &io::Case::title)
-      .def_ro("warnings", &io::Case::warnings)
+      .def_prop_ro("warnings", [](const io::Case& c) { return texts(c.warnings); })
+      .def_prop_ro("expected_warnings",
+                   [](const io::Case& c) { return pairs(io::expected_warnings(c, io::plan_case(c))); })
       .def_prop_ro("scenario", [](const io::Case& c) { return c.values.get<std::string>("scenario"); })
       .def_prop_ro("default_folder", [](const io::Case& c) { return app::default_folder(c); })
       .def("resolved_text", [](const io::Case& c) { return io::resolved_text(c.values); })

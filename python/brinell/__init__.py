@@ -21,10 +21,10 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from brinell import constitutive, contact, elastoplastic, green, halfspace, reference, surfaces
 from brinell.bodies import Berkovich, Body, Bump, Cone, Cylinder, Dent, Ellipsoid, Flat, Sphere, Vickers
-from brinell.case import Case, CaseWarning
+from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
 from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect, Swift, Table, Voce
-from brinell.results import Run, RunError
+from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import Indentation, Rolling, Tugging
 from brinell.surfaces import HeightMap
@@ -37,6 +37,7 @@ __version__ = version("brinell")
 
 __all__ = [
     "RIGID",
+    "Accuracy",
     "Berkovich",
     "Body",
     "BrinellError",
@@ -60,9 +61,11 @@ __all__ = [
     "Ludwik",
     "Material",
     "Perfect",
+    "ResolutionWarning",
     "Rolling",
     "Run",
     "RunError",
+    "RunWarning",
     "Sphere",
     "Swift",
     "Table",

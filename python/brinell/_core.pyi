@@ -55,6 +55,9 @@ class Case:
     def warnings(self) -> list[str]: ...
 
     @property
+    def expected_warnings(self) -> list[tuple[str, str]]: ...
+
+    @property
     def scenario(self) -> str: ...
 
     @property

@@ -16,9 +16,9 @@ from tqdm.auto import tqdm
 
 from brinell import _core
 from brinell.errors import InputError
-from brinell.results import Run, open_run
+from brinell.results import Run, RunWarning, open_run
 
-__all__ = ["Case", "CaseWarning", "Progress"]
+__all__ = ["Case", "CaseWarning", "Progress", "ResolutionWarning"]
 
 Progress: TypeAlias = Callable[[int, int, str, int], None]
 """Called after each step: its number from 0, an estimate of their count, where it was, evaluations that it took."""
@@ -26,6 +26,10 @@ Progress: TypeAlias = Callable[[int, int, str, int], None]
 
 class CaseWarning(UserWarning):
     """Something in a case that can be computed, but should be looked at."""
+
+
+class ResolutionWarning(UserWarning):
+    """A result that should be looked at before its numbers are used: too few cells, no yield, large strains, ..."""
 
 
 class Case:
@@ -136,6 +140,15 @@ class Case:
         """
         return self._core.check_report()
 
+    @property
+    def warnings(self) -> list[RunWarning]:
+        """What is known before a run to be wary of; ``brinell check`` tells it, too.
+
+        Raises:
+            InputError: the grid does not fit this machine.
+        """
+        return [RunWarning(key, text) for key, text in self._core.expected_warnings]
+
     def citations(self) -> list[str]:
         """The papers behind the models of this case, brinell first, one line each (``brinell cite``)."""
         return self._core.citation_lines()
@@ -147,8 +160,11 @@ class Case:
         progress: bool | Progress = False,
         threads: int | None = None,
         resume: bool = False,
+        accuracy: float | str | None = None,
     ) -> Run:
-        """Computes the case. Ctrl-C ends it after the step, or within a moment if a step takes long.
+        """Computes the case. What to be wary of in the result is told as `ResolutionWarning`, and is in `Run.warnings`.
+
+        Ctrl-C ends it after the step, or within a moment if a step takes long.
 
         Args:
             output: folder of the results, which replaces an earlier result there; a temporary one, that goes with the
@@ -156,18 +172,23 @@ class Case:
             progress: show a bar, or call this function after each step.
             threads: how many; None: as OpenMP decides.
             resume: go on with a run of this case that was stopped in that folder.
+            accuracy: largest relative error of the key numbers that is accepted, 0.01 or "1 %": runs the case with coarser
+                cells first, and with finer ones as long as needed; `Run.accuracy` then tells the interval of each number.
 
         Returns:
-            The results.
+            The results; with an accuracy, those of the finest cells.
 
         Raises:
             InputError: a grid does not fit or turned out too small, or the folder holds another case to resume.
             ConvergenceError: a step did not converge; those before are in the folder.
             IoError: the results cannot be written.
         """
+        if accuracy is not None:
+            case = self.with_values({"solver.accuracy": accuracy})
+            return case.run(output, progress=progress, threads=threads, resume=resume)
         if output is not None:
             self._compute(Path(output), progress, threads, resume)
-            return open_run(output)
+            return self._told(open_run(output))
         folder = tempfile.TemporaryDirectory(prefix="brinell-")
         try:
             self._compute(Path(folder.name), progress, threads, resume)
@@ -176,6 +197,13 @@ class Case:
             folder.cleanup()
             raise
         weakref.finalize(run, folder.cleanup)
+        return self._told(run)
+
+    def _told(self, run: Run) -> Run:
+        """Warns of what the run has found; what the case itself is warned of has been told when it was read."""
+        for warning in run.warnings:
+            if warning.text not in self._core.warnings:
+                warnings.warn(warning.text, ResolutionWarning, stacklevel=_level_of_caller())
         return run
 
     def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:

@@ -113,12 +113,26 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
   constexpr double softest = 1e5; // a gel
   const double E = material.elastic.young_modulus;
   if (E < softest)
-    c.warnings.push_back(fmt::format(
-        "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?", name,
-        E, E));
+    c.warnings.push_back(
+        {"soft_material",
+         fmt::format(
+             "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
+             name, E, E)});
   if (material.hardening && constitutive::initial_yield_stress(*material.hardening) > 0.1 * E)
     c.warnings.push_back(
-        fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name));
+        {"hard_material",
+         fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name)});
+}
+
+void refuse_cells_and_shift(const CaseReader& reader, const simulation::Numerics& numerics,
+                            const std::optional<double>& shift, double half_x, double half_y, Case& c)
+{
+  if (numerics.spacing)
+    if (const auto reason = simulation::reason_against_cells(*numerics.spacing, half_x, half_y))
+      reader.problems.add(c.grid_source, *reason);
+  if (shift)
+    if (const auto reason = simulation::reason_against_shift(*shift, half_x))
+      reader.add(reader.has("tugging.shift") ? "tugging.shift" : "rolling.shift", *reason);
 }
 
 void warn_of_size(double contact_radius, double smallest_radius, Case& c)
@@ -126,9 +140,11 @@ void warn_of_size(double contact_radius, double smallest_radius, Case& c)
   constexpr double share = 0.3;
   if (contact_radius > share * smallest_radius)
     c.warnings.push_back(
-        fmt::format("the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
-                    "half spaces",
-                    contact_radius, smallest_radius));
+        {"large_contact",
+         fmt::format(
+             "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
+             "half spaces",
+             contact_radius, smallest_radius)});
 }
 
 Case parse_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& overrides)
@@ -153,6 +169,8 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   if (reader.has("output.directory"))
     result.directory = reader.get<std::string>("output.directory");
   result.snapshots = reader.get<SnapshotRule>("output.snapshots");
+  if (reader.has("solver.accuracy"))
+    result.accuracy = reader.get<double>("solver.accuracy");
   result.checkpoint_interval = reader.get<double>("output.checkpoint_interval");
   const std::string grid_key = reader.has("grid.spacing") ? "grid.spacing" : "grid.resolution";
   const Given* grid = raw.find(grid_key);
@@ -167,7 +185,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
     read_rolling(reader, result);
   if (!problems.empty()) // a forgotten unit may be the reason
     for (const Warning& warning : result.warnings)
-      problems.add(raw.file, "warning: " + warning);
+      problems.add(raw.file, "warning: " + warning.text);
   problems.throw_if_any();
   return result;
 }

@@ -153,7 +153,10 @@ void read_indentation(const CaseReader& reader, Case& c)
   i.places = reader.get<std::vector<double>>("indentation.places");
   if (reader.problems.empty())
     if (const auto plan = planned(reader, c, i, "indentation.steps"))
+    {
       warn_of_size(plan->contact_radius, std::min(smallest_radius(i.lower), smallest_radius(i.upper)), c);
+      refuse_cells_and_shift(reader, i, {}, plan->contact_radius, plan->contact_radius_y, c);
+    }
   c.scenario = i;
 }
 
@@ -171,7 +174,10 @@ void read_rolling(const CaseReader& reader, Case& c)
   r.load_steps = reader.integer("rolling.load_steps");
   if (reader.problems.empty())
     if (const auto plan = planned(reader, c, r, "rolling.distance"))
+    {
       warn_of_size(plan->half_width_x, std::min(smallest_radius(r.lower), smallest_radius(r.upper)), c);
+      refuse_cells_and_shift(reader, r, r.shift, plan->half_width_x, plan->half_width_y, c);
+    }
   c.scenario = r;
 }
 

@@ -63,6 +63,9 @@ void set_first_yield(const constitutive::Material& lower, const constitutive::Ma
                      std::optional<double> radius, Case& c);
 /// What can be computed, but is seldom meant.
 void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c);
+/// Cells or a step with which nothing of the contact could be computed.
+void refuse_cells_and_shift(const CaseReader& reader, const simulation::Numerics& numerics,
+                            const std::optional<double>& shift, double half_x, double half_y, Case& c);
 /// The bodies are computed as half spaces.
 void warn_of_size(double contact_radius, double smallest_radius, Case& c);
 

@@ -89,9 +89,7 @@ void read_tugging(const CaseReader& reader, Case& c)
     return;
   const double contact_radius = std::sqrt(*c.equivalent_radius * t.interference);
   warn_of_size(contact_radius, std::min(t.lower.radius, t.upper.radius), c);
-  if (t.spacing && std::max((*t.spacing)[0], (*t.spacing)[1]) > 0.8 * contact_radius)
-    c.warnings.push_back(
-        fmt::format("about one cell per contact radius ({:.3g} m): the results will be coarse", contact_radius));
+  refuse_cells_and_shift(reader, t, t.shift, contact_radius, contact_radius, c);
   c.scenario = t;
 }
 

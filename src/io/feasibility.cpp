@@ -206,6 +206,14 @@ std::string grid_report(const simulation::Plan& plan)
                             plan.contact.ny, volume_text(plan.lower), volume_text(plan.upper));
 }
 
+template <typename ScenarioCase, typename ScenarioPlanOf>
+std::string quality_report(const ScenarioCase& c, const ScenarioPlanOf& plan)
+{
+  std::string text = simulation::resolution_text(simulation::expected_quality(c, plan).resolution);
+  text.front() = 'R';
+  return fmt::format("# {}\n", text);
+}
+
 /// A refusal of the grid names its key.
 template <typename ScenarioCase>
 auto planned(const ScenarioCase& scenario, const std::string& grid_source)
@@ -248,6 +256,20 @@ ScenarioPlan plan_case(const Case& c, double available_memory)
       c.scenario);
 }
 
+std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan)
+{
+  std::vector<Warning> warnings = c.warnings;
+  std::visit(
+      [&](const auto& scenario)
+      {
+        using Plan = decltype(simulation::plan(scenario));
+        for (Warning& warning : simulation::expected_quality(scenario, std::get<Plan>(plan)).warnings)
+          warnings.push_back(std::move(warning));
+      },
+      c.scenario);
+  return warnings;
+}
+
 std::string check_report(const Case& c, const ScenarioPlan& plan)
 {
   const std::string head =
@@ -260,7 +282,7 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                       return motion_report(scenario, p) + grid_report(p) +
                              fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(p.memory_bytes),
                                          duration_text(rough_seconds(scenario, p))) +
-                             result_report(scenario, p, c.snapshots);
+                             result_report(scenario, p, c.snapshots) + quality_report(scenario, p);
                     },
                     c.scenario);
 }

@@ -67,18 +67,18 @@ std::vector<Entry> solver_entries()
   return {
       {.key = "solver.yield_tolerance",
        .type = Type::number,
-       .range = inside(0.0, 1.0),
+       .range = inside(0.0, 0.1),
        .fallback = defaults.yield_tolerance,
        .text = "Largest violation of the yield condition, relative to the yield stress."},
       {.key = "solver.displacement_tolerance",
        .type = Type::number,
-       .range = inside(0.0, 1.0),
+       .range = inside(0.0, 0.1),
        .fallback = defaults.displacement_tolerance,
        .text = "Largest change of the residual displacement in the last iteration, relative to the approach at first "
                "yield."},
       {.key = "solver.contact_tolerance",
        .type = Type::number,
-       .range = inside(0.0, 1.0),
+       .range = inside(0.0, 0.1),
        .fallback = defaults.contact_tolerance,
        .text = "Complementarity of the contact: largest gap under pressure, relative to the largest approach."},
       {.key = "solver.max_iterations",
@@ -114,6 +114,23 @@ std::vector<Entry> solver_entries()
   };
 }
 
+std::vector<Entry> accuracy_entries()
+{
+  return {
+      {.key = "solver.accuracy",
+       .type = Type::number,
+       .range = {.min = 0.0, .max = 0.5, .min_allowed = false},
+       .percent = true,
+       .unset = "one run, with the cells as given",
+       .text =
+           "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then run with "
+           "coarser cells first, up to those given and, if need be, with finer ones, until the estimate of the error "
+           "by "
+           "the differences between them stays below it; summary.json tells each number's interval.",
+       .example = R"("2 %")"},
+  };
+}
+
 std::vector<Entry> output_entries()
 {
   return {
@@ -144,7 +161,7 @@ std::vector<Entry> build_schema()
 {
   std::vector<Entry> schema;
   for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(), grid_entries(),
-                    solver_entries(), output_entries()})
+                    solver_entries(), accuracy_entries(), output_entries()})
     schema.insert(schema.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return schema;
 }

@@ -167,6 +167,42 @@ Json head_json(const Case& c)
   return json;
 }
 
+Json warnings_json(const std::vector<Warning>& warnings)
+{
+  Json json = Json::array();
+  for (const Warning& warning : warnings)
+    json.push_back({{"key", warning.key}, {"text", warning.text}});
+  return json;
+}
+
+Json resolution_json(const simulation::Resolution& r)
+{
+  Json json = {{"cells_per_contact_radius", r.cells},
+               {"cells_per_contact_radius_x", r.cells_x},
+               {"cells_per_contact_radius_y", r.cells_y},
+               {"layers_of_plastic_zone", nullptr},
+               {"expected_errors", Json::object()},
+               {"text", simulation::resolution_text(r)},
+               {"source", "estimate from the convergence tables of brinell, docs/verification.md"}};
+  if (r.plastic_layers)
+    json["layers_of_plastic_zone"] = *r.plastic_layers;
+  for (const simulation::ExpectedError& e : r.expected_errors)
+    json["expected_errors"][e.quantity] = e.relative;
+  return json;
+}
+
+Json accuracy_json(const Accuracy& a)
+{
+  Json json = {{"asked", a.asked},      {"reached", a.reached},     {"error", a.error}, {"key_numbers", a.key_numbers},
+               {"runs", Json::array()}, {"numbers", Json::object()}};
+  for (const Level& level : a.levels)
+    json["runs"].push_back({{"cells", level.cells}, {"spacing_m", level.spacing}});
+  for (const auto& [name, n] : a.numbers)
+    json["numbers"][name] = {{"value", n.value}, {"order", n.order}, {"extrapolated", n.extrapolated},
+                             {"low", n.low},     {"high", n.high},   {"relative_error", n.relative_error}};
+  return json;
+}
+
 /// What every summary ends with, and its text.
 std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo& info)
 {
@@ -177,6 +213,10 @@ std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo
                  {"split_increments", s.split_increments},
                  {"threads", info.threads},
                  {"wall_time_s", info.wall_time}};
+  json["warnings"] = warnings_json(info.quality.warnings);
+  json["resolution"] = resolution_json(info.quality.resolution);
+  if (info.accuracy)
+    json["accuracy"] = accuracy_json(*info.accuracy);
   json["versions"] = versions_json();
   json["case"] = case_json(c.values);
   // Titles come from files in any encoding: a bad byte must not cost a finished run its summary.

@@ -41,6 +41,20 @@ double from_quantity(const std::string& text, const Entry& entry, bool pure)
   return given.value;
 }
 
+/// "1 %", "0.01"
+double from_percent(const std::string& text, const Raw& raw, const Entry& entry)
+{
+  double x = 0.0;
+  const char* end = text.data() + text.size();
+  auto [rest, error] = std::from_chars(text.data(), end, x);
+  while (rest != end && *rest == ' ')
+    ++rest;
+  const bool is_percent = rest != end && *rest == '%';
+  if (error != std::errc{} || rest + (is_percent ? 1 : 0) != end)
+    throw wrong_type(raw, entry, true);
+  return is_percent ? x / 100.0 : x;
+}
+
 double number(const Raw& raw, const Entry& entry, bool pure)
 {
   double x = 0.0;
@@ -48,6 +62,8 @@ double number(const Raw& raw, const Entry& entry, bool pure)
     x = static_cast<double>(*i);
   else if (const auto* d = std::get_if<double>(&raw.value))
     x = *d;
+  else if (const auto* share = std::get_if<std::string>(&raw.value); share && entry.percent)
+    x = from_percent(*share, raw, entry);
   else if (const auto* s = std::get_if<std::string>(&raw.value); s && entry.dimension != dimension::none)
     x = from_quantity(*s, entry, pure);
   else

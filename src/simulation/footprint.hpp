@@ -11,12 +11,13 @@ namespace brinell::simulation
 struct Footprint
 {
   double half_x = 0.0, half_y = 0.0; ///< of the contact of the smooth bodies [m]
-  double over_x = 0.0, over_y = 0.0; ///< half-lengths that the contact of the textured surfaces covers, at least the same [m]
-  bool straight_y = false;           ///< a roller: the contact ends with it
-  double plastic_reach = 0.0;        ///< radius of the plastic zone [m]
-  double depth = 0.0;                ///< to which plastic strain is to be expected [m]
-  double approach = 0.0;             ///< [m]
-  double peak_ratio = 0.0;           ///< peak pressure of the smooth, elastic contact over that of first yield
+  double over_x = 0.0,
+         over_y = 0.0;        ///< half-lengths that the contact of the textured surfaces covers, at least the same [m]
+  bool straight_y = false;    ///< a roller: the contact ends with it
+  double plastic_reach = 0.0; ///< radius of the plastic zone [m]
+  double depth = 0.0;         ///< to which plastic strain is to be expected [m]
+  double approach = 0.0;      ///< [m]
+  double peak_ratio = 0.0;    ///< peak pressure of the smooth, elastic contact over that of first yield
   double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
 };
 

@@ -194,6 +194,7 @@ IndentationPlan plan(const IndentationCase& indentation)
   IndentationPlan plan;
   lay_out(indentation, f, track, 0.0, plan);
   plan.contact_radius = f.half_x;
+  plan.contact_radius_y = f.half_y;
   plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
                           static_cast<double>(indentation.sequence.size() * indentation.places.size()));

@@ -26,6 +26,14 @@ void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
   totals.max_residual_lower = last.max_residual_lower;
   totals.max_residual_upper = last.max_residual_upper;
   totals.max_equivalent_plastic_strain = last.max_equivalent_plastic_strain;
+  totals.coverage = last.coverage;
+}
+
+void Coverage::exchange(Archive& archive)
+{
+  archive("contact_columns", contact_columns);
+  archive("contact_rows", contact_rows);
+  archive("plastic_layers", plastic_layers);
 }
 
 void StepRecord::exchange(Archive& archive)
@@ -44,6 +52,7 @@ void StepRecord::exchange(Archive& archive)
   archive("max_residual_upper", max_residual_upper);
   archive("max_equivalent_plastic_strain", max_equivalent_plastic_strain);
   archive("iterations", iterations);
+  archive("coverage", coverage);
 }
 
 void GridChange::exchange(Archive& archive)

@@ -113,6 +113,30 @@ double depth_of(const HeightMap& map, double x, double y)
            t * ((1.0 - s) * at(i, j + 1) + s * at(i + 1, j + 1)));
 }
 
+/// Points along x and y of a cell at which a texture has to be read; one is enough where the cells resolve it.
+std::array<int, 2> samples(const Smooth&, double, double)
+{
+  return {1, 1};
+}
+
+std::array<int, 2> samples_of(double length_x, double length_y, double dx, double dy)
+{
+  constexpr double most = 100.0; // beyond, the mean changes no more
+  const auto count = [&](double length, double cell)
+  { return cell > 1.001 * length ? static_cast<int>(std::min(most, std::ceil(2.0 * cell / length))) : 1; };
+  return {count(length_x, dx), count(length_y, dy)};
+}
+
+std::array<int, 2> samples(const Dent& d, double dx, double dy)
+{
+  return samples_of(0.25 * d.radius, 0.25 * d.radius, dx, dy); // of its hollow
+}
+
+std::array<int, 2> samples(const HeightMap& map, double dx, double dy)
+{
+  return samples_of(map.dx, map.dy, dx, dy);
+}
+
 } // namespace
 
 std::optional<std::array<double, 2>> curvature(const Shape& shape)
@@ -161,6 +185,16 @@ double height(const Shape& shape, double x, double y)
 double depth(const Texture& texture, double x, double y)
 {
   return std::visit([&](const auto& t) { return depth_of(t, x, y); }, texture);
+}
+
+double cell_depth(const Texture& texture, double x, double y, double dx, double dy)
+{
+  const auto [nx, ny] = std::visit([&](const auto& t) { return samples(t, dx, dy); }, texture);
+  double sum = 0.0;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i)
+      sum += depth(texture, x + ((i + 0.5) / nx - 0.5) * dx, y + ((j + 0.5) / ny - 0.5) * dy);
+  return sum / (nx * ny);
 }
 
 } // namespace brinell::simulation

@@ -3,6 +3,7 @@
 
 #include "brinell/contact/contact_area.hpp"
 #include "brinell/foundation/error.hpp"
+#include "coverage.hpp"
 #include "footprint.hpp"
 #include "snapshot.hpp"
 
@@ -132,6 +133,7 @@ void Stepper::exchange(Archive& archive)
   archive("split_increments", split_increments_);
   archive("steps", steps_);
   archive.list("grid_changes", grid_changes_);
+  archive("coverage", coverage_);
 }
 
 int Stepper::advance(const std::function<Target(double)>& path, double finest, const std::string& where)
@@ -144,6 +146,7 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
     bisect(path, 0.0, 1.0, finest);
   }
   ++steps_;
+  widen(coverage_, *pair_);
   return evaluations_;
 }
 
@@ -357,6 +360,7 @@ void Stepper::fill(StepRecord& r) const
   r.max_residual_lower = largest(lower.residual_displacement);
   r.max_residual_upper = largest(upper.residual_displacement);
   r.max_equivalent_plastic_strain = std::max(largest(lower.equivalent), largest(upper.equivalent));
+  r.coverage = coverage_;
 }
 
 Snapshot Stepper::snapshot(const Centre& centre) const
@@ -388,7 +392,7 @@ std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, do
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       depths[static_cast<std::size_t>(i + grid.nx * j)] =
-          depth(texture, x0 + i * grid.dx, (j - 0.5 * (grid.ny - 1)) * grid.dy);
+          cell_depth(texture, x0 + i * grid.dx, (j - 0.5 * (grid.ny - 1)) * grid.dy, grid.dx, grid.dy);
   return depths;
 }
 

@@ -128,6 +128,7 @@ private:
   int steps_ = 0; ///< finished
   int split_increments_ = 0;
   std::vector<GridChange> grid_changes_;
+  Coverage coverage_;
 };
 
 /// Depths of a texture on a grid of a body; empty if it is smooth.

@@ -86,7 +86,9 @@ TEST_F(Commands, QuietIsQuietAndOldResultsAreNamed)
 {
   write("case.toml", quick_case);
   const Outcome quiet = run({"run", "case.toml", "--quiet", "-o", "out"});
-  EXPECT_EQ(quiet.out + quiet.err, "");
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_EQ(lines(quiet.err), 1) << quiet.err; // of the few cells
+  EXPECT_EQ(quiet.err.rfind("brinell: warning: ", 0), 0u) << quiet.err;
   const Outcome again = run({"run", "case.toml", "-o", "out"});
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_NE(again.err.find("replacing the earlier result in out"), std::string::npos) << again.err;

@@ -3,9 +3,7 @@
 
 #include "brinell/io/schema.hpp"
 #include "brinell/reference/critical.hpp"
-#include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/rolling.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/quality.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -53,8 +51,7 @@ struct FirstYield
   YieldsFirst body = YieldsFirst::both;
 };
 
-/// Something the user should look at, although it can be computed.
-using Warning = std::string;
+using simulation::Warning;
 
 using Scenario = std::variant<simulation::TuggingCase, simulation::IndentationCase, simulation::RollingCase>;
 
@@ -67,6 +64,7 @@ struct Case
   Scenario scenario;
   SnapshotRule snapshots;
   double checkpoint_interval = 0.0;               ///< [s]
+  std::optional<double> accuracy;                 ///< to be reached by a series of finer and finer cells
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
   std::optional<double> equivalent_radius;        ///< 1 / (1/R1 + 1/R2) [m] if it is the same in all directions
   double contact_modulus = 0.0;                   ///< E' [Pa]

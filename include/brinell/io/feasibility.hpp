@@ -19,6 +19,9 @@ using ScenarioPlan = std::variant<simulation::TuggingPlan, simulation::Indentati
 /// @throws InputError with place and value of the grid if it has an absurd number of cells or does not fit
 [[nodiscard]] ScenarioPlan plan_case(const Case& c, double available_memory = machine_memory());
 
+/// What can be told of the case before it runs: its own warnings, and those on what its cells will resolve.
+[[nodiscard]] std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan);
+
 /// What `brinell check` prints: the resolved case, and as comments its critical values, grids, steps, memory, rough cost and
 /// size of the result. The whole is again a case file.
 [[nodiscard]] std::string check_report(const Case& c, const ScenarioPlan& plan);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/archive.hpp"
-#include "brinell/io/case_file.hpp"
+#include "brinell/io/accuracy.hpp"
 #include "brinell/io/history_csv.hpp"
 
 #include <filesystem>
@@ -17,6 +17,8 @@ struct RunInfo
 {
   double wall_time = 0.0; ///< [s]
   int threads = 1;
+  simulation::Quality quality{};      ///< with the warnings of the case
+  std::optional<Accuracy> accuracy{}; ///< of a series of finer and finer cells
 };
 
 /// The folder of a run, docs/reference/results-format.md. Whenever the process ends, the finished steps can be read, and the

@@ -79,6 +79,7 @@ struct Entry
   Type type = Type::text;
   Dimension dimension{};
   Range range{};
+  bool percent = false; ///< a pure number that may also be given as "1 %"
   std::vector<std::string> choices{};
   bool required = false;           ///< where the condition holds
   std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset

@@ -26,7 +26,8 @@ struct IndentationCase : Numerics
 
 struct IndentationPlan : Plan
 {
-  double contact_radius = 0.0; ///< estimate at the largest load or approach, along x [m]
+  double contact_radius = 0.0;   ///< estimate at the largest load or approach, along x [m]
+  double contact_radius_y = 0.0; ///< and along y [m]
 };
 
 /// One row of the history.

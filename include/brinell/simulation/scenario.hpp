@@ -47,6 +47,15 @@ struct Plan
   elastoplastic::Scales scales; ///< of the tolerances
 };
 
+/// What the cells had to resolve so far: from it follows how well they do (simulation/quality.hpp).
+struct Coverage
+{
+  int contact_columns = 0, contact_rows = 0; ///< over which the contact stretched in one step, at most
+  int plastic_layers = 0;                    ///< of the plastic zone, in the body that has yielded more
+
+  void exchange(Archive& archive);
+};
+
 /// What every row of a history tells.
 struct StepRecord
 {
@@ -61,6 +70,7 @@ struct StepRecord
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
   double max_equivalent_plastic_strain = 0.0;
   int iterations = 0; ///< evaluations of the elastic-plastic operator in this step
+  Coverage coverage;  ///< until this step
 
   void exchange(Archive& archive);
 };
@@ -125,7 +135,8 @@ struct RunTotals
   double max_equivalent_plastic_strain = 0.0;
   std::vector<GridChange> grid_changes; ///< in the course of the run
   double memory_bytes = 0.0;            ///< of the grids at the end, estimate
-  Snapshot final_state;                 ///< has the grids of the end
+  Coverage coverage;
+  Snapshot final_state; ///< has the grids of the end
 };
 
 /// How a caller watches a run. Empty functions are skipped; after each step they are called in this order, but for the last.

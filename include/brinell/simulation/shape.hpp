@@ -95,5 +95,8 @@ using Texture = std::variant<Smooth, Dent, HeightMap>;
 
 /// Depth into the body of its surface at (x, y) [m].
 [[nodiscard]] double depth(const Texture& texture, double x, double y);
+/// What a cell of dx by dy around (x, y) has of it [m]: the depth at its centre, or the mean over it if the texture is finer
+/// than the cells, so that nothing falls between their centres.
+[[nodiscard]] double cell_depth(const Texture& texture, double x, double y, double dx, double dy);
 
 } // namespace brinell::simulation

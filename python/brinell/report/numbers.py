@@ -12,7 +12,7 @@ from brinell.plot.energy import SINKS, balance_error
 from brinell.report import text
 from brinell.results import Run
 
-__all__ = ["Number", "cost_of", "energies_of", "key_numbers"]
+__all__ = ["Interval", "Number", "accuracies_of", "cost_of", "energies_of", "key_numbers"]
 
 
 @dataclass(frozen=True)
@@ -125,4 +125,39 @@ def cost_of(run: Run) -> list[Number]:
     for name in ("contact", "lower", "upper"):
         if grid.get(f"{name}_cells"):
             found.append(Number(f"grid, {name}", " × ".join(str(int(n)) for n in grid[f"{name}_cells"])))
+    return found
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A result and how well it is known."""
+
+    name: str
+    value: str
+    error: str
+    order: str
+    extrapolated: str
+    low: str
+    high: str
+
+
+_UNITS = (("_N_per_m", "N/m"), ("_m2", "m²"), ("_Pa", "Pa"), ("_N", "N"), ("_J", "J"), ("_m", "m"))
+
+
+def accuracies_of(run: Run) -> list[Interval]:
+    """Of a run for which an accuracy was asked: its key numbers, with their intervals."""
+    accuracies = run.accuracy
+    keys = (run.summary or {}).get("accuracy", {}).get("key_numbers", [])
+    found = []
+    for name in keys:
+        if name not in accuracies:
+            continue
+        one = accuracies[name]
+        unit = next((unit for ending, unit in _UNITS if name.endswith(ending)), "")
+        shown = [
+            "–" if value is None else text.quantity(value, unit, 4)
+            for value in (one.value, one.extrapolated, one.low, one.high)
+        ]
+        order = "–" if one.order is None else text.number(one.order, 2)
+        found.append(Interval(name, shown[0], text.percent(one.relative_error), order, *shown[1:]))
     return found

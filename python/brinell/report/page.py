@@ -22,7 +22,7 @@ from brinell.plot import style
 from brinell.plot.standard import standard_figures
 from brinell.report.findings import findings_of
 from brinell.report.inputs import inputs_of
-from brinell.report.numbers import cost_of, energies_of, key_numbers
+from brinell.report.numbers import accuracies_of, cost_of, energies_of, key_numbers
 from brinell.report.volumes import pictures_of
 from brinell.results import Run, Snapshot
 
@@ -108,7 +108,9 @@ def _content(run: Run) -> dict[str, Any]:
         "folder": run.path.resolve().name,
         "scenario": run.scenario,
         "complete": run.complete,
-        "findings": findings_of(run, unloaded or loaded),
+        "findings": findings_of(run),
+        "resolution": (run.summary or {}).get("resolution", {}).get("text", ""),
+        "accuracies": accuracies_of(run),
         "numbers": key_numbers(run),
         "energies": energies_of(run),
         "cost": cost_of(run),

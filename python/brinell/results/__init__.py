@@ -17,6 +17,7 @@ Modules: `run` (the result and its summary), `history`, `result_file` (result.vt
 state), `fields` and `labelled` (a field over all states), `scenarios` (what differs between them).
 """
 
+from brinell.results.accuracy import Accuracy, RunWarning
 from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.history import History
 from brinell.results.labelled import Labelled
@@ -28,6 +29,7 @@ __all__ = [
     "COMPONENTS",
     "FORMAT_VERSION",
     "HISTORY_COLUMNS",
+    "Accuracy",
     "BodyFields",
     "ContactFields",
     "CriticalValues",
@@ -37,6 +39,7 @@ __all__ = [
     "RollingPass",
     "Run",
     "RunError",
+    "RunWarning",
     "Scenario",
     "Snapshot",
     "TrackProfile",

@@ -13,6 +13,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from brinell.results.accuracy import Accuracy, RunWarning, accuracy_of, warnings_of
 from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.fields import field_names, labelled_field
 from brinell.results.history import History, read_history
@@ -190,6 +191,31 @@ class Run:
 
     def _place(self, key: str) -> str:
         return f"{_summary_place(self.path)}: {key}"
+
+    @cached_property
+    def warnings(self) -> list[RunWarning]:
+        """What to be wary of before the numbers are used; decided by the engine, none if all is well or unfinished."""
+        return warnings_of(self.summary, _summary_place(self.path))
+
+    @property
+    def resolution(self) -> Mapping[str, Any]:
+        """Cells per contact radius, layers of the plastic zone and the errors to be expected: `summary["resolution"]`.
+
+        Raises:
+            RunError: the run has not finished, or an older program has written it.
+        """
+        resolution = self._value("resolution")
+        if not isinstance(resolution, Mapping):
+            raise RunError(f"{self._place('resolution')} is no table")
+        return resolution
+
+    @cached_property
+    def accuracy(self) -> dict[str, Accuracy]:
+        """How well each number of the summary is known, by its name; empty unless the run was asked for an accuracy.
+
+        `run.accuracy["forces.peak_F_X_N"].low`
+        """
+        return accuracy_of(self.summary, _summary_place(self.path))
 
     @cached_property
     def case_text(self) -> str:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from brinell.case import Case, CaseWarning
+from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import BrinellError, GridError, InputError, IoError
 from brinell.results import RunError, open_run
 
@@ -119,6 +119,13 @@ def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", CaseWarning)  # told once, before the first run
         case = Case(task.text, file=Path(task.folder) / "case.toml")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ResolutionWarning)  # in the summary of each point
+        _compute(case, task, on_step, lambda: began)
+
+
+def _compute(case: Case, task: Task, on_step: Callable[..., None], began: Callable[[], bool]) -> None:
+    """Goes on with what is there, if anything is."""
     if Path(task.folder).exists():
         try:
             case.run(task.folder, progress=on_step, threads=task.threads or None, resume=True)
@@ -126,7 +133,7 @@ def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
         except GridError:
             raise
         except (InputError, IoError):
-            if began:
+            if began():
                 raise
             # Nothing there to go on from: no checkpoint, another case, another build, a damaged file.
     case.run(task.folder, progress=on_step, threads=task.threads or None)

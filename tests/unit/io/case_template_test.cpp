@@ -76,7 +76,7 @@ TEST_P(CaseTemplate, IsACaseWithoutWarningsThatCanBePlanned)
   const Case c = parse_case(case_template(GetParam()), "case.toml");
   EXPECT_EQ(c.values.get<std::string>("scenario"), GetParam());
   EXPECT_FALSE(c.title.empty());
-  EXPECT_TRUE(c.warnings.empty()) << c.warnings.front();
+  EXPECT_TRUE(c.warnings.empty()) << c.warnings.front().text;
   EXPECT_GT(std::visit([](const auto& plan) { return plan.steps; }, plan_case(c)), 5);
 }
 

@@ -80,11 +80,12 @@ TEST(Case, ResolvedTextReadsBackTheSame)
 
 TEST(Case, OverridesWin)
 {
-  const Case c = parsed({"tugging.interference=4", "tugging.interference=6", "tugging.kinematics=paper",
-                         "lower.shape.radius=3 mm", "output.snapshots=[5, 1, 5]", "tugging.shift='1 mm'"});
+  const Case c =
+      parsed({"tugging.interference=4", "tugging.interference=6", "tugging.kinematics=paper",
+              "lower.shape.radius=30 mm", "grid.resolution=8", "output.snapshots=[5, 1, 5]", "tugging.shift='1 mm'"});
   EXPECT_EQ(c.values.get<double>("tugging.interference"), 6.0); // the last of several
   EXPECT_EQ(sample::tugging(c).kinematics, simulation::Kinematics::paper);
-  EXPECT_EQ(sample::tugging(c).lower.radius, 0.003);
+  EXPECT_EQ(sample::tugging(c).lower.radius, 0.03);
   EXPECT_EQ(c.snapshots.steps, (std::vector{1, 5}));
   EXPECT_EQ(sample::tugging(c).shift, 0.001);
 }
@@ -108,7 +109,8 @@ TEST(Case, WarnsOfAForgottenUnit)
 {
   const Case c = parsed({"upper.material.young_modulus=200", "tugging.normalised=false", "tugging.interference=1 mm"});
   ASSERT_FALSE(c.warnings.empty());
-  EXPECT_NE(c.warnings[0].find("\"200 GPa\""), std::string::npos) << c.warnings[0];
+  EXPECT_EQ(c.warnings[0].key, "soft_material");
+  EXPECT_NE(c.warnings[0].text.find("\"200 GPa\""), std::string::npos) << c.warnings[0].text;
   EXPECT_TRUE(parsed().warnings.empty());
 }
 

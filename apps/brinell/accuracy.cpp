@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "accuracy.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/feasibility.hpp"
+#include "brinell/io/versions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <optional>
+
+namespace brinell::app
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using Mode = io::ResultDirectory::Mode;
+
+constexpr double refinement = std::numbers::sqrt2; ///< of the cells from run to run: a tugging costs four times as much
+constexpr int most_runs = 5;                       ///< down to half of the cells of the case
+constexpr double coarsest = 2.0;                   ///< size of the first cells, over that of the case
+constexpr double fewest_cells = 2.0;               ///< per contact radius: with less the numbers tell no order
+constexpr const char* subfolder = "accuracy";
+
+std::string text_of(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Size of the first cells of a series.
+double first_cells(const io::Case& c)
+{
+  const double cells =
+      std::visit([](const auto& scenario)
+                 { return simulation::expected_quality(scenario, simulation::plan(scenario)).resolution.cells; },
+                 c.scenario);
+  return std::clamp(cells / fewest_cells, 1.0, coarsest);
+}
+
+/// A run of the series that is complete in its folder, computed by this program.
+std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& c, double cells)
+{
+  const std::string summary = text_of(folder / "summary.json");
+  const std::string build = fmt::format("\"git_hash\": \"{}\"", io::library_versions().git_hash);
+  if (summary.empty() || text_of(folder / "resolved.toml") != io::resolved_text(c.values) ||
+      summary.find(build) == summary.npos)
+    return std::nullopt;
+  const simulation::Plan plan =
+      std::visit([](const auto& scenario) -> simulation::Plan { return simulation::plan(scenario); }, c.scenario);
+  io::Level level = io::level_of(summary, cells);
+  if (level.spacing != io::Vector3{plan.contact.dx, plan.contact.dy, plan.lower.dz})
+    return std::nullopt;
+  return level;
+}
+
+/// Whether a run was stopped there that can go on.
+Mode mode_in(const fs::path& folder, const io::Case& c, bool resume)
+{
+  const bool same = resume && text_of(folder / "resolved.toml") == io::resolved_text(c.values);
+  return same && !fs::exists(folder / "summary.json") ? Mode::resume : Mode::replace;
+}
+
+/// The files of a run's folder, the summary last: until it is there, the run does not look complete.
+constexpr const char* files_of_run[] = {"history.csv", "resolved.toml", "result.vtkhdf", "summary.json"};
+
+void move_up(const fs::path& from, const fs::path& to)
+{
+  std::error_code error;
+  fs::remove(to / "snapshots" / "index.json", error); // of the folder's own, empty result
+  fs::remove(to / "snapshots", error);
+  for (const char* name : files_of_run)
+  {
+    fs::rename(from / name, to / name, error);
+    if (error)
+      throw IoError(fmt::format("{}: cannot be moved to {}: {}", (from / name).string(), to.string(), error.message()));
+  }
+  fs::remove(from, error); // stays if somebody has put something else there
+}
+
+/// Earlier series may have had more runs.
+void remove_level(const fs::path& folder)
+{
+  std::error_code error;
+  if (!fs::exists(folder / "resolved.toml"))
+    return;
+  for (const char* name : {"summary.json", "history.csv", "result.vtkhdf", "checkpoint.h5", "resolved.toml"})
+    fs::remove(folder / name, error);
+  fs::remove(folder, error);
+}
+
+class Series
+{
+public:
+  Series(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
+      : case_(c), options_(options), monitor_(monitor)
+  {
+  }
+
+  RunReport run()
+  {
+    static_cast<void>(io::plan_case(case_)); // is refused before anything is written
+    {
+      // Holds the folder for this process and takes away what was there; on --resume it refuses another case.
+      const io::ResultDirectory folder(options_.folder, case_, options_.mode);
+      replaced_ = folder.replaced();
+      levels();
+    }
+    for (int n = number_ + 1; n <= most_runs; ++n)
+      remove_level(folder_of(n));
+    move_up(folder_of(number_), options_.folder);
+    return report_;
+  }
+
+private:
+  [[nodiscard]] fs::path folder_of(int number) const { return options_.folder / subfolder / std::to_string(number); }
+
+  void levels()
+  {
+    const double first = first_cells(case_);
+    for (int n = 1; n <= most_runs; ++n)
+    {
+      const double cells = first / std::pow(refinement, n - 1);
+      const bool is_as_fine_as_given = cells <= 1.0 + 1e-9;
+      if (!next(n, std::abs(cells - 1.0) < 1e-9 ? 1.0 : cells))
+        return;
+      number_ = n;
+      if (n >= 3 && is_as_fine_as_given && accuracy_ && accuracy_->reached)
+        return;
+    }
+  }
+
+  /// @returns false if there can be no finer run, and the one before is the result
+  bool next(int number, double cells)
+  {
+    const io::Case c = io::with_cells(case_, cells);
+    const bool resume = options_.mode == Mode::resume;
+    const bool may_fail = number > 3 && cells < 1.0; // a result is there already
+    const LevelsBefore before{cells, done_};
+    try
+    {
+      if (resume)
+        if (const auto level = finished_level(folder_of(number), c, cells); level && take_over(number, c, *level))
+          return true;
+      if (monitor_.on_level)
+        monitor_.on_level(number, cells, false);
+      RunMonitor monitor = monitor_;
+      monitor.on_start = [&](bool, int finished_steps)
+      {
+        if (monitor_.on_start)
+          monitor_.on_start(number == 1 && replaced_, finished_steps);
+      };
+      const LevelReport report =
+          run_level(c, folder_of(number), mode_in(folder_of(number), c, resume), monitor, before);
+      report_ = report.told;
+      accuracy_ = report.accuracy;
+      done_.push_back(report.level);
+      return true;
+    }
+    catch (const Interrupted&)
+    {
+      throw;
+    }
+    catch (const std::runtime_error& error)
+    {
+      if (!may_fail)
+        throw;
+      report_.warnings.push_back(
+          {"accuracy_stopped", fmt::format("finer cells could not be computed: {}", error.what())});
+      remove_level(folder_of(number));
+      return false;
+    }
+  }
+
+  /// The last run is computed again: what it tells of the series stands in its own summary.
+  bool take_over(int number, const io::Case& c, const io::Level& level)
+  {
+    std::vector<io::Level> levels = done_;
+    levels.push_back(level);
+    std::optional<io::Accuracy> accuracy;
+    if (levels.size() > 1)
+      accuracy = io::accuracy_of(c, levels);
+    const bool ends = number == most_runs || (number >= 3 && level.cells <= 1.0 + 1e-9 && accuracy->reached);
+    if (ends)
+      return false;
+    if (monitor_.on_level)
+      monitor_.on_level(number, level.cells, true);
+    done_ = std::move(levels);
+    accuracy_ = std::move(accuracy);
+    return true;
+  }
+
+  const io::Case& case_;
+  const RunOptions& options_;
+  const RunMonitor& monitor_;
+  bool replaced_ = false;
+  int number_ = 0; ///< of the last finished run
+  std::vector<io::Level> done_;
+  std::optional<io::Accuracy> accuracy_;
+  RunReport report_;
+};
+
+} // namespace
+
+void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, io::RunInfo& info)
+{
+  if (before.levels.empty())
+    return;
+  std::vector<io::Level> levels = before.levels;
+  levels.push_back(report.level);
+  report.accuracy = io::accuracy_of(c, std::move(levels));
+  if (!report.accuracy->reached)
+    info.quality.warnings.push_back(
+        {"accuracy_missed",
+         fmt::format("the accuracy asked for, {:.3g} %, is not reached: the key numbers are known to {:.2g} %",
+                     100.0 * report.accuracy->asked, 100.0 * report.accuracy->error)});
+  info.accuracy = report.accuracy;
+}
+
+RunReport run_series(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
+{
+  return Series(c, options, monitor).run();
+}
+
+std::string accuracy_text(const io::Accuracy& a)
+{
+  std::string text =
+      fmt::format("accuracy {:.3g} % {}: {:.2g} % from {} runs\n{:<28} {:>13} {:>8} {:>6} {:>13}   {:>13} .. {:<13}\n",
+                  100.0 * a.asked, a.reached ? "reached" : "not reached", 100.0 * a.error, a.levels.size(), "number",
+                  "value", "error", "order", "extrapolated", "low", "high");
+  for (const std::string& name : a.key_numbers)
+  {
+    const simulation::Convergence& n = a.numbers.at(name);
+    const auto number = [](double x, const char* form)
+    { return std::isnan(x) ? "-" : fmt::format(fmt::runtime(form), x); };
+    text += fmt::format("{:<28} {:>13.6e} {:>6.2g} % {:>6} {:>13}   {:>13.6e} .. {:<13.6e}\n", name, n.value,
+                        100.0 * n.relative_error, number(n.order, "{:.2g}"), number(n.extrapolated, "{:.6e}"), n.low,
+                        n.high);
+  }
+  return text;
+}
+
+} // namespace brinell::app

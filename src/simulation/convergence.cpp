@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/convergence.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+constexpr double highest_order = 2.0;  ///< of step and cells
+constexpr double believed_order = 2.2; ///< more is by accident, as Roache says of a tenth above the order of theory
+constexpr double lowest_order = 0.5;   ///< less is no convergence that could be extrapolated
+constexpr double safety = 1.25;        ///< Roache's, of three grids with an order
+constexpr double wide_safety = 3.0;    ///< Roache's, without
+constexpr double solver_share = 1e-4;  ///< what steps are converged to: closer no two runs agree
+
+/// The order by which differences fall: d32 / d21 = r21^p (r32^p - 1) / (r21^p - 1), by bisection; of equal ratios r^p.
+double observed_order(double d21, double d32, double r21, double r32)
+{
+  const double quotient = d32 / d21;
+  const auto model = [&](double p) { return std::pow(r21, p) * (std::pow(r32, p) - 1.0) / (std::pow(r21, p) - 1.0); };
+  double low = 1e-3, high = 20.0;
+  if (!(quotient > model(low)))
+    return 0.0;
+  for (int i = 0; i < 60; ++i)
+    (model(0.5 * (low + high)) < quotient ? low : high) = 0.5 * (low + high);
+  return high;
+}
+
+struct Half
+{
+  double width, order, extrapolated;
+};
+
+Half half_interval(std::span<const double> h, std::span<const double> f)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t n = f.size();
+  const double r21 = h[n - 2] / h[n - 1];
+  const double d21 = f[n - 2] - f[n - 1];
+  if (n == 2)
+    return {wide_safety * std::abs(d21) / (r21 - 1.0), nan, nan};
+  const double r32 = h[n - 3] / h[n - 2];
+  const double d32 = f[n - 3] - f[n - 2];
+  const double largest = std::max(std::abs(d21), std::abs(d32));
+  if (!(d21 * d32 > 0.0)) // to and fro, or no difference at all
+    return {wide_safety * largest, nan, largest == 0.0 ? f[n - 1] : nan};
+  const double p = observed_order(d21, d32, r21, r32);
+  if (p < lowest_order)
+    return {std::max(wide_safety * largest, safety * std::abs(d21) / (std::pow(r21, lowest_order) - 1.0)), nan, nan};
+  const double q = std::min(p, highest_order);
+  const double limit = f[n - 1] - d21 / (std::pow(r21, q) - 1.0);
+  if (p <= believed_order)
+    return {safety * std::abs(d21) / (std::pow(r21, q) - 1.0), p, limit};
+  // The difference is small by accident: at least what second order would have left of the one before.
+  const double second = std::abs(d32) * (std::pow(r21, 2.0) - 1.0) / (std::pow(r32, 2.0) - 1.0) / std::pow(r21, 2.0);
+  return {wide_safety * std::max(std::abs(d21), second) / (std::pow(r21, q) - 1.0), p, limit};
+}
+
+} // namespace
+
+Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale)
+{
+  if (cells.size() != values.size() || values.size() < 2)
+    throw InputError(fmt::format("an estimate of {} values at {} sizes of cells; allowed: as many, two or more",
+                                 values.size(), cells.size()));
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    if (!(cells[i] > 0.0 && cells[i] < cells[i - 1]))
+      throw InputError("the sizes of cells must fall and be > 0");
+  const Half half = half_interval(cells, values);
+  const double value = values.back();
+  const double size = std::max(std::abs(value), scale);
+  const double width = std::max(half.width, solver_share * size);
+  return {value, half.order, half.extrapolated, value - width, value + width, size > 0.0 ? width / size : 0.0};
+}
+
+} // namespace brinell::simulation

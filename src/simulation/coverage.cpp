@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "coverage.hpp"
+
+#include <algorithm>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// Of a body, the layers from the first to the last one whose strain counts beside the largest.
+int plastic_layers(const elastoplastic::Body& body)
+{
+  constexpr double counts = 0.01; // less is the rim that every plastic zone has
+  const std::vector<double>& strain = body.state().equivalent;
+  const std::size_t cells = body.grid().surface.size();
+  const auto layers = static_cast<std::size_t>(body.grid().nz);
+  std::vector<double> largest(layers, 0.0);
+  for (std::size_t layer = 0; layer < layers; ++layer)
+  {
+    const auto begin = strain.begin() + static_cast<std::ptrdiff_t>(layer * cells);
+    largest[layer] = *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(cells));
+  }
+  const double limit = counts * *std::max_element(largest.begin(), largest.end());
+  const auto holds = [limit](double value) { return value > limit; };
+  const auto first = std::find_if(largest.begin(), largest.end(), holds);
+  const auto last = std::find_if(largest.rbegin(), largest.rend(), holds);
+  return first == largest.end() ? 0 : static_cast<int>(last.base() - first);
+}
+
+} // namespace
+
+void widen(Coverage& coverage, const elastoplastic::CoupledContact& pair)
+{
+  const SurfaceGrid& grid = pair.grid();
+  int left = grid.nx, right = -1, front = grid.ny, back = -1;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      if (pair.pressure()[static_cast<std::size_t>(i + grid.nx * j)] > 0.0)
+      {
+        left = std::min(left, i);
+        right = std::max(right, i);
+        front = std::min(front, j);
+        back = std::max(back, j);
+      }
+  coverage.contact_columns = std::max(coverage.contact_columns, right - left + 1);
+  coverage.contact_rows = std::max(coverage.contact_rows, back - front + 1);
+  // The body that yields most is the one that has to be resolved.
+  const bool lower_yields_more = pair.lower().state().dissipation >= pair.upper().state().dissipation;
+  coverage.plastic_layers = plastic_layers(lower_yields_more ? pair.lower() : pair.upper());
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/quality.hpp"
+
+#include "footprint.hpp"
+#include "tugging_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <span>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+// Limits. Those of the cells are where the tables of docs/verification.md leave some percent of error.
+constexpr double fewest_cells = 6.0; ///< per contact radius
+constexpr double fewest_cells_across =
+    3.0;                                ///< the motion: cells twice as long there cost half a percent of the net energy
+constexpr double hopeless_cells = 2.0;  ///< below, a third of the energy is missing
+constexpr int fewest_layers = 4;        ///< of the plastic zone
+constexpr double largest_strain = 0.05; ///< products of strains are neglected: an error of that share of the strain
+constexpr double largest_imbalance = 0.02;       ///< of the energies, over the largest work
+constexpr double fewest_cells_of_dent = 4.0;     ///< per radius of a dent, whose hollow is a quarter of it
+constexpr double smallest_approach = 1e-9;       ///< [m], some atoms: no continuum
+constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
+constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
+
+/// Error that a number had with that many cells per contact radius, and the order by which it falls.
+struct Documented
+{
+  const char* quantity;
+  double error, cells, order;
+};
+
+// docs/verification.md (expected error)
+constexpr Documented of_tugging[] = {{"peak force", 0.009, 8.0, 2.1},
+                                     {"dents", 0.017, 8.0, 1.8},
+                                     {"net energy", 0.036, 8.0, 1.7},
+                                     {"F_X at alignment", 0.043, 8.0, 1.7}};
+constexpr Documented of_indentation[] = {{"load", 0.014, 5.0, 2.0},
+                                         {"residual depth", 0.022, 5.6, 1.5},
+                                         {"hardness", 0.03, 5.6, 1.0},
+                                         {"pile-up", 0.065, 5.6, 1.5},
+                                         {"largest pressure and strain", 0.09, 8.0, 1.0}};
+constexpr Documented of_rolling[] = {
+    {"rut", 0.05, 4.0, 1.5}, {"resistance", 0.08, 4.0, 1.5}, {"dissipation", 0.07, 4.0, 1.5}};
+
+/// What the judgement needs of any scenario.
+struct Facts
+{
+  std::span<const Documented> documented;
+  std::array<double, 3> cell{};
+  double half_x = 0.0, half_y = 0.0; ///< of the contact, estimate [m]
+  bool moves = false;                ///< along x
+  double approach = 0.0;             ///< largest, estimate [m]
+  std::optional<double> first_yield; ///< approach there [m], where the estimate holds
+  bool can_yield = false;
+  std::optional<double> shift; ///< if it is not one cell [m]
+  std::array<const Texture*, 2> textures{nullptr, nullptr};
+  elastoplastic::Settings solver;
+};
+
+template <typename ScenarioCase>
+Facts common_facts(const ScenarioCase& c, const Plan& plan)
+{
+  Facts f;
+  f.cell = {plan.contact.dx, plan.contact.dy, plan.lower.dz};
+  f.approach = plan.scales.gap;
+  f.can_yield = c.lower.material.is_plastic() || c.upper.material.is_plastic();
+  const bool stressed =
+      !c.lower.material.initial_stress.depth().empty() || !c.upper.material.initial_stress.depth().empty();
+  if (!stressed)
+    f.first_yield = plan.scales.displacement;
+  f.solver = c.solver;
+  return f;
+}
+
+template <typename ScenarioCase>
+Facts shaped_facts(const ScenarioCase& c, const Plan& plan, const contact::Drive& drive)
+{
+  Facts f = common_facts(c, plan);
+  const Footprint foot = footprint(c.lower, c.upper, drive);
+  f.half_x = foot.half_x;
+  f.half_y = foot.half_y;
+  f.textures = {&c.lower.texture, &c.upper.texture};
+  if (!std::holds_alternative<Smooth>(c.lower.texture) || !std::holds_alternative<Smooth>(c.upper.texture))
+    f.first_yield.reset(); // peaks of pressure stand on it
+  return f;
+}
+
+Facts facts(const TuggingCase& c, const TuggingPlan& plan)
+{
+  Facts f = common_facts(c, plan);
+  f.documented = of_tugging;
+  f.half_x = f.half_y = plan.elastic_contact_radius;
+  f.moves = true;
+  if (c.shift)
+    f.shift = plan.shift;
+  return f;
+}
+
+Facts facts(const IndentationCase& c, const IndentationPlan& plan)
+{
+  contact::Drive largest = c.sequence.front();
+  for (const contact::Drive& drive : c.sequence)
+    largest.value = std::max(largest.value, drive.value);
+  Facts f = shaped_facts(c, plan, largest);
+  f.documented = of_indentation;
+  return f;
+}
+
+Facts facts(const RollingCase& c, const RollingPlan& plan)
+{
+  Facts f = shaped_facts(c, plan, c.drive);
+  f.documented = of_rolling;
+  f.moves = true;
+  if (c.shift)
+    f.shift = plan.shift;
+  return f;
+}
+
+/// "1.23 nm"
+std::string length_text(double metres)
+{
+  constexpr std::pair<double, const char*> units[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "um"}};
+  for (const auto& [size, name] : units)
+    if (std::abs(metres) >= size)
+      return fmt::format("{:.3g} {}", metres / size, name);
+  return fmt::format("{:.3g} nm", metres / 1e-9);
+}
+
+std::string percent_text(double share)
+{
+  return fmt::format("{:.2g} %", 100.0 * share);
+}
+
+std::string errors_text(const std::vector<ExpectedError>& errors)
+{
+  std::string text;
+  for (const ExpectedError& e : errors)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", percent_text(e.relative), e.quantity);
+  return text;
+}
+
+/// The tables are of cells that are up to twice as long across the motion as along it.
+double deciding_cells(const Facts& f, const Resolution& r)
+{
+  return f.moves ? std::min(r.cells_x, r.cells_y * fewest_cells / fewest_cells_across) : r.cells;
+}
+
+Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::optional<int> layers)
+{
+  Resolution r{cells_x, cells_y, std::min(cells_x, cells_y), layers, {}};
+  const bool yields = layers ? *layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
+  if (!yields || std::isnan(r.cells))
+    return r;
+  for (const Documented& d : f.documented)
+    r.expected_errors.push_back(
+        {d.quantity, std::min(1.0, d.error * std::pow(d.cells / deciding_cells(f, r), d.order))});
+  return r;
+}
+
+class Judge
+{
+public:
+  Judge(const Facts& facts, Resolution resolution) : f_(facts) { result_.resolution = std::move(resolution); }
+
+  void of_cells()
+  {
+    const Resolution& r = result_.resolution;
+    if (std::isnan(r.cells))
+      return;
+    const double deciding = deciding_cells(f_, r);
+    if (deciding >= fewest_cells)
+      return;
+    const std::string errors = errors_text(r.expected_errors);
+    add("coarse_contact",
+        fmt::format(
+            "the contact has only {:.2g} x {:.2g} cells per radius, along x and y; {} are the fewest for results "
+            "good to some percent{}{}. Take a finer grid.resolution or grid.spacing, or ask for --accuracy",
+            r.cells_x, r.cells_y,
+            f_.moves ? fmt::format("{:g} x {:g}", fewest_cells, fewest_cells_across)
+                     : fmt::format("{0:g} x {0:g}", fewest_cells),
+            errors.empty() ? "" : "; errors to be expected: " + errors,
+            deciding < hopeless_cells ? "; with so few cells no number of this result can be relied on" : ""));
+  }
+
+  void of_depth()
+  {
+    const std::optional<int> layers = result_.resolution.plastic_layers;
+    if (layers && *layers > 0 && *layers < fewest_layers)
+      add("coarse_depth",
+          fmt::format("the plastic zone is only {} layer{} of cells deep; {} are the fewest: take thinner "
+                      "cells (grid.spacing) or a finer grid.resolution",
+                      *layers, *layers == 1 ? "" : "s", fewest_layers));
+  }
+
+  void of_step()
+  {
+    if (!f_.shift || !(*f_.shift > longest_share_of_radius * f_.half_x) || !(*f_.shift > 1.01 * f_.cell[0]))
+      return;
+    // The step's own error: 1.4 % of the net energy at an eighth of the contact radius, docs/verification.md (shift step).
+    const double share = *f_.shift / f_.half_x;
+    add("long_step",
+        fmt::format("the contact moves by {} per step, {:.2g} contact radii; more than {:g} leave gaps in the "
+                    "history, and about {} of the net energy are to be expected as error: take a smaller shift",
+                    length_text(*f_.shift), share, longest_share_of_radius,
+                    percent_text(std::min(1.0, 0.014 * std::pow(8.0 * share, 2.2)))));
+  }
+
+  void of_textures()
+  {
+    const double cell = std::max(f_.cell[0], f_.cell[1]);
+    for (std::size_t body = 0; body < f_.textures.size(); ++body)
+    {
+      const char* name = body == 0 ? "lower" : "upper";
+      const Texture* texture = f_.textures[body];
+      if (const Dent* dent = texture ? std::get_if<Dent>(texture) : nullptr;
+          dent && dent->radius < fewest_cells_of_dent * cell)
+        add("coarse_texture", fmt::format("{}.texture: a {} of radius {} on cells of {} is not resolved: only its mean "
+                                          "over each cell counts; {:g} cells "
+                                          "per radius are the fewest",
+                                          name, dent->depth < 0.0 ? "bump" : "dent", length_text(dent->radius),
+                                          length_text(cell), fewest_cells_of_dent));
+      if (const HeightMap* map = texture ? std::get_if<HeightMap>(texture) : nullptr;
+          map && (map->dx < 0.999 * f_.cell[0] || map->dy < 0.999 * f_.cell[1]))
+        add("coarse_texture",
+            fmt::format("{}.texture: the points of the height map, {} x {}, are finer than the cells, {} x "
+                        "{}: each cell takes the mean height over it, and roughness finer than that is lost",
+                        name, length_text(map->dx), length_text(map->dy), length_text(f_.cell[0]),
+                        length_text(f_.cell[1])));
+    }
+  }
+
+  void of_size()
+  {
+    if (f_.approach < smallest_approach)
+      add("small_size",
+          fmt::format("the bodies approach by {} only, less than some atoms, where materials are no continuum; "
+                      "is the load or the size what was meant?",
+                      length_text(f_.approach)));
+  }
+
+  void of_tolerances()
+  {
+    const elastoplastic::Settings& s = f_.solver;
+    for (const auto& [key, value, limit] : {std::tuple{"yield_tolerance", s.yield_tolerance, loose_yield},
+                                            {"displacement_tolerance", s.displacement_tolerance, loose_displacement},
+                                            {"contact_tolerance", s.contact_tolerance, loose_contact}})
+      if (value > limit)
+        add("loose_tolerance",
+            fmt::format("solver.{} = {:g} is loose: steps end before they have converged; up to {:g} "
+                        "their error stays below that of usual cells",
+                        key, value, limit));
+  }
+
+  void of_expected_yield()
+  {
+    if (f_.can_yield && f_.first_yield && *f_.first_yield >= f_.approach)
+      add("no_yield",
+          fmt::format("nothing will yield, by estimate: the bodies approach by about {}, and stay elastic up to "
+                      "there, though a yield stress is given; is a unit missing?",
+                      length_text(f_.approach)));
+  }
+
+  void of_course(const RunTotals& totals)
+  {
+    if (f_.can_yield && totals.max_equivalent_plastic_strain == 0.0)
+      add("no_yield", "nothing has yielded, though a yield stress is given: all of this is elastic");
+    if (totals.max_equivalent_plastic_strain > largest_strain)
+      add("large_strain",
+          fmt::format("plastic strain reaches {}, but the theory is that of small strains: above {} it is an "
+                      "estimate",
+                      percent_text(totals.max_equivalent_plastic_strain), percent_text(largest_strain)));
+    if (!(std::abs(totals.energy_balance_error) <= largest_imbalance))
+      add("energy_balance", fmt::format("the energies are off by {} of the largest work: take smaller steps or cells",
+                                        percent_text(totals.energy_balance_error)));
+    if (totals.split_increments > 0)
+      add("split_increments", fmt::format("{} increments did not converge in one piece and were split; the result has "
+                                          "converged, but smaller steps would be faster and more accurate",
+                                          totals.split_increments));
+  }
+
+  [[nodiscard]] Quality result() && { return std::move(result_); }
+
+private:
+  void add(const char* key, std::string text) { result_.warnings.push_back({key, std::move(text)}); }
+
+  const Facts& f_;
+  Quality result_;
+};
+
+Quality before(const Facts& f)
+{
+  Judge judge(f, resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt));
+  judge.of_cells();
+  judge.of_textures();
+  judge.of_step();
+  judge.of_size();
+  judge.of_expected_yield();
+  judge.of_tolerances();
+  return std::move(judge).result();
+}
+
+Quality after(const Facts& f, const RunTotals& totals)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Coverage& seen = totals.coverage;
+  const bool touched = seen.contact_columns > 0;
+  Judge judge(f, resolution_of(f, touched ? 0.5 * seen.contact_columns : nan, touched ? 0.5 * seen.contact_rows : nan,
+                               seen.plastic_layers));
+  judge.of_cells();
+  judge.of_depth();
+  judge.of_textures();
+  judge.of_step();
+  judge.of_size();
+  judge.of_course(totals);
+  judge.of_tolerances();
+  return std::move(judge).result();
+}
+
+} // namespace
+
+Quality expected_quality(const TuggingCase& c, const TuggingPlan& plan)
+{
+  return before(facts(c, plan));
+}
+Quality expected_quality(const IndentationCase& c, const IndentationPlan& plan)
+{
+  return before(facts(c, plan));
+}
+Quality expected_quality(const RollingCase& c, const RollingPlan& plan)
+{
+  return before(facts(c, plan));
+}
+Quality quality(const TuggingCase& c, const TuggingPlan& plan, const RunTotals& totals)
+{
+  return after(facts(c, plan), totals);
+}
+Quality quality(const IndentationCase& c, const IndentationPlan& plan, const RunTotals& totals)
+{
+  return after(facts(c, plan), totals);
+}
+Quality quality(const RollingCase& c, const RollingPlan& plan, const RunTotals& totals)
+{
+  return after(facts(c, plan), totals);
+}
+
+std::string resolution_text(const Resolution& r)
+{
+  if (std::isnan(r.cells))
+    return "resolution: no contact";
+  std::string text = fmt::format("resolution: {:.3g} x {:.3g} cells per contact radius", r.cells_x, r.cells_y);
+  if (r.plastic_layers)
+    text += *r.plastic_layers > 0 ? fmt::format(", {} layers through the plastic zone", *r.plastic_layers)
+                                  : ", nothing yields";
+  if (!r.expected_errors.empty())
+    text += fmt::format("; error to be expected, an estimate from the convergence tables: {}",
+                        errors_text(r.expected_errors));
+  return text;
+}
+
+std::optional<std::string> reason_against_cells(const std::array<double, 3>& spacing, double half_x, double half_y)
+{
+  constexpr double rounding = 1e-9;
+  if (spacing[0] <= half_x * (1.0 + rounding) && spacing[1] <= half_y * (1.0 + rounding))
+    return std::nullopt;
+  return fmt::format("cells of {} x {} for a contact of about {} x {}, half-widths; allowed: at least one cell per "
+                     "half-width, {:g} or more for useful results",
+                     length_text(spacing[0]), length_text(spacing[1]), length_text(half_x), length_text(half_y),
+                     fewest_cells);
+}
+
+std::optional<std::string> reason_against_shift(double shift, double half_x)
+{
+  const double longest = 2.0 * half_x;
+  if (shift <= longest)
+    return std::nullopt;
+  return fmt::format(
+      "is longer than the contact, about {}, and would jump over material that is never touched; allowed: up "
+      "to that, at most {} for useful results",
+      length_text(longest), length_text(longest_share_of_radius * half_x));
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace brinell::cli
+{
+
+namespace
+{
+
+using Json = nlohmann::json;
+
+/// A rigid ball on a flat that yields, by load: some tenths of a second with few cells.
+constexpr const char* press = R"(scenario = "indentation"
+lower = {shape = {type = "flat"}, material = {young_modulus = "210 GPa", poisson_ratio = 0.3, hardening = {law = "perfect", yield_stress = "1 GPa"}}}
+upper = {shape = {type = "sphere", radius = "1 mm"}, material = {rigid = true}}
+[indentation]
+load = ["5 N", 0]
+steps = 6
+[grid]
+resolution = 7
+[output]
+snapshots = "none"
+)";
+
+class QualityOfRuns : public Program
+{
+protected:
+  void SetUp() override
+  {
+    Program::SetUp();
+    write("case.toml", press);
+  }
+  [[nodiscard]] Json summary() const { return Json::parse(file_text(folder() / "out" / "summary.json")); }
+  /// Keys of the warnings in the summary of a run with these options.
+  std::vector<std::string> keys_of(std::vector<std::string> options)
+  {
+    std::vector<std::string> arguments{"run", "case.toml", "-o", "out", "-q"};
+    for (std::string& option : options)
+    {
+      arguments.emplace_back("--set");
+      arguments.push_back(std::move(option));
+    }
+    m_outcome = run(arguments);
+    EXPECT_EQ(m_outcome.exit_code, 0) << m_outcome.err;
+    std::vector<std::string> keys;
+    const Json read = summary();
+    for (const Json& warning : read.at("warnings"))
+    {
+      keys.push_back(warning.at("key"));
+      EXPECT_NE(m_outcome.err.find(warning.at("text").get<std::string>()), std::string::npos) << m_outcome.err;
+    }
+    return keys;
+  }
+  [[nodiscard]] const Outcome& outcome() const { return m_outcome; }
+
+private:
+  Outcome m_outcome;
+};
+
+using Keys = std::vector<std::string>;
+
+TEST_F(QualityOfRuns, AGoodRunIsSilentAndTellsItsResolution)
+{
+  EXPECT_EQ(keys_of({}), Keys{});
+  EXPECT_EQ(outcome().err, "");
+  const Json resolution = summary().at("resolution");
+  EXPECT_GT(resolution.at("cells_per_contact_radius").get<double>(), 6.0);
+  EXPECT_GT(resolution.at("layers_of_plastic_zone").get<int>(), 4);
+  EXPECT_GT(resolution.at("expected_errors").at("hardness").get<double>(), 0.0);
+  const Outcome loud = run({"run", "case.toml", "-o", "out"});
+  EXPECT_NE(loud.out.find("resolution: "), std::string::npos) << loud.out;
+}
+
+TEST_F(QualityOfRuns, WarningsAreToldAlsoWhenQuiet)
+{
+  EXPECT_EQ(keys_of({"grid.resolution=3"}), Keys{"coarse_contact"});
+  EXPECT_EQ(keys_of({"lower.material.hardening.yield_stress=20 GPa"}), Keys{"no_yield"});
+  EXPECT_EQ(keys_of({"solver.contact_tolerance=0.05"}), Keys{"loose_tolerance"});
+  EXPECT_EQ(keys_of({"lower.texture={type=\"bump\", height=\"1 nm\", radius=\"2 um\", x=\"50 um\"}"}),
+            Keys{"coarse_texture"});
+  const Keys hard = keys_of({"indentation.load=[\"2000 N\", 0]", "grid.resolution=6", "grid.extent=1.4"});
+  EXPECT_EQ(std::count(hard.begin(), hard.end(), "large_strain"), 1);
+}
+
+TEST_F(QualityOfRuns, CheckTellsBefore)
+{
+  const Outcome coarse = run({"check", "case.toml", "--set", "grid.resolution=2.5"});
+  EXPECT_EQ(coarse.exit_code, 0);
+  EXPECT_NE(coarse.err.find("2.5 x 2.5 cells per radius"), std::string::npos) << coarse.err;
+  EXPECT_NE(coarse.out.find("# Resolution: 2.5 x 2.5 cells per contact radius"), std::string::npos) << coarse.out;
+  const Outcome elastic = run({"check", "case.toml", "--set", "upper.shape.radius=1"});
+  EXPECT_NE(elastic.err.find("nothing will yield"), std::string::npos) << elastic.err;
+  EXPECT_EQ(run({"check", "case.toml"}).err, "");
+}
+
+TEST_F(QualityOfRuns, WhatComputesNothingIsRefused)
+{
+  const Outcome cells = run({"run", "case.toml", "--set", "grid.spacing=[\"1 mm\", \"1 mm\", \"1 mm\"]", "-o", "out"});
+  EXPECT_EQ(cells.exit_code, 2);
+  EXPECT_NE(cells.err.find("grid.spacing"), std::string::npos) << cells.err;
+  EXPECT_NE(cells.err.find("at least one cell per half-width"), std::string::npos) << cells.err;
+  const Outcome loose = run({"run", "case.toml", "--set", "solver.contact_tolerance=0.9", "-o", "out"});
+  EXPECT_EQ(loose.exit_code, 2);
+  EXPECT_NE(loose.err.find("allowed: number in (0, 0.1)"), std::string::npos) << loose.err;
+  write("tug.toml", quick_case);
+  const Outcome shift = run({"run", "tug.toml", "--set", "tugging.shift=1 m", "-o", "out"});
+  EXPECT_EQ(shift.exit_code, 2);
+  EXPECT_NE(shift.err.find("tugging.shift"), std::string::npos) << shift.err;
+  EXPECT_NE(shift.err.find("longer than the contact"), std::string::npos) << shift.err;
+  EXPECT_FALSE(fs::exists(folder() / "out"));
+}
+
+// --- Accuracy --------------------------------------------------------------------------------------------------------
+
+TEST_F(QualityOfRuns, AccuracyRunsASeries)
+{
+  const Outcome series = run({"run", "case.toml", "-o", "out", "--set", "grid.resolution=4", "--accuracy", "40%"});
+  ASSERT_EQ(series.exit_code, 0) << series.err;
+  EXPECT_NE(series.out.find("accuracy 40 % reached"), std::string::npos) << series.out;
+  EXPECT_NE(series.out.find("indents[0].hardness_Pa"), std::string::npos) << series.out;
+  const Json read = summary();
+  const Json& accuracy = read.at("accuracy");
+  EXPECT_EQ(accuracy.at("asked"), 0.4);
+  EXPECT_TRUE(accuracy.at("reached").get<bool>());
+  ASSERT_EQ(accuracy.at("runs").size(), 3u);
+  EXPECT_EQ(accuracy.at("runs")[2].at("spacing_m"), read.at("grid").at("spacing_m")) << "the finest is the result";
+  EXPECT_NEAR(accuracy.at("runs")[0].at("cells").get<double>(), 2.0, 1e-12);
+  for (const Json& name : accuracy.at("key_numbers"))
+  {
+    const Json& number = accuracy.at("numbers").at(name.get<std::string>());
+    EXPECT_LE(number.at("low").get<double>(), number.at("value").get<double>()) << name;
+    EXPECT_GE(number.at("high").get<double>(), number.at("value").get<double>()) << name;
+    EXPECT_LE(number.at("relative_error").get<double>(), 0.4) << name;
+  }
+  EXPECT_EQ(accuracy.at("numbers").at("indents[0].hardness_Pa").at("value"), read.at("indents")[0].at("hardness_Pa"));
+  for (const char* file : {"history.csv", "summary.json", "result.vtkhdf", "resolved.toml"})
+    EXPECT_TRUE(fs::exists(folder() / "out" / file)) << file;
+  EXPECT_TRUE(fs::exists(folder() / "out" / "accuracy" / "2" / "summary.json"));
+  EXPECT_FALSE(fs::exists(folder() / "out" / "accuracy" / "3"));
+  EXPECT_EQ(file_text(folder() / "out" / "resolved.toml"),
+            file_text(folder() / "out" / "accuracy" / "1" / "resolved.toml"));
+}
+
+TEST_F(QualityOfRuns, AnAccuracyThatIsMissedIsTold)
+{
+  const Outcome series =
+      run({"run", "case.toml", "-o", "out", "-q", "--set", "grid.resolution=2", "--set", "solver.accuracy=0.0001 %"});
+  ASSERT_EQ(series.exit_code, 0) << series.err;
+  EXPECT_NE(series.err.find("is not reached"), std::string::npos) << series.err;
+  const Json read = summary();
+  EXPECT_FALSE(read.at("accuracy").at("reached").get<bool>());
+  EXPECT_EQ(read.at("accuracy").at("runs").size(), 5u);
+  EXPECT_EQ(read.at("warnings").back().at("key"), "accuracy_missed");
+}
+
+TEST_F(QualityOfRuns, BadAccuracies)
+{
+  for (const char* bad : {"0", "-1%", "60 %", "much", "1 percent"})
+  {
+    const Outcome outcome = run({"check", "case.toml", "--set", std::string("solver.accuracy=") + bad});
+    EXPECT_EQ(outcome.exit_code, 2) << bad;
+    EXPECT_NE(outcome.err.find("solver.accuracy"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("allowed: number in (0, 0.5]"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(QualityOfRuns, AnInterruptedSeriesTakesOverWhatIsFinished)
+{
+  const std::vector<std::string> arguments{"run",   "case.toml",         "-o",         "out",
+                                           "--set", "grid.resolution=4", "--accuracy", "40%"};
+  ASSERT_EQ(run(arguments).exit_code, 0);
+  const Json whole = summary();
+  // As if it had been killed in the last run: no summary, two finished coarser runs.
+  fs::remove(folder() / "out" / "summary.json");
+  std::vector<std::string> resumed = arguments;
+  resumed.emplace_back("--resume");
+  const Outcome outcome = run(resumed);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("run 2 for the accuracy, cells of 1.41 times the size: taken over"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find("run 3 for the accuracy, cells of 1 times the size: taken over"), std::string::npos);
+  EXPECT_EQ(summary().at("accuracy"), whole.at("accuracy"));
+
+  // A finished run of another case is not taken over.
+  fs::remove(folder() / "out" / "summary.json");
+  const fs::path stranger = folder() / "out" / "accuracy" / "2" / "resolved.toml";
+  const std::string text = file_text(stranger);
+  std::ofstream(stranger) << text << "# another\n";
+  const Outcome again = run(resumed);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.err.find("run 2 for the accuracy, cells of 1.41 times the size: taken over"), std::string::npos)
+      << again.err;
+  EXPECT_EQ(summary().at("accuracy"), whole.at("accuracy"));
+}
+
+} // namespace
+
+} // namespace brinell::cli

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/simulation/convergence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+constexpr double rounding = 1e-9; // of the bisection for the order
+
+/// 7 + 3 h^order at cells that fall by `ratio`.
+Convergence of_power(double order, double ratio, int runs = 3)
+{
+  std::vector<double> cells, values;
+  for (int i = 0; i < runs; ++i)
+  {
+    cells.push_back(std::pow(ratio, -i));
+    values.push_back(7.0 + 3.0 * std::pow(cells.back(), order));
+  }
+  return convergence(cells, values, 0.0);
+}
+
+TEST(Convergence, FindsTheOrderAndTheLimitOfAPower)
+{
+  for (const double order : {1.0, 1.5, 2.0})
+    for (const double ratio : {std::sqrt(2.0), 1.5, 2.0})
+    {
+      const Convergence c = of_power(order, ratio);
+      EXPECT_NEAR(c.order, order, rounding);
+      EXPECT_NEAR(c.extrapolated, 7.0, 1e-8);
+      EXPECT_LT(c.low, 7.0);
+      EXPECT_GT(c.high, 7.0);
+      EXPECT_NEAR(c.high - c.value, 1.25 * (c.value - 7.0), 1e-8) << "Roache's safety factor on the true error";
+      EXPECT_NEAR(c.relative_error, (c.high - c.value) / c.value, 1e-12);
+    }
+}
+
+TEST(Convergence, TakesAnyRatiosOfCells)
+{
+  const std::vector<double> cells{3.0, 2.0, 1.7};
+  std::vector<double> values;
+  for (const double h : cells)
+    values.push_back(1.0 - 0.1 * std::pow(h, 1.5));
+  const Convergence c = convergence(cells, values, 0.0);
+  EXPECT_NEAR(c.order, 1.5, 1e-8);
+  EXPECT_NEAR(c.extrapolated, 1.0, 1e-8);
+}
+
+TEST(Convergence, OfTwoRunsAssumesTheFirstOrderAndDoublesTheSafety)
+{
+  const Convergence c = of_power(1.0, 2.0, 2);
+  EXPECT_TRUE(std::isnan(c.order));
+  EXPECT_TRUE(std::isnan(c.extrapolated));
+  EXPECT_NEAR(c.high - c.value, 3.0 * (c.value - 7.0), 1e-9);
+}
+
+TEST(Convergence, ToAndFroHasNoOrderButAWideInterval)
+{
+  const Convergence c = convergence(std::vector{4.0, 2.0, 1.0}, std::vector{10.0, 10.4, 10.1}, 0.0);
+  EXPECT_TRUE(std::isnan(c.order));
+  EXPECT_TRUE(std::isnan(c.extrapolated));
+  EXPECT_NEAR(c.high - c.value, 3.0 * 0.4, 1e-12);
+}
+
+TEST(Convergence, DivergenceHasNoOrderEither)
+{
+  const Convergence c = convergence(std::vector{4.0, 2.0, 1.0}, std::vector{10.0, 10.1, 10.4}, 0.0);
+  EXPECT_TRUE(std::isnan(c.order));
+  EXPECT_GE(c.high - c.value, 3.0 * 0.3);
+}
+
+TEST(Convergence, AnOrderThatIsTooGoodIsNotBelieved)
+{
+  // The last difference is small by accident: as if of second order it would be 0.25, not 0.001.
+  const Convergence c = convergence(std::vector{4.0, 2.0, 1.0}, std::vector{11.0, 10.0, 9.999}, 0.0);
+  EXPECT_GT(c.order, 2.0);
+  EXPECT_NEAR(c.high - c.value, 3.0 * 0.25 / 3.0, 1e-9);
+}
+
+TEST(Convergence, ConvergedValuesKeepTheErrorOfTheSolver)
+{
+  const Convergence c = convergence(std::vector{4.0, 2.0, 1.0}, std::vector{5.0, 5.0, 5.0}, 0.0);
+  EXPECT_EQ(c.extrapolated, 5.0);
+  EXPECT_NEAR(c.relative_error, 1e-4, 1e-12);
+}
+
+TEST(Convergence, NumbersNearZeroAreMeasuredByTheirScale)
+{
+  const Convergence c = convergence(std::vector{4.0, 2.0, 1.0}, std::vector{4e-3, -1e-3, 1e-3}, 100.0);
+  EXPECT_NEAR(c.relative_error, 3.0 * 5e-3 / 100.0, 1e-12);
+  EXPECT_EQ(convergence(std::vector{2.0, 1.0}, std::vector{0.0, 0.0}, 0.0).relative_error, 0.0);
+}
+
+TEST(Convergence, RefusesWhatIsNoSeries)
+{
+  EXPECT_THROW((void)convergence(std::vector{1.0}, std::vector{1.0}, 0.0), InputError);
+  EXPECT_THROW((void)convergence(std::vector{1.0, 2.0}, std::vector{1.0, 1.0}, 0.0), InputError);
+  EXPECT_THROW((void)convergence(std::vector{2.0, 1.0}, std::vector{1.0}, 0.0), InputError);
+}
+
+} // namespace
+} // namespace brinell::simulation

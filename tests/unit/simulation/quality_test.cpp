@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/quality.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+/// A ball on a flat that yields; the contact is about 0.2 mm wide.
+RollingCase ball_on_flat()
+{
+  RollingCase c;
+  c.lower = {Plane{}, {{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}}};
+  c.upper = {Paraboloid{5e-3, 5e-3}, {{210e9, 0.3}, {}}};
+  c.drive = {contact::Drive::Kind::load, 150.0};
+  c.distance = 1e-3;
+  return c;
+}
+
+/// What a run with good cells has seen.
+RunTotals good_totals(const RollingCase& c)
+{
+  const RollingPlan p = plan(c);
+  RunTotals t;
+  t.coverage = {static_cast<int>(2.0 * p.half_width_x / p.contact.dx),
+                static_cast<int>(2.0 * p.half_width_y / p.contact.dy), 20, 1e-3};
+  t.max_equivalent_plastic_strain = 0.01;
+  t.energy_balance_error = 1e-3;
+  return t;
+}
+
+std::vector<std::string> keys(const Quality& quality)
+{
+  std::vector<std::string> result;
+  for (const Warning& warning : quality.warnings)
+    result.push_back(warning.key);
+  return result;
+}
+
+using Keys = std::vector<std::string>;
+
+Keys before(const RollingCase& c)
+{
+  return keys(expected_quality(c, plan(c)));
+}
+
+Keys after(const RollingCase& c, const RunTotals& totals)
+{
+  return keys(quality(c, plan(c), totals));
+}
+
+TEST(Quality, AGoodRunHasNoWarnings)
+{
+  const RollingCase c = ball_on_flat();
+  EXPECT_EQ(before(c), Keys{});
+  EXPECT_EQ(after(c, good_totals(c)), Keys{});
+}
+
+TEST(Quality, TheSmallerOfBothDirectionsIsTold)
+{
+  const RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.coverage.contact_columns = 17;
+  t.coverage.contact_rows = 9;
+  const Resolution r = quality(c, plan(c), t).resolution;
+  EXPECT_EQ(r.cells_x, 8.5);
+  EXPECT_EQ(r.cells_y, 4.5);
+  EXPECT_EQ(r.cells, 4.5);
+  EXPECT_EQ(r.plastic_layers, 20);
+  EXPECT_NE(resolution_text(r).find("8.5 x 4.5 cells per contact radius, 20 layers"), std::string::npos);
+}
+
+TEST(Quality, CoarseContact)
+{
+  RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.coverage.contact_columns = 11; // 5.5 per radius
+  EXPECT_EQ(after(c, t), Keys{"coarse_contact"});
+  t = good_totals(c);
+  t.coverage.contact_rows = 5; // across the motion half as many are enough, not 2.5
+  EXPECT_EQ(after(c, t), Keys{"coarse_contact"});
+  c.resolution = 3.0;
+  EXPECT_EQ(before(c), Keys{"coarse_contact"});
+  c.resolution = 1.5;
+  EXPECT_NE(expected_quality(c, plan(c)).warnings.at(0).text.find("no number"), std::string::npos);
+}
+
+TEST(Quality, ExpectedErrorsFollowTheTables)
+{
+  const RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.coverage.contact_columns = t.coverage.contact_rows = 8; // four per radius, as in the table
+  Quality q = quality(c, plan(c), t);
+  ASSERT_EQ(q.resolution.expected_errors.at(0).quantity, "rut");
+  const double at_four = q.resolution.expected_errors.at(0).relative;
+  EXPECT_NEAR(at_four, 0.05, 1e-12);
+  t.coverage.contact_columns = t.coverage.contact_rows = 16;
+  EXPECT_NEAR(quality(c, plan(c), t).resolution.expected_errors.at(0).relative, at_four / std::pow(2.0, 1.5), 1e-12);
+  t.coverage.contact_columns = t.coverage.contact_rows = 1;
+  for (const ExpectedError& e : quality(c, plan(c), t).resolution.expected_errors)
+    EXPECT_LE(e.relative, 1.0);
+}
+
+TEST(Quality, CoarseDepth)
+{
+  const RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.coverage.plastic_layers = 3;
+  EXPECT_EQ(after(c, t), Keys{"coarse_depth"});
+}
+
+TEST(Quality, NothingYields)
+{
+  RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.max_equivalent_plastic_strain = 0.0;
+  t.coverage.plastic_layers = 0;
+  EXPECT_EQ(after(c, t), Keys{"no_yield"});
+  c.drive.value = 1.0;
+  EXPECT_EQ(before(c), Keys{"no_yield"});
+  c.lower.material.hardening.reset(); // elastic on purpose
+  EXPECT_EQ(before(c), Keys{});
+  EXPECT_EQ(after(c, t), Keys{});
+}
+
+TEST(Quality, CourseOfTheRun)
+{
+  const RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.max_equivalent_plastic_strain = 0.06;
+  EXPECT_EQ(after(c, t), Keys{"large_strain"});
+  t = good_totals(c);
+  t.energy_balance_error = -0.03;
+  EXPECT_EQ(after(c, t), Keys{"energy_balance"});
+  t.energy_balance_error = std::nan("");
+  EXPECT_EQ(after(c, t), Keys{"energy_balance"});
+  t = good_totals(c);
+  t.split_increments = 2;
+  EXPECT_EQ(after(c, t), Keys{"split_increments"});
+}
+
+TEST(Quality, StepsAndTolerancesAndSizes)
+{
+  RollingCase c = ball_on_flat();
+  c.shift = 0.5 * plan(c).half_width_x;
+  EXPECT_EQ(before(c), Keys{"long_step"});
+  c = ball_on_flat();
+  c.solver.contact_tolerance = 0.05;
+  EXPECT_EQ(before(c), Keys{"loose_tolerance"});
+  c = ball_on_flat();
+  for (ShapedBody* body : {&c.lower, &c.upper})
+    body->material.elastic.young_modulus *= 1e4;
+  c.lower.material.hardening = constitutive::PerfectPlasticity{1e5};
+  c.drive.value = 1e-2;
+  EXPECT_EQ(before(c), Keys{"small_size"});
+}
+
+TEST(Quality, TexturesFinerThanTheCells)
+{
+  RollingCase c = ball_on_flat();
+  const double cell = plan(c).contact.dx;
+  c.lower.texture = Dent{0.0, 0.0, 1e-6, 3.0 * cell};
+  EXPECT_EQ(before(c), Keys{"coarse_texture"});
+  EXPECT_EQ(after(c, good_totals(c)), Keys{"coarse_texture"});
+  c.lower.texture = Dent{0.0, 0.0, 1e-6, 5.0 * cell};
+  EXPECT_EQ(before(c), Keys{});
+  c.upper.texture = HeightMap{3, 3, 0.5 * cell, cell, 0.0, 0.0, std::vector<double>(9, 0.0)};
+  EXPECT_EQ(before(c), Keys{"coarse_texture"});
+  c.upper.texture = HeightMap{3, 3, cell, cell, 0.0, 0.0, std::vector<double>(9, 0.0)};
+  EXPECT_EQ(before(c), Keys{});
+}
+
+TEST(Quality, CellsAndStepsBeyondTheContactAreRefused)
+{
+  EXPECT_FALSE(reason_against_cells({1e-5, 1e-5, 1e-5}, 1e-5, 1e-5));
+  EXPECT_TRUE(reason_against_cells({1.1e-5, 1e-5, 1e-5}, 1e-5, 1e-5));
+  EXPECT_TRUE(reason_against_cells({1e-5, 1.1e-5, 1e-5}, 1e-5, 1e-5));
+  EXPECT_FALSE(reason_against_shift(2e-5, 1e-5));
+  EXPECT_TRUE(reason_against_shift(2.1e-5, 1e-5));
+}
+
+TEST(Texture, FinerThanTheCellsCountsWithItsMean)
+{
+  // Columns of height 0 and 2e-6, two per cell: a point sample would find one or the other.
+  HeightMap map{100, 100, 1e-6, 1e-6, 0.0, 0.0, std::vector<double>(10000)};
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
+    map.heights[i] = i % 2 == 0 ? 0.0 : 2e-6;
+  const Texture texture = map;
+  // Bilinear teeth of 2 um period, read over 4 um: the mean to the spacing of the samples.
+  EXPECT_NEAR(cell_depth(texture, 0.3e-6, 0.0, 4e-6, 4e-6), -1e-6, 0.05e-6);
+  EXPECT_EQ(cell_depth(texture, 0.3e-6, 0.0, 1e-6, 1e-6), depth(texture, 0.3e-6, 0.0)); // resolved: as it is
+  // A bump between the centres of cells is no longer lost.
+  const Texture bump = Dent{5e-6, 5e-6, -1e-6, 4e-6};
+  EXPECT_NEAR(depth(bump, 0.0, 0.0), 0.0, 1e-12);
+  EXPECT_LT(cell_depth(bump, 0.0, 0.0, 10.5e-6, 10.5e-6), -1e-9);
+}
+
+} // namespace
+} // namespace brinell::simulation

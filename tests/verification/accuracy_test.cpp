@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/accuracy.hpp"
+#include "brinell/io/summary_json.hpp"
+#include "record.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace brinell::verification
+{
+namespace
+{
+
+io::Level run_with(const io::Case& given, double cells)
+{
+  const io::Case c = io::with_cells(given, cells);
+  return std::visit(
+      [&](const auto& scenario)
+      {
+        const auto summary = simulation::run(scenario);
+        const auto plan = simulation::plan(scenario);
+        return io::level_of(io::summary_text(c, plan, summary, {}), cells);
+      },
+      c.scenario);
+}
+
+struct Sample
+{
+  const char* name;
+  const char* text;
+};
+
+constexpr const char* steel =
+    R"({young_modulus = "210 GPa", poisson_ratio = 0.3, hardening = {law = "linear", yield_stress = "1 GPa", modulus = "5 GPa"}})";
+constexpr const char* perfect =
+    R"({young_modulus = "200 GPa", poisson_ratio = 0.32, hardening = {law = "perfect", yield_stress = "0.9115 GPa"}})";
+constexpr const char* copper =
+    R"({young_modulus = "120 GPa", poisson_ratio = 0.34, hardening = {law = "swift", coefficient = "300 MPa", offset = 0.002, exponent = 0.3}})";
+constexpr const char* elastic = R"({young_modulus = "210 GPa", poisson_ratio = 0.3})";
+
+std::string body(const char* name, const char* shape, const char* material)
+{
+  return fmt::format("{} = {{shape = {}, material = {}}}\n", name, shape, material);
+}
+
+constexpr const char* ball = R"({type = "sphere", radius = "1 mm"})";
+constexpr const char* flat = R"({type = "flat"})";
+
+std::string pair(const char* scenario, const char* lower_shape, const char* lower, const char* upper_shape,
+                 const char* upper)
+{
+  return fmt::format("scenario = \"{}\"\n", scenario) + body("lower", lower_shape, lower) +
+         body("upper", upper_shape, upper);
+}
+
+std::string resolution(double cells)
+{
+  return fmt::format("[grid]\nresolution = {}\nextent = 1.2\n", cells);
+}
+
+/// Small cases of all scenarios.
+std::vector<std::pair<std::string, std::string>> samples()
+{
+  return {
+      {"tugging, perfect, 9 alpha_c",
+       pair("tugging", ball, perfect, ball, perfect) + "[tugging]\ninterference = 9\n" + resolution(5)},
+      {"tugging, hardening, 4 alpha_c",
+       pair("tugging", ball, steel, ball, steel) + "[tugging]\ninterference = 4\n" + resolution(5)},
+      {"tugging, one body elastic, 6 alpha_c",
+       pair("tugging", ball, steel, ball, elastic) + "[tugging]\ninterference = 6\n" + resolution(4)},
+      {"tugging under a load, 5 P_c",
+       pair("tugging", ball, steel, ball, elastic) + "[tugging]\nload = 5\n" + resolution(4)},
+      {"elastic tugging", pair("tugging", ball, elastic, ball, elastic) +
+                              "[tugging]\nnormalised = false\ninterference = \"1 um\"\n" + resolution(5)},
+      {"ball on a flat, by load", pair("indentation", flat, steel, ball, elastic) +
+                                      "[indentation]\nload = [\"10 N\", 0]\nsteps = 8\n" + resolution(5)},
+      {"two balls, by approach", pair("indentation", ball, perfect, ball, perfect) +
+                                     "[indentation]\nnormalised = true\napproach = [10, 0]\nsteps = 8\n" +
+                                     resolution(5)},
+      {"cone on copper",
+       pair("indentation", flat, copper, R"({type = "cone", half_angle = 75, tip_radius = "1 um"})", elastic) +
+           "[indentation]\napproach = [\"1 um\", 0]\nsteps = 8\n" + resolution(5)},
+      {"rolling ball", pair("rolling", flat, steel, R"({type = "sphere", radius = "5 mm"})", elastic) +
+                           "[rolling]\nhertz_pressure = \"2.5 GPa\"\ndistance = \"0.6 mm\"\nload_steps = 3\n" +
+                           resolution(4)},
+      {"rolling ball with sliding",
+       pair("rolling", flat, perfect, R"({type = "sphere", radius = "5 mm"})", elastic) +
+           "[rolling]\nhertz_pressure = \"2.2 GPa\"\ndistance = \"0.6 mm\"\nload_steps = 3\nslide_to_roll = 0.5\n" +
+           resolution(4)},
+  };
+}
+
+// The estimate of three runs must hold what a run with half of the finest cells finds: that one is not part of it.
+TEST(Accuracy, TheIntervalHoldsTheRunThatIsTwiceAsFine)
+{
+  int numbers = 0, held = 0;
+  std::printf("  %-38s %-28s %12s %12s %12s %12s %6s\n", "case", "number", "value", "low", "high", "twice as fine",
+              "order");
+  for (const auto& [name, text] : samples())
+  {
+    const io::Case c = io::parse_case(text, "sample.toml");
+    std::vector<io::Level> levels;
+    for (const double cells : {2.0, std::sqrt(2.0), 1.0})
+      levels.push_back(run_with(c, cells));
+    const io::Accuracy accuracy = io::accuracy_of(c, levels);
+    const io::Level finer = run_with(c, 0.5);
+    EXPECT_GE(accuracy.key_numbers.size(), 3u) << name;
+    for (const std::string& key : accuracy.key_numbers)
+    {
+      const simulation::Convergence& n = accuracy.numbers.at(key);
+      const double found = finer.numbers.at(key);
+      const bool holds = n.low <= found && found <= n.high;
+      ++numbers;
+      held += holds ? 1 : 0;
+      std::printf("%s %-38s %-28s %12.5g %12.5g %12.5g %12.5g %6.2g\n", holds ? " " : "!", name.c_str(), key.c_str(),
+                  n.value, n.low, n.high, found, n.order);
+      EXPECT_TRUE(holds) << name << ", " << key << ": " << found << " is not in [" << n.low << ", " << n.high << "]";
+    }
+  }
+  test::expect_within("share of the key numbers whose interval holds the run with half of the cells",
+                      static_cast<double>(held) / numbers, 0.95, 1.0, "Roache (1994): 95 % with these safety factors");
+}
+
+} // namespace
+} // namespace brinell::verification
