@@ -172,8 +172,9 @@ class Case:
             progress: show a bar, or call this function after each step.
             threads: how many; None: as OpenMP decides.
             resume: go on with a run of this case that was stopped in that folder.
-            accuracy: largest relative error of the key numbers that is accepted, 0.01 or "1 %": runs the case with coarser
-                cells first, and with finer ones as long as needed; `Run.accuracy` then tells the interval of each number.
+            accuracy: largest relative error of the key numbers that is accepted, 0.01 or "1 %": runs the case with
+                coarser cells first, and with finer ones as long as needed; `Run.accuracy` then tells the interval of
+                each number.
 
         Returns:
             The results; with an accuracy, those of the finest cells.
