@@ -48,7 +48,8 @@ private:
 [[nodiscard]] Handle create_file(const std::filesystem::path& path);
 /// A file in memory, to be written in one piece by `save_file`: HDF5 crashes when a full disk does not let it close a file.
 [[nodiscard]] Handle create_file_in_memory();
-void save_file(Handle file, const std::filesystem::path& path);
+/// The bytes of a file in memory.
+[[nodiscard]] std::string file_image(Handle file);
 [[nodiscard]] Handle open_file(const std::filesystem::path& path);
 /// Closes the file; unlike the destructor it reports data that could not be written.
 void close_file(Handle file);
@@ -96,7 +97,7 @@ struct VirtualPart
 void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
                            std::span<const VirtualPart> parts);
 
-/// Plain numbers, as they are.
+/// Plain numbers, as they are. What is read is trusted in nothing: types and sizes are checked.
 void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values);
 [[nodiscard]] std::vector<double> read_numbers(const Handle& group, const std::string& name);
 /// Names of the objects in a group.
@@ -112,5 +113,8 @@ void link_external(const Handle& group, const std::string& name, const std::stri
 
 /// Copies a group from another file without decompressing it.
 void copy_group(const Handle& from, const std::string& object, const Handle& to, const std::string& name);
+
+/// @throws IoError unless each dataset of a group is in the other one too, with the same bytes as they are stored
+void require_same_datasets(const Handle& group, const Handle& other);
 
 } // namespace brinell::io::h5

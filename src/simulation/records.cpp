@@ -5,6 +5,8 @@
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/tugging.hpp"
 
+#include <limits>
+
 namespace brinell::simulation
 {
 
@@ -26,8 +28,8 @@ void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
 
 void StepRecord::exchange(Archive& archive)
 {
-  archive("step", step);
-  archive("pass", pass);
+  archive("step", step, 0, std::numeric_limits<int>::max() - 1);
+  archive("pass", pass, 0, std::numeric_limits<int>::max() - 1);
   archive("contact_area", contact_area);
   archive("max_pressure", max_pressure);
   archive("F_n", F_n);

@@ -89,7 +89,7 @@ Stepper::Stepper(const Plan& plan, Setup setup)
 void Stepper::exchange(Archive& archive)
 {
   archive("pair", pair_);
-  archive("split_increments", split_increments_);
+  archive("split_increments", split_increments_, 0, std::numeric_limits<int>::max() - 1);
 }
 
 int Stepper::advance(const std::function<Target(double)>& path, double finest, const std::string& where)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brinell::simulation
 {
@@ -77,7 +78,7 @@ void TrackReader::exchange(Archive& archive)
   archive("dissipation", dissipation_);
   archive("sum_resistance", sum_resistance_);
   archive("sum_pressure", sum_pressure_);
-  archive("count", count_);
+  archive("count", count_, 0, std::numeric_limits<int>::max() - 1);
 }
 
 TrackProfile track_profile(const BodySnapshot& body)
