@@ -176,7 +176,7 @@ void ResultFile::read_index(int finished_steps)
   {
     const Json whole = Json::parse(input_text(path));
     const Json& index = whole.at("pieces");
-    if (whole.at("checksum") != checksum(index.dump()))
+    if (whole.at("format") != index_mark || whole.at("checksum") != checksum(index.dump()))
       throw damaged(path);
     for (const Json& entry : index)
     {

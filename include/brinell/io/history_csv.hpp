@@ -46,7 +46,7 @@ public:
   /// Replaces the file, or goes on after the rows of its first steps.
   /// @param record  of any step, for the names of the columns
   /// @param kept    how many rows; 0: a new file.
-  /// @param sum     checksum that the file had when it ended with these rows
+  /// @param sum     checksum that the file had when it ended with these rows; empty: not compared
   /// @throws IoError, also if what is kept has changed since
   HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
                 std::string_view sum = {});
