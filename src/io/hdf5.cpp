@@ -71,13 +71,18 @@ Handle list_space(hsize_t size)
   return checked(H5Screate_simple(1, &size, nullptr), H5Sclose, "make a data space");
 }
 
-Handle compression(std::span<const hsize_t> dims)
+Handle chunks(std::span<const hsize_t> dims, Storage storage)
 {
   Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a property list");
   std::vector<hsize_t> chunk(dims.begin(), dims.end());
   for (hsize_t& side : chunk)
     side = std::min(side, longest_chunk_side.at(dims.size()));
   check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
+  if (storage == Storage::plain)
+  {
+    check(H5Pset_fletcher32(properties.id()), "set the checksum filter");
+    return properties;
+  }
   check(H5Pset_shuffle(properties.id()), "set the shuffle filter");
   check(H5Pset_deflate(properties.id(), deflate_level), "set the deflate filter");
   return properties;
@@ -94,7 +99,8 @@ Handle selection(std::span<const hsize_t> shape, const Box& box)
 
 template <typename Number>
 void write_described(const Handle& group, const char* name, hid_t type, const std::vector<Number>& values,
-                     std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
+                     std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
+                     Storage storage)
 {
   std::size_t size = 1;
   for (const std::size_t n : shape)
@@ -104,7 +110,7 @@ void write_described(const Handle& group, const char* name, hid_t type, const st
   const std::string what = fmt::format("write the dataset {}", name);
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
   const Handle space = checked(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, what);
-  const Handle properties = compression(dims);
+  const Handle properties = chunks(dims, storage);
   const Handle dataset = checked(
       H5Dcreate2(group.id(), name, type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose, what);
   check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
@@ -220,15 +226,16 @@ void write_fixed_attribute(const Handle& object, const char* name, std::string_v
 }
 
 void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
-                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
+                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
+                   Storage storage)
 {
-  write_described(group, name, H5T_NATIVE_DOUBLE, values, shape, units, long_name);
+  write_described(group, name, H5T_NATIVE_DOUBLE, values, shape, units, long_name, storage);
 }
 
 void write_dataset(const Handle& group, const char* name, const std::vector<int>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
 {
-  write_described(group, name, H5T_NATIVE_INT, values, shape, units, long_name);
+  write_described(group, name, H5T_NATIVE_INT, values, shape, units, long_name, Storage::deflated);
 }
 
 void write_text(const Handle& group, const char* name, std::string_view text)
