@@ -11,7 +11,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from brinell.errors import InputError
 
-__all__ = ["Array", "contiguous", "number", "points", "require_below", "require_poisson", "require_positive", "require_unmasked"]
+__all__ = [
+    "Array",
+    "contiguous",
+    "number",
+    "points",
+    "require_below",
+    "require_poisson",
+    "require_positive",
+    "require_unmasked",
+]
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -41,7 +50,7 @@ def contiguous(values: ArrayLike, name: str) -> Array:
 
 def require_unmasked(values: object, name: str) -> None:
     """Raises InputError if an array is masked somewhere: NumPy would take what lies under the mask for values."""
-    masked = int(np.ma.count_masked(values)) if isinstance(values, np.ma.MaskedArray) else 0
+    masked = int(np.count_nonzero(np.ma.getmaskarray(values))) if isinstance(values, np.ma.MaskedArray) else 0
     if masked > 0:
         raise InputError(f"{name} has {masked} masked values; allowed: a value everywhere")
 

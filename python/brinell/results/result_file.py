@@ -70,9 +70,7 @@ class ResultFile:
             RunError: no step is finished, or it is damaged.
         """
         with tells_damage(self.path, "/history"):
-            columns = {
-                name: np.asarray(column[()], dtype=np.float64) for name, column in self._file["history"].items()
-            }
+            columns = {name: np.asarray(column[()], dtype=np.float64) for name, column in self._file["history"].items()}
             if len({column.shape for column in columns.values()}) > 1 or any(c.ndim != 1 for c in columns.values()):
                 raise ValueError("columns of different lengths")
         if not columns:

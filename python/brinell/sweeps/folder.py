@@ -22,7 +22,16 @@ from brinell.errors import InputError, IoError
 from brinell.sweeps.designs import Point
 from brinell.sweeps.point import Outcome, finished_summary
 
-__all__ = ["FORMAT_VERSION", "Ledger", "flattened", "locked", "read_record", "run_folder", "start_folder", "without_formulas"]
+__all__ = [
+    "FORMAT_VERSION",
+    "Ledger",
+    "flattened",
+    "locked",
+    "read_record",
+    "run_folder",
+    "start_folder",
+    "without_formulas",
+]
 
 FORMAT_VERSION = 1
 _FILES = ("table.csv", "table.parquet", "failures.json")
