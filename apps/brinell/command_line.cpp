@@ -28,7 +28,7 @@ std::string version_text()
 
 constexpr const char* footer = R"(
 Exit codes: 0 done; 1 no convergence, or a file could not be written; 2 an error in the command line or the case;
-130 or 143 interrupted (finished steps stay readable; --resume goes on).
+129, 130 or 143 interrupted (finished steps stay readable; --resume goes on).
 
 A first run:
   brinell new tugging -o first.toml

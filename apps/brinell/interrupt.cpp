@@ -10,15 +10,16 @@ namespace
 // A signal handler can reach nothing but globals.
 volatile std::sig_atomic_t noted_signal = 0;
 
-/// The next one of either kind kills.
+/// The next one of any kind kills.
 void note(int number)
 {
   noted_signal = number;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGHUP, SIG_DFL);
 }
 
-/// A signal that the program was started to ignore, as one in the background of a script is, stays ignored.
+/// A signal that the program was started to ignore, as by nohup or in the background of a script, stays ignored.
 void take(int number, struct sigaction& before)
 {
   sigaction(number, nullptr, &before);
@@ -33,12 +34,14 @@ InterruptGuard::InterruptGuard()
   noted_signal = 0;
   take(SIGINT, m_interrupt);
   take(SIGTERM, m_terminate);
+  take(SIGHUP, m_hang_up);
 }
 
 InterruptGuard::~InterruptGuard()
 {
   sigaction(SIGINT, &m_interrupt, nullptr);
   sigaction(SIGTERM, &m_terminate, nullptr);
+  sigaction(SIGHUP, &m_hang_up, nullptr);
 }
 
 int InterruptGuard::signal()

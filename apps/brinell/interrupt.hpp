@@ -6,7 +6,8 @@
 namespace brinell::app
 {
 
-/// While it lives, the first SIGINT or SIGTERM is only noted, so that a run can end after its step; the second one kills.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP (a terminal that is gone) is only noted, so that a run can end after its
+/// step; the second one kills.
 class InterruptGuard
 {
 public:
@@ -19,7 +20,7 @@ public:
   [[nodiscard]] static int signal();
 
 private:
-  struct sigaction m_interrupt = {}, m_terminate = {}; ///< what was there before
+  struct sigaction m_interrupt = {}, m_terminate = {}, m_hang_up = {}; ///< what was there before
 };
 
 } // namespace brinell::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 
+#include <csignal>
 #include <cstdlib>
 #include <unistd.h>
 
@@ -21,5 +22,6 @@ void wait_passively(char** argv)
 int main(int argc, char** argv)
 {
   wait_passively(argv);
+  std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is told as one that cannot be written
   return brinell::app::command_line({argv + 1, argv + argc});
 }

@@ -4,6 +4,7 @@
 
 #include "brinell/command_line.hpp"
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/fork.hpp"
 #include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/schema.hpp"
@@ -127,6 +128,10 @@ void bind_app(nb::module_& m)
       [](const std::filesystem::path& file, const std::vector<std::string>& overrides)
       { return io::read_case(file, overrides); },
       "file"_a, "overrides"_a);
+  m.def("case_file_text", &io::case_file_text, "file"_a);
+  m.def("machine_memory", &io::machine_memory);
+  m.def("before_fork", &before_fork);
+  m.def("after_fork", &after_fork);
   m.def("library_versions",
         []
         {

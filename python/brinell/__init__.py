@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 # OpenMP reads this when the extension is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
-from brinell import constitutive, contact, elastoplastic, green, halfspace, reference, surfaces
+from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, reference, surfaces
 from brinell.bodies import Berkovich, Body, Bump, Cone, Cylinder, Dent, Ellipsoid, Flat, Sphere, Vickers
 from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
@@ -32,6 +32,9 @@ from brinell.surfaces import HeightMap
 if TYPE_CHECKING:
     from brinell import export, plot, report, sweeps
     from brinell.sweeps import sweep
+
+# A child that multiprocessing forks has only the thread that forked it.
+os.register_at_fork(before=_core.before_fork, after_in_parent=_core.after_fork, after_in_child=_core.after_fork)
 
 __version__ = version("brinell")
 

@@ -11,7 +11,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from brinell.errors import InputError
 
-__all__ = ["Array", "contiguous", "number", "points", "require_below", "require_poisson", "require_positive"]
+__all__ = [
+    "Array",
+    "contiguous",
+    "number",
+    "points",
+    "require_below",
+    "require_poisson",
+    "require_positive",
+    "require_unmasked",
+]
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -24,8 +33,9 @@ def contiguous(values: ArrayLike, name: str) -> Array:
         name: for the message.
 
     Raises:
-        InputError: they are not real and finite.
+        InputError: they are not real and finite, or masked.
     """
+    require_unmasked(values, name)
     try:
         given = np.asarray(values)
         array = np.asarray(given, dtype=np.float64, order="C") if given.dtype.kind in "biuf" else None
@@ -36,6 +46,13 @@ def contiguous(values: ArrayLike, name: str) -> Array:
     if not np.isfinite(array).all():
         raise InputError(f"{name} has values that are not finite")
     return array
+
+
+def require_unmasked(values: object, name: str) -> None:
+    """Raises InputError if an array is masked somewhere: NumPy would take what lies under the mask for values."""
+    masked = int(np.count_nonzero(np.ma.getmaskarray(values))) if isinstance(values, np.ma.MaskedArray) else 0
+    if masked > 0:
+        raise InputError(f"{name} has {masked} masked values; allowed: a value everywhere")
 
 
 def number(value: object, name: str) -> float:

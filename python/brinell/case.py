@@ -72,11 +72,12 @@ class Case:
             overrides: "key=value", as behind --set.
 
         Raises:
-            InputError: the file is missing, or with all problems found, one per line.
+            InputError: the file is missing or no regular one, or with all problems found, one per line.
+            IoError: it cannot be read.
         """
         try:
-            text = Path(path).read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError):
+            text = _core.case_file_text(Path(path))
+        except UnicodeDecodeError:
             _core.read_case(Path(path), [])  # has the message
             raise
         return Case(text, file=path, overrides=overrides)

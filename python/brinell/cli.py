@@ -8,6 +8,7 @@ declares the options once. The others are click commands of this package, import
 from __future__ import annotations
 
 import importlib
+import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
@@ -71,10 +72,22 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `brinell schema | head` ends quietly, as the C++ program does
     completion.answer(root)
     arguments = sys.argv[1:] if arguments is None else list(arguments)
+    strange = [word for word in arguments if not _is_utf8(word)]
+    if strange:
+        sys.exit(_report(f"the argument {os.fsencode(strange[0])!r} is not UTF-8", BAD_INPUT))
     if arguments and arguments[0] in COMMANDS:
         sys.exit(guarded(lambda: root.main(arguments, "brinell", standalone_mode=False)))
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # the engine has its own way to stop a run
     sys.exit(_core.command_line(arguments))
+
+
+def _is_utf8(word: str) -> bool:
+    """Python takes other bytes of the command line for halves of pairs of UTF-16."""
+    try:
+        word.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def guarded(command: Callable[[], Any]) -> int:

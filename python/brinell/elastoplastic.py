@@ -27,7 +27,7 @@ from brinell._reprs import cells
 from brinell.constitutive import Integration
 from brinell.contact import drive_of
 from brinell.errors import ConvergenceError, InputError
-from brinell.halfspace import SurfaceGrid, VolumeGrid
+from brinell.halfspace import SurfaceGrid, VolumeGrid, require_memory
 from brinell.materials import Material
 
 __all__ = ["BodyState", "CoupledContact", "IncrementReport", "Place", "Twin"]
@@ -75,6 +75,10 @@ class IncrementReport:
     displacement_error: float
     gap_error: float
     energy: float
+
+
+_BYTES_OF_BODY = 500
+"""Per cell of a body that can yield, at least: operators and fields."""
 
 
 class BodyState:
@@ -182,6 +186,9 @@ class CoupledContact:
             displacement_tolerance=displacement_tolerance,
             contact_tolerance=contact_tolerance,
         )
+        for grid, material in ((lower, lower_material), (upper, upper_material)):
+            if material.hardening is not None:
+                require_memory(grid.nz * grid.surface.nx * grid.surface.ny, _BYTES_OF_BODY, "a body")
         self.grid = contact
         self._engine = _core.CoupledContact(
             contact._engine,

@@ -28,6 +28,22 @@ from brinell.materials import RIGID, Material
 __all__ = ["HalfSpace", "SurfaceCompliance", "SurfaceGrid", "VolumeGrid"]
 
 
+_SMALLEST, _LARGEST = 1e-30, 1e30
+"""Sizes of cells [m]: beyond them products of three underflow or overflow."""
+_BYTES_OF_SURFACE, _BYTES_OF_VOLUME = 90, 380
+"""Per cell: planning the operator and applying it once, without the arrays that the caller has."""
+
+
+def require_memory(cells: int, bytes_per_cell: float, what: str) -> None:
+    """Raises InputError if a grid cannot fit this machine: planning would take minutes before it fails."""
+    needed, available = cells * bytes_per_cell, _core.machine_memory()
+    if needed > available:
+        raise InputError(
+            f"{what} of {cells:.1e} cells needs some {needed / 1e9:.0f} GB, this machine has {available / 1e9:.0f} GB; "
+            "allowed: fewer cells"
+        )
+
+
 @dataclass(frozen=True)
 class SurfaceGrid:
     """Rectangles dx * dy of a surface, with the origin of x and y in the middle of the grid.
@@ -126,6 +142,7 @@ class SurfaceCompliance:
         Raises:
             InputError: both are rigid, or a material is impossible.
         """
+        require_memory(grid.nx * grid.ny, _BYTES_OF_SURFACE, "a surface")
         self.grid = grid
         self.contact_modulus = _core.contact_modulus(lower._engine, upper._engine)
         """E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
@@ -166,6 +183,7 @@ class HalfSpace:
         """
         if material.is_rigid:
             raise InputError("a rigid body has no stress; allowed: an elastic material")
+        require_memory(grid.nz * grid.surface.nx * grid.surface.ny, _BYTES_OF_VOLUME, "a half space")
         self.grid = grid
         self.material = material
         self._engine = _core.HalfSpace(grid._engine, material._engine)
@@ -238,5 +256,5 @@ def _check_cells(grid: SurfaceGrid | VolumeGrid, counts: tuple[str, ...], sizes:
         object.__setattr__(grid, name, whole)
     for name in sizes:
         size = getattr(grid, name)
-        if not number(size, name) > 0:
-            raise InputError(f"{name} = {size} of a grid; allowed: a length above 0, in m")
+        if not _SMALLEST <= number(size, name) <= _LARGEST:
+            raise InputError(f"{name} = {size} of a grid; allowed: a length from {_SMALLEST:g} to {_LARGEST:g} m")

@@ -22,6 +22,7 @@ import numpy as np
 import tomli_w
 
 from brinell import _core
+from brinell._arrays import require_unmasked
 from brinell.bodies import Quantity
 from brinell.case import plain
 from brinell.errors import InputError
@@ -245,7 +246,9 @@ class _Checked:
     def __call__(self, e: float) -> float:
         if e not in self._known:
             with np.errstate(all="ignore"):
-                value = np.asarray(self._law(np.float64(e)), dtype=np.float64)
+                given = self._law(np.float64(e))
+                require_unmasked(given, "what the hardening law gives")
+                value = np.asarray(given, dtype=np.float64)
             if value.size != 1 or not (np.isfinite(value).all() and value.item() > 0):
                 raise InputError(
                     f"the hardening law gives {value} at a plastic strain of {e:g}; allowed: a stress in Pa"

@@ -9,6 +9,7 @@ Files of measuring instruments are read by SurfaceTopography (pip install "brine
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from brinell._arrays import require_unmasked
 from brinell.errors import InputError, IoError
 
 __all__ = ["HeightMap", "read", "write"]
@@ -25,6 +27,8 @@ FloatArray = NDArray[np.float64]
 
 _TEXT = (".csv", ".txt", ".dat")
 """Endings of text files of heights as texture.file of a case takes them."""
+_LARGEST_TEXT = 100_000_000
+"""Bytes, as of all texts that a case names."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +48,7 @@ class HeightMap:
     y: float = 0.0
 
     def __post_init__(self) -> None:
+        require_unmasked(self.heights, "the height map")
         heights = np.array(self.heights, dtype=np.float64)
         if heights.ndim != 2 or heights.size == 0:
             raise InputError(f"heights have the shape {heights.shape}; allowed: [ny, nx] with one point or more")
@@ -149,7 +154,7 @@ def read(
         if ending == ".npz":
             return _from_npz(path)
         if ending == ".npy":
-            return HeightMap(np.load(path), _needed(spacing, path))
+            return HeightMap(_loaded(path), _needed(spacing, path))
         if ending in _TEXT:
             return HeightMap(_numbers(path), _needed(spacing, path))
         return _from_instrument(path, spacing, unit, fill)
@@ -211,8 +216,15 @@ def _pair(values: ArrayLike) -> tuple[float, float]:
     return float(pair[0]), float(pair[1])
 
 
+def _loaded(path: Path) -> Any:
+    try:
+        return np.load(path)
+    except (EOFError, OSError, ValueError, zipfile.BadZipFile) as error:
+        raise InputError(f"is no file of NumPy arrays of numbers, or damaged ({error})") from error
+
+
 def _from_npz(path: Path) -> HeightMap:
-    with np.load(path) as file:
+    with _loaded(path) as file:
         missing = [name for name in ("heights", "spacing") if name not in file]
         if missing:
             raise InputError(f"holds no {' and no '.join(missing)}, only {', '.join(file) or 'nothing'}")
@@ -222,7 +234,9 @@ def _from_npz(path: Path) -> HeightMap:
 
 def _numbers(path: Path) -> FloatArray:
     """As the case reader does: numbers between commas, semicolons, tabs or blanks; # begins a comment line."""
-    text = path.read_text(encoding="utf-8", errors="replace").translate(str.maketrans(",;\t", "   "))
+    if path.stat().st_size > _LARGEST_TEXT:
+        raise InputError(f"is too large; allowed: up to {_LARGEST_TEXT / 1e6:.0f} MB of text, or a .npy file")
+    text = path.read_text(encoding="utf-8-sig", errors="replace").translate(str.maketrans(",;\t", "   "))
     rows: list[list[float]] = []
     for number, line in enumerate(text.splitlines(), start=1):
         if not line.strip() or line.lstrip().startswith("#"):

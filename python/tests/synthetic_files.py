@@ -189,7 +189,7 @@ def write_indentation(
     return write_folder(
         folder,
         rows,
-        general_summary("indentation", indents=indents_of(rows), **options),
+        general_summary("indentation", indents=indents_of(rows), run={"steps": len(rows)}, **options),
         range(steps - 1, len(rows), steps),
         size=3.0 * CRITICAL["contact_radius_m"],
         finished=finished,
@@ -205,7 +205,7 @@ def write_rolling(
     load_steps, rolling_steps = 3, 10
     rows = rolling_rows(load, passes, load_steps, rolling_steps)
     per_pass = 2 * load_steps + rolling_steps
-    summary = general_summary("rolling", **rolling_results(passes))
+    summary = general_summary("rolling", run={"steps": len(rows)}, **rolling_results(passes))
     summary["case"]["rolling"] = options or {"load": load}
     return write_folder(
         folder,

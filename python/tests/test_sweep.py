@@ -132,13 +132,14 @@ def test_all_cases_are_checked_before_the_first_run(tmp_path: Path) -> None:
 
 def exit_code(*arguments: object) -> int:
     """Of the command in this process."""
-    handler = signal.getsignal(signal.SIGTERM)
+    handlers = {number: signal.getsignal(number) for number in (signal.SIGTERM, signal.SIGHUP)}
     try:
         with pytest.raises(SystemExit) as end:
             main(["sweep", *map(str, arguments)])
         return int(end.value.code or 0)
     finally:
-        signal.signal(signal.SIGTERM, handler)
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
 
 
 def test_command(case_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

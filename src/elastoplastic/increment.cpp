@@ -62,8 +62,9 @@ void CoupledContact::exchange(Archive& archive)
     upper_.adopt(lower_, twin_);
   for (const auto& [name, place] : {std::pair{"lower", &placement_.lower}, {"upper", &placement_.upper}})
   {
-    archive(std::string(name) + ".column", place->column);
-    archive(std::string(name) + ".fraction", place->fraction);
+    constexpr int most_columns = 1 << 28; // differences stay whole numbers
+    archive(std::string(name) + ".column", place->column, -most_columns, most_columns);
+    archive(std::string(name) + ".fraction", place->fraction, 0.0, 1.0);
   }
   archive("approach", approach_);
   archive("pressure", pressure_);

@@ -4,10 +4,10 @@
 #include "case_material.hpp"
 #include "case_reader.hpp"
 #include "case_values.hpp"
+#include "read_file.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <limits>
 
@@ -110,7 +110,8 @@ void set_first_yield(const constitutive::Material& lower, const constitutive::Ma
 
 void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c)
 {
-  constexpr double softest = 1e5; // a gel
+  constexpr double softest = 1e5;   // a gel
+  constexpr double stiffest = 1e15; // a thousand times diamond; far beyond it small numbers of the fields are lost
   const double E = material.elastic.young_modulus;
   if (E < softest)
     c.warnings.push_back(
@@ -118,6 +119,13 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
          fmt::format(
              "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
              name, E, E)});
+  if (std::isfinite(E) && E > stiffest)
+    c.warnings.push_back(
+        {"stiff_material",
+         fmt::format(
+             "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit "
+             "right? What is not meant to deform has rigid = true",
+             name, E)});
   if (material.hardening && constitutive::initial_yield_stress(*material.hardening) > 0.1 * E)
     c.warnings.push_back(
         {"hard_material",
@@ -190,16 +198,24 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   return result;
 }
 
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+std::string case_file_text(const std::filesystem::path& file)
 {
   if (std::filesystem::is_directory(file))
     throw InputError(fmt::format("{} is a folder; name the case file in it, as in {}", file.string(),
                                  (file / "case.toml").string()));
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(fmt::format("{}: cannot be opened: no such file, or not readable", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_case(text, file, overrides);
+  try
+  {
+    return input_text(file);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+  return parse_case(case_file_text(file), file, overrides);
 }
 
 } // namespace brinell::io

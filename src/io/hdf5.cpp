@@ -2,10 +2,10 @@
 #include "hdf5.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "replace_file.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <fmt/format.h>
 
 namespace brinell::io::h5
@@ -71,13 +71,18 @@ Handle list_space(hsize_t size)
   return checked(H5Screate_simple(1, &size, nullptr), H5Sclose, "make a data space");
 }
 
-Handle compression(std::span<const hsize_t> dims)
+Handle chunks(std::span<const hsize_t> dims, Storage storage)
 {
   Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a property list");
   std::vector<hsize_t> chunk(dims.begin(), dims.end());
   for (hsize_t& side : chunk)
     side = std::min(side, longest_chunk_side.at(dims.size()));
   check(H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
+  if (storage == Storage::plain)
+  {
+    check(H5Pset_fletcher32(properties.id()), "set the checksum filter");
+    return properties;
+  }
   check(H5Pset_shuffle(properties.id()), "set the shuffle filter");
   check(H5Pset_deflate(properties.id(), deflate_level), "set the deflate filter");
   return properties;
@@ -94,7 +99,8 @@ Handle selection(std::span<const hsize_t> shape, const Box& box)
 
 template <typename Number>
 void write_described(const Handle& group, const char* name, hid_t type, const std::vector<Number>& values,
-                     std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
+                     std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
+                     Storage storage)
 {
   std::size_t size = 1;
   for (const std::size_t n : shape)
@@ -104,7 +110,7 @@ void write_described(const Handle& group, const char* name, hid_t type, const st
   const std::string what = fmt::format("write the dataset {}", name);
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
   const Handle space = checked(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, what);
-  const Handle properties = compression(dims);
+  const Handle properties = chunks(dims, storage);
   const Handle dataset = checked(
       H5Dcreate2(group.id(), name, type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose, what);
   check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
@@ -142,14 +148,14 @@ Handle create_file_in_memory()
   return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "create a file in memory");
 }
 
-void save_file(Handle file, const std::filesystem::path& path)
+std::string file_image(Handle file)
 {
   check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "complete a file in memory");
   const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
-  std::vector<char> image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
   if (H5Fget_file_image(file.id(), image.data(), image.size()) != size || size <= 0)
     fail("read a file in memory");
-  replace_file(path, {image.data(), image.size()});
+  return image;
 }
 
 Handle open_file(const std::filesystem::path& path)
@@ -220,15 +226,16 @@ void write_fixed_attribute(const Handle& object, const char* name, std::string_v
 }
 
 void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
-                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
+                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
+                   Storage storage)
 {
-  write_described(group, name, H5T_NATIVE_DOUBLE, values, shape, units, long_name);
+  write_described(group, name, H5T_NATIVE_DOUBLE, values, shape, units, long_name, storage);
 }
 
 void write_dataset(const Handle& group, const char* name, const std::vector<int>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
 {
-  write_described(group, name, H5T_NATIVE_INT, values, shape, units, long_name);
+  write_described(group, name, H5T_NATIVE_INT, values, shape, units, long_name, Storage::deflated);
 }
 
 void write_text(const Handle& group, const char* name, std::string_view text)
@@ -274,7 +281,13 @@ std::vector<double> read_numbers(const Handle& group, const std::string& name)
   const std::string what = fmt::format("read the dataset {}", name);
   const Handle dataset = checked(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, what);
   const Handle space = checked(H5Dget_space(dataset.id()), H5Sclose, what);
-  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+  const Handle type = checked(H5Dget_type(dataset.id()), H5Tclose, what);
+  const hssize_t size = H5Sget_simple_extent_npoints(space.id());
+  // A size that is not stored is a claim only, for which no memory should be taken.
+  const hsize_t stored = H5Dget_storage_size(dataset.id()) / sizeof(double);
+  if (H5Tget_class(type.id()) != H5T_FLOAT || size < 0 || static_cast<hsize_t>(size) != stored)
+    fail(fmt::format("{}: it is no plain list of numbers", what));
+  std::vector<double> values(static_cast<std::size_t>(size));
   check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
   return values;
 }
@@ -300,6 +313,10 @@ std::string read_text_attribute(const Handle& object, const char* name)
   const std::string what = fmt::format("read the attribute {}", name);
   const Handle attribute = checked(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose, what);
   const Handle type = checked(H5Aget_type(attribute.id()), H5Tclose, what);
+  const Handle space = checked(H5Aget_space(attribute.id()), H5Sclose, what);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) <= 0 ||
+      H5Sget_simple_extent_npoints(space.id()) != 1)
+    fail(fmt::format("{}: it is not one text of variable length", what));
   char* data = nullptr;
   check(H5Aread(attribute.id(), type.id(), static_cast<void*>(&data)), what);
   std::string text = data ? data : "";
@@ -311,6 +328,10 @@ int read_int_attribute(const Handle& object, const char* name)
 {
   const std::string what = fmt::format("read the attribute {}", name);
   const Handle attribute = checked(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose, what);
+  const Handle type = checked(H5Aget_type(attribute.id()), H5Tclose, what);
+  const Handle space = checked(H5Aget_space(attribute.id()), H5Sclose, what);
+  if (H5Tget_class(type.id()) != H5T_INTEGER || H5Sget_simple_extent_npoints(space.id()) != 1)
+    fail(fmt::format("{}: it is not one whole number", what));
   int value = 0;
   check(H5Aread(attribute.id(), H5T_NATIVE_INT, &value), what);
   return value;
@@ -326,6 +347,60 @@ void link_external(const Handle& group, const std::string& name, const std::stri
 {
   check(H5Lcreate_external(file.c_str(), object.c_str(), group.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
         fmt::format("link {}", file));
+}
+
+namespace
+{
+
+/// The bytes of a chunk as they are stored. @param mask  tells which filters were left out
+std::vector<char> stored_chunk(const Handle& dataset, const std::vector<hsize_t>& offset, std::uint32_t& mask,
+                               const std::string& what)
+{
+  hsize_t size = 0;
+  check(H5Dget_chunk_storage_size(dataset.id(), offset.data(), &size), what);
+  std::vector<char> bytes(size);
+  check(H5Dread_chunk(dataset.id(), H5P_DEFAULT, offset.data(), &mask, bytes.data()), what);
+  return bytes;
+}
+
+void require_same_chunks(const Handle& dataset, const Handle& other, const std::string& what)
+{
+  const Handle space = checked(H5Dget_space(dataset.id()), H5Sclose, what);
+  hsize_t count = 0, count_there = 0;
+  check(H5Dget_num_chunks(dataset.id(), space.id(), &count), what);
+  check(H5Dget_num_chunks(other.id(), space.id(), &count_there), what);
+  std::vector<hsize_t> offset(static_cast<std::size_t>(std::max(1, H5Sget_simple_extent_ndims(space.id()))));
+  bool same = count == count_there;
+  for (hsize_t i = 0; i < count && same; ++i)
+  {
+    unsigned ignored = 0;
+    haddr_t address = 0;
+    hsize_t size = 0;
+    check(H5Dget_chunk_info(dataset.id(), space.id(), i, offset.data(), &ignored, &address, &size), what);
+    std::uint32_t mask = 0, mask_there = 0;
+    same = stored_chunk(dataset, offset, mask, what) == stored_chunk(other, offset, mask_there, what) &&
+           mask == mask_there;
+  }
+  if (!same)
+    fail(fmt::format("{}: it differs from what was written", what));
+}
+
+} // namespace
+
+void require_same_datasets(const Handle& group, const Handle& other)
+{
+  for (const std::string& name : names(group))
+  {
+    const std::string what = fmt::format("read back {}", name);
+    const Handle here = checked(H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), H5Oclose, what);
+    const Handle there = checked(H5Oopen(other.id(), name.c_str(), H5P_DEFAULT), H5Oclose, what);
+    if (H5Iget_type(here.id()) != H5Iget_type(there.id()))
+      fail(what);
+    if (H5Iget_type(here.id()) == H5I_GROUP)
+      require_same_datasets(here, there);
+    else if (H5Iget_type(here.id()) == H5I_DATASET)
+      require_same_chunks(here, there, what);
+  }
 }
 
 void copy_group(const Handle& from, const std::string& object, const Handle& to, const std::string& name)

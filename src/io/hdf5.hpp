@@ -48,7 +48,8 @@ private:
 [[nodiscard]] Handle create_file(const std::filesystem::path& path);
 /// A file in memory, to be written in one piece by `save_file`: HDF5 crashes when a full disk does not let it close a file.
 [[nodiscard]] Handle create_file_in_memory();
-void save_file(Handle file, const std::filesystem::path& path);
+/// The bytes of a file in memory.
+[[nodiscard]] std::string file_image(Handle file);
 [[nodiscard]] Handle open_file(const std::filesystem::path& path);
 /// Closes the file; unlike the destructor it reports data that could not be written.
 void close_file(Handle file);
@@ -66,10 +67,18 @@ void write_attribute(const Handle& object, const char* name, std::span<const int
 /// Text of fixed length in ASCII, for readers that know no other; not empty.
 void write_fixed_attribute(const Handle& object, const char* name, std::string_view text);
 
-/// Writes numbers, compressed in chunks, with their unit and meaning.
+/// How chunks are stored. Either way a reader sees whether they are damaged: both have a checksum.
+enum class Storage
+{
+  deflated, ///< for what is zero in most places, or smooth
+  plain     ///< for stresses: deflating them takes most of the time of writing, and saves a quarter of their size
+};
+
+/// Writes numbers in chunks, with their unit and meaning.
 /// @param shape  slowest index first
 void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
-                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name);
+                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
+                   Storage storage = Storage::deflated);
 void write_dataset(const Handle& group, const char* name, const std::vector<int>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name);
 /// One text, UTF-8.
@@ -96,7 +105,7 @@ struct VirtualPart
 void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
                            std::span<const VirtualPart> parts);
 
-/// Plain numbers, as they are.
+/// Plain numbers, as they are. What is read is trusted in nothing: types and sizes are checked.
 void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values);
 [[nodiscard]] std::vector<double> read_numbers(const Handle& group, const std::string& name);
 /// Names of the objects in a group.
@@ -112,5 +121,8 @@ void link_external(const Handle& group, const std::string& name, const std::stri
 
 /// Copies a group from another file without decompressing it.
 void copy_group(const Handle& from, const std::string& object, const Handle& to, const std::string& name);
+
+/// @throws IoError unless each dataset of a group is in the other one too, with the same bytes as they are stored
+void require_same_datasets(const Handle& group, const Handle& other);
 
 } // namespace brinell::io::h5

@@ -2,6 +2,7 @@
 #include "brinell/io/history_csv.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "checksum.hpp"
 #include "replace_file.hpp"
 
 #include <cerrno>
@@ -127,23 +128,34 @@ std::string history_row(const std::vector<NamedNumber>& columns)
   return text;
 }
 
-HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept)
-    : m_path(std::move(path))
+HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
+                             std::string_view sum)
+    : m_path(std::move(path)), m_sum(std::make_unique<Checksum>())
 {
   for (const auto& [name, value] : record)
     m_columns.push_back({name, std::holds_alternative<int>(value), {}});
   const std::string header = history_header(record) + '\n';
   if (kept > 0)
-    keep_rows(header, kept);
+    keep_rows(header, kept, sum);
   else
+  {
+    m_sum->add(header);
     replace_file(m_path, header);
+  }
   m_file.reset(std::fopen(m_path.c_str(), "a"));
   if (!m_file)
     throw failure(m_path, "cannot be written");
 }
 
+HistoryWriter::~HistoryWriter() = default;
+
+std::string HistoryWriter::checksum() const
+{
+  return m_sum->text();
+}
+
 /// The rows of the first steps stay, what comes after them goes.
-void HistoryWriter::keep_rows(const std::string& header, int count)
+void HistoryWriter::keep_rows(const std::string& header, int count, std::string_view sum)
 {
   std::ifstream stream(m_path, std::ios::binary);
   std::string text;
@@ -160,13 +172,18 @@ void HistoryWriter::keep_rows(const std::string& header, int count)
       m_columns[c].values.push_back(values[c]);
   }
   stream.close();
+  m_sum->add(text);
+  if (!sum.empty() && m_sum->text() != sum)
+    throw IoError(fmt::format("{}: is damaged; run without --resume", m_path.string()));
   replace_file(m_path, text);
 }
 
 void HistoryWriter::add(const std::vector<NamedNumber>& row)
 {
-  if (std::fputs((history_row(row) + '\n').c_str(), m_file.get()) < 0 || std::fflush(m_file.get()) != 0)
+  const std::string line = history_row(row) + '\n';
+  if (std::fputs(line.c_str(), m_file.get()) < 0 || std::fflush(m_file.get()) != 0)
     throw failure(m_path, "cannot be written");
+  m_sum->add(line);
   for (std::size_t c = 0; c < m_columns.size(); ++c)
     m_columns[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].second));
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "number_lines.hpp"
 
-#include "brinell/foundation/error.hpp"
+#include "read_file.hpp"
 
-#include <fmt/format.h>
-#include <fstream>
 #include <sstream>
 
 namespace brinell::io
@@ -31,9 +29,7 @@ std::optional<std::vector<double>> numbers_of(std::string line)
 
 std::vector<NumberLine> number_lines(const std::filesystem::path& file)
 {
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError(fmt::format("cannot be opened: no file {}, or not readable", file.string()));
+  std::istringstream stream(input_text(file));
   std::vector<NumberLine> lines;
   std::string text;
   for (int number = 1; std::getline(stream, text); ++number)

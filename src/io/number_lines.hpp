@@ -18,7 +18,7 @@ struct NumberLine
 };
 
 /// The lines of a file with numbers between blanks, commas, semicolons or tabs; empty lines and those that begin with # are
-/// left out. @throws InputError if it cannot be opened; the text continues a sentence that begins with the key.
+/// left out. @throws as `read_blocks`; the text continues a sentence that begins with the key.
 [[nodiscard]] std::vector<NumberLine> number_lines(const std::filesystem::path& file);
 
 } // namespace brinell::io

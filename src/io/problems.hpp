@@ -33,9 +33,12 @@ public:
       return;
     auto sorted = m_problems;
     std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
+    constexpr std::size_t most_shown = 20; // with more, something else is wrong than each of them
     std::string text;
-    for (const Problem& problem : sorted)
-      text += (text.empty() ? "" : "\n") + problem.text;
+    for (std::size_t i = 0; i < std::min(most_shown, sorted.size()); ++i)
+      text += (i == 0 ? "" : "\n") + sorted[i].text;
+    if (sorted.size() > most_shown)
+      text += fmt::format("\nand {} more", sorted.size() - most_shown);
     throw InputError(text);
   }
 

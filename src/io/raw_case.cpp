@@ -2,9 +2,12 @@
 #include "raw_case.hpp"
 
 #include "brinell/io/schema.hpp"
+#include "key_depth.hpp"
+#include "read_file.hpp"
 #include "suggestion.hpp"
 #include "value_text.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <toml++/toml.h>
 
@@ -81,9 +84,17 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
   }
 }
 
+std::string too_deep()
+{
+  return fmt::format("a key of more than {} parts; those of a case have four at most", deepest_key);
+}
+
 /// The value of an override as TOML; a bare word, or a bare quantity such as 3.85 mm, is a string.
+/// @throws InputError if it has a table with keys that are far too deep
 toml::table override_table(const std::string& value)
 {
+  if (line_of_deep_key(value))
+    throw InputError(too_deep());
   try
   {
     toml::table parsed = toml::parse("value = " + value);
@@ -110,8 +121,20 @@ void forget_table(RawCase& raw_case, const std::string& key)
   std::erase_if(raw_case.values, [&](const auto& item) { return item.first.starts_with(key + "."); });
 }
 
+/// Results carry their case, and readers of TOML take UTF-8 only.
+bool has_other_bytes(const std::string& text, Problems& problems)
+{
+  const std::size_t good = valid_utf8(text);
+  if (good < text.size())
+    problems.add("--set " + text.substr(0, good),
+                 fmt::format("the next byte, 0x{:02x}, is not UTF-8", static_cast<unsigned char>(text[good])));
+  return good < text.size();
+}
+
 void apply_override(const std::string& text, RawCase& raw_case, Problems& problems)
 {
+  if (has_other_bytes(text, problems))
+    return;
   Target target{raw_case, problems, "--set " + text};
   const auto equals = text.find('=');
   const std::string key = trimmed(std::string_view(text).substr(0, equals));
@@ -120,7 +143,18 @@ void apply_override(const std::string& text, RawCase& raw_case, Problems& proble
     problems.add(target.override_place, "must have the form section.key=value, as in --set tugging.interference=4");
     return;
   }
-  toml::table parsed = override_table(trimmed(std::string_view(text).substr(equals + 1)));
+  toml::table parsed;
+  try
+  {
+    if (std::count(key.begin(), key.end(), '.') >= deepest_key)
+      throw InputError(too_deep());
+    parsed = override_table(trimmed(std::string_view(text).substr(equals + 1)));
+  }
+  catch (const InputError& error)
+  {
+    problems.add("--set " + text.substr(0, longest_shown) + "...", error.what());
+    return;
+  }
   const toml::node& node = *parsed.get("value");
   if (node.is_table() && is_table(key))
   {
@@ -136,6 +170,8 @@ void apply_override(const std::string& text, RawCase& raw_case, Problems& proble
 
 toml::table parse_toml(std::string_view text, const std::string& file)
 {
+  if (const auto line = line_of_deep_key(text))
+    throw InputError(fmt::format("{}:{}: {}", file, *line, too_deep()));
   try
   {
     return toml::parse(text, file);

@@ -3,15 +3,20 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/versions.hpp"
+#include "checksum.hpp"
+#include "earlier_result.hpp"
 #include "hdf5.hpp"
+#include "read_file.hpp"
 #include "replace_file.hpp"
 #include "result_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
+#include <limits>
 #include <sstream>
 #include <sys/file.h>
 #include <unistd.h>
@@ -24,8 +29,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-constexpr const char* checkpoint_file = "checkpoint.h5";
 
 /// Holds a folder for this process; the lock ends with the process, however that ends.
 class FolderLock
@@ -63,31 +66,10 @@ fs::path made_folder(const fs::path& path)
   return path;
 }
 
-bool removed(const fs::path& path)
-{
-  std::error_code error;
-  const auto count = fs::remove_all(path, error);
-  if (error)
-    throw IoError(fmt::format("{}: an earlier result cannot be removed: {}", path.string(), error.message()));
-  return count > 0;
-}
-
-/// The summary goes first: without it what is left can never look like a complete result.
-bool earlier_result_removed(const fs::path& folder)
-{
-  bool found = false;
-  for (const char* name :
-       {"summary.json", "history.csv", "result.vtkhdf", "snapshots", "resolved.toml", "result.vtkhdf.part",
-        "summary.json.part", "resolved.toml.part", "history.csv.part", checkpoint_file, "checkpoint.h5.part",
-        // of format version 1
-        "result.h5", "result.h5.part", "contact.xdmf", "lower.xdmf", "upper.xdmf"})
-    found = removed(folder / name) || found;
-  return found;
-}
-
 struct Checkpoint
 {
-  int step = 0; ///< the last one that is finished
+  int step = 0;            ///< the last one that is finished
+  std::string history_sum; ///< checksum of history.csv up to there
   Archive::Fields fields;
 };
 
@@ -98,29 +80,97 @@ std::string program()
   return versions.brinell + " " + versions.git_hash;
 }
 
-void write_checkpoint(const fs::path& path, int step, const Archive::Fields& fields)
+/// Ends a checkpoint: what comes before it is as it was written.
+std::string seal(std::string_view sum)
+{
+  return fmt::format("\n{} {}\n", checkpoint_mark, sum);
+}
+
+void write_checkpoint(const fs::path& path, int step, const std::string& history_sum, const Archive::Fields& fields)
 {
   h5::Handle file = h5::create_file_in_memory();
   h5::write_attribute(file, "step", step);
   h5::write_attribute(file, "program", program());
+  h5::write_attribute(file, "history", history_sum);
   for (const auto& [name, values] : fields)
     h5::write_numbers(file, name, values);
-  h5::save_file(std::move(file), path);
+  std::string image = h5::file_image(std::move(file));
+  image += seal(checksum(image)); // HDF5 does not mind what comes after its own
+  replace_file(path, image);
+}
+
+IoError damaged_checkpoint(const fs::path& path, std::string_view how)
+{
+  return IoError(fmt::format("{}: is damaged{}{}; run without --resume", path.string(), how.empty() ? "" : ": ", how));
+}
+
+/// HDF5 itself trusts what it reads: a file goes to it only if it is as it was written.
+void require_seal(const fs::path& path)
+{
+  const std::uintmax_t length = seal(checksum("")).size();
+  const std::uintmax_t size = std::max(fs::file_size(path), length);
+  Checksum sum;
+  std::string end;
+  std::uintmax_t seen = 0;
+  read_blocks(path, std::numeric_limits<std::size_t>::max(),
+              [&](std::string_view block)
+              {
+                const std::uintmax_t body = size - length - std::min(seen, size - length);
+                const std::size_t inside = static_cast<std::size_t>(std::min<std::uintmax_t>(block.size(), body));
+                sum.add(block.substr(0, inside));
+                end += block.substr(inside);
+                seen += block.size();
+              });
+  if (end != seal(sum.text()))
+    throw damaged_checkpoint(path, "");
+}
+
+/// The number of the last step, as the state has it.
+double last_step(const Archive::Fields& fields)
+{
+  for (const char* name : {"last.step", "summary.last.step"}) // which of them, the scenario says
+    if (const auto found = fields.find(name); found != fields.end() && !found->second.empty())
+      return found->second.front();
+  return -1.0;
+}
+
+Checkpoint content_of_checkpoint(const fs::path& path)
+{
+  const h5::Handle file = h5::open_file(path);
+  if (const std::string written_by = h5::read_text_attribute(file, "program"); written_by != program())
+    throw InputError(fmt::format("{}: was written by brinell {}, this is {}; resume with that program, or run without "
+                                 "--resume",
+                                 path.string(), written_by, program()));
+  Checkpoint checkpoint{h5::read_int_attribute(file, "step"), h5::read_text_attribute(file, "history"), {}};
+  for (const std::string& name : h5::names(file))
+    checkpoint.fields[name] = h5::read_numbers(file, name);
+  if (checkpoint.step < 0 || last_step(checkpoint.fields) != checkpoint.step)
+    throw damaged_checkpoint(
+        path, fmt::format("it is of step {}, but its state of step {}", checkpoint.step, last_step(checkpoint.fields)));
+  return checkpoint;
 }
 
 std::optional<Checkpoint> read_checkpoint(const fs::path& path)
 {
   if (!fs::exists(path))
     return std::nullopt;
-  const h5::Handle file = h5::open_file(path);
-  if (const std::string written_by = h5::read_text_attribute(file, "program"); written_by != program())
-    throw InputError(fmt::format("{}: was written by brinell {}, this is {}; resume with that program, or run without "
-                                 "--resume",
-                                 path.string(), written_by, program()));
-  Checkpoint checkpoint{h5::read_int_attribute(file, "step"), {}};
-  for (const std::string& name : h5::names(file))
-    checkpoint.fields[name] = h5::read_numbers(file, name);
-  return checkpoint;
+  try
+  {
+    require_seal(path);
+  }
+  catch (const InputError& error)
+  {
+    throw damaged_checkpoint(path, fmt::format("it {}", error.what()));
+  }
+  try
+  {
+    return content_of_checkpoint(path);
+  }
+  catch (const IoError& error)
+  {
+    const std::string text = error.what();
+    throw text.starts_with(path.string()) ? error : damaged_checkpoint(path, text);
+  }
 }
 
 InputError nothing_to_resume(const fs::path& folder)
@@ -144,10 +194,11 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
 {
   if (fs::exists(folder / "summary.json"))
     throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
-  std::ifstream stream(folder / "resolved.toml", std::ios::binary);
-  if (!stream)
+  if (!fs::is_regular_file(folder / "resolved.toml"))
     throw nothing_to_resume(folder);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text;
+  read_blocks(folder / "resolved.toml", std::numeric_limits<std::size_t>::max(),
+              [&](std::string_view block) { text += block; });
   if (without_extent(text) != without_extent(resolved_text(c.values)))
     throw InputError(fmt::format("{}: the run that was stopped there is of another case: compare resolved.toml there "
                                  "with what brinell check prints; without --resume it is replaced",
@@ -175,8 +226,9 @@ struct ResultDirectory::State
   State(const fs::path& folder, const Case& c, Mode mode)
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
         lock(path), checkpoint(take(path, c, mode)),
-        replaced(!checkpoint && earlier_result_removed(path) && mode == Mode::replace),
-        history(path / "history.csv", columns_of(c.scenario), finished_steps()),
+        replaced(!checkpoint && remove_earlier_result(path) && mode == Mode::replace),
+        history(path / "history.csv", columns_of(c.scenario), finished_steps(),
+                checkpoint ? checkpoint->history_sum : ""),
         result(path, c, finished_steps(), history.columns())
   {
     replace_file(path / "resolved.toml", resolved_text(c.values));
@@ -232,7 +284,7 @@ void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, con
 
 void ResultDirectory::add_checkpoint(int step, const Archive::Fields& fields)
 {
-  write_checkpoint(m_state->path / checkpoint_file, step, fields);
+  write_checkpoint(m_state->path / checkpoint_file, step, m_state->history.checksum(), fields);
 }
 
 void ResultDirectory::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
@@ -241,8 +293,14 @@ void ResultDirectory::finish(const simulation::Snapshot& final_state, const std:
   m_state->result.add_final(std::get<int>(last_columns.front().second), last_columns, final_state);
   m_state->result.merge(summary);
   replace_file(m_state->path / "summary.json", summary);
-  m_state->result.remove_pieces();
-  removed(m_state->path / checkpoint_file);
+  try
+  {
+    remove_pieces(m_state->path);
+    fs::remove(m_state->path / checkpoint_file);
+  }
+  catch (const std::exception&) // what stays behind of a complete run does no harm
+  {
+  }
 }
 
 } // namespace brinell::io

@@ -27,13 +27,15 @@ bool is_stored(const TensorField& field)
 }
 
 void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field,
-                  std::span<const std::size_t> shape, std::string_view units, std::string_view long_name)
+                  std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
+                  h5::Storage storage)
 {
   if (!is_stored(field))
     return;
   const h5::Handle group = h5::create_group(parent, name);
   for (std::size_t c = 0; c < components.size(); ++c)
-    h5::write_dataset(group, components[c], field[c], shape, units, fmt::format("{}, {}", long_name, components[c]));
+    h5::write_dataset(group, components[c], field[c], shape, units, fmt::format("{}, {}", long_name, components[c]),
+                      storage);
 }
 
 std::vector<double> von_mises_field(const TensorField& stress)
@@ -76,11 +78,12 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
   if (is_stored(body.equivalent_plastic_strain))
     h5::write_dataset(group, "equivalent_plastic_strain", body.equivalent_plastic_strain, volume, "1",
                       "accumulated equivalent plastic strain");
-  write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain");
+  write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain", h5::Storage::deflated);
   write_tensor(group, "stress", body.stress, volume, "Pa",
-               "stress of contact, plastic strain and before the first load, tension positive");
+               "stress of contact, plastic strain and before the first load, tension positive", h5::Storage::plain);
   if (is_stored(body.stress))
-    h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress");
+    h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress",
+                      h5::Storage::plain);
 }
 
 } // namespace

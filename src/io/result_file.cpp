@@ -4,8 +4,11 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/citations.hpp"
 #include "brinell/io/versions.hpp"
+#include "checksum.hpp"
+#include "earlier_result.hpp"
 #include "hdf5.hpp"
 #include "history_columns.hpp"
+#include "read_file.hpp"
 #include "replace_file.hpp"
 #include "result_fields.hpp"
 
@@ -14,7 +17,6 @@
 #include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace brinell::io
@@ -27,9 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr int format_version = 2;
 constexpr const char* file_name = "result.vtkhdf";
-constexpr const char* pieces_folder = "snapshots";
 constexpr const char* piece_group = "state";
-constexpr const char* index_file = "index.json";
 constexpr std::ptrdiff_t most_shown = 30; ///< states in /VTKHDF of an unfinished file, which is written anew for each
 
 using Json = nlohmann::json;
@@ -95,6 +95,11 @@ void rename_file(const fs::path& from, const fs::path& to)
     throw IoError(fmt::format("{}: cannot be written: {}", to.string(), error.message()));
 }
 
+IoError damaged(const fs::path& path)
+{
+  return IoError(fmt::format("{}: is damaged; run without --resume", path.string()));
+}
+
 fs::path part_of(fs::path path)
 {
   return path += ".part";
@@ -112,25 +117,36 @@ ResultFile::ResultFile(fs::path folder, const Case& c, int finished_steps, const
   write_linked();
 }
 
-void ResultFile::add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+ResultFile::Piece ResultFile::piece_of(int step)
 {
   const std::string name = fmt::format("{:06}", step);
-  add(snapshot, columns, {name + ".h5", "/steps/" + name, static_cast<double>(step)});
+  return {name + ".h5", "/steps/" + name, static_cast<double>(step)};
+}
+
+fs::path ResultFile::path_of(const Piece& piece) const
+{
+  return m_folder / pieces_folder / piece.file;
+}
+
+void ResultFile::add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+{
+  add(snapshot, columns, piece_of(step));
 }
 
 void ResultFile::add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
 {
-  add(snapshot, columns, {"final.h5", "/final", step + 1.0});
+  add(snapshot, columns, {final_piece, "/final", step + 1.0});
 }
 
 void ResultFile::add(const simulation::Snapshot& snapshot, const std::vector<NamedNumber>& columns, Piece piece)
 {
-  const fs::path path = m_folder / pieces_folder / piece.file;
   std::error_code error;
-  fs::create_directories(path.parent_path(), error); // a failure shows when the file is created
+  fs::create_directories(m_folder / pieces_folder, error); // a failure shows when the file is created
   h5::Handle file = h5::create_file_in_memory();
   write_snapshot(h5::create_group(file, piece_group), columns, snapshot);
-  h5::save_file(std::move(file), path);
+  const std::string image = h5::file_image(std::move(file));
+  piece.checksum = checksum(image);
+  replace_file(path_of(piece), image);
   piece.layout = layout_of(snapshot);
   m_pieces.push_back(std::move(piece));
   write_index();
@@ -142,34 +158,61 @@ void ResultFile::write_index() const
 {
   Json index = Json::array();
   for (const Piece& piece : m_pieces)
-    index.push_back(
-        {{"file", piece.file}, {"group", piece.group}, {"time", piece.time}, {"layout", json_of(piece.layout)}});
-  replace_file(m_folder / pieces_folder / index_file, index.dump());
+    index.push_back({{"file", piece.file},
+                     {"step", static_cast<int>(piece.time)},
+                     {"layout", json_of(piece.layout)},
+                     {"checksum", piece.checksum}});
+  const std::string sum = checksum(index.dump());
+  const Json whole = {{"format", index_mark}, {"checksum", sum}, {"pieces", std::move(index)}};
+  replace_file(m_folder / pieces_folder / index_file, whole.dump());
 }
 
 void ResultFile::read_index(int finished_steps)
 {
-  std::ifstream stream(m_folder / pieces_folder / index_file);
-  if (!stream) // no step has been stored yet
+  const fs::path path = m_folder / pieces_folder / index_file;
+  if (!fs::exists(path)) // no step has been stored yet
     return;
-  const Json index = Json::parse(stream, nullptr, false);
-  const auto damaged = [&]
-  {
-    return IoError(
-        fmt::format("{}: is damaged; run without --resume", (m_folder / pieces_folder / index_file).string()));
-  };
-  if (index.is_discarded())
-    throw damaged();
   try
   {
-    for (const Json& piece : index)
-      if (piece.at("time").get<double>() < finished_steps && piece.at("file") != "final.h5")
-        m_pieces.push_back({piece.at("file"), piece.at("group"), piece.at("time"), state_of(piece.at("layout"))});
+    const Json whole = Json::parse(input_text(path));
+    const Json& index = whole.at("pieces");
+    if (whole.at("format") != index_mark || whole.at("checksum") != checksum(index.dump()))
+      throw damaged(path);
+    for (const Json& entry : index)
+    {
+      Piece piece = piece_of(entry.at("step"));
+      piece.layout = state_of(entry.at("layout"));
+      piece.checksum = entry.at("checksum");
+      if (piece.time < finished_steps && entry.at("file") == piece.file) // not the final state
+        m_pieces.push_back(std::move(piece));
+    }
   }
   catch (const Json::exception&)
   {
-    throw damaged();
+    throw damaged(path);
   }
+  catch (const InputError&) // no regular file
+  {
+    throw damaged(path);
+  }
+  for (const Piece& piece : m_pieces)
+    require_intact(piece);
+}
+
+/// @throws IoError if the piece is not as it was written
+void ResultFile::require_intact(const Piece& piece) const
+{
+  std::string sum;
+  try
+  {
+    sum = file_checksum(path_of(piece));
+  }
+  catch (const InputError& error)
+  {
+    throw IoError(fmt::format("{}: {}; run without --resume", path_of(piece).string(), error.what()));
+  }
+  if (sum != piece.checksum)
+    throw damaged(path_of(piece));
 }
 
 /// HDF5 crashes when a full disk does not let it close a file: better to know before.
@@ -179,7 +222,7 @@ void ResultFile::require_space() const
   std::error_code error;
   for (const Piece& piece : m_pieces)
   {
-    const std::uintmax_t size = fs::file_size(m_folder / pieces_folder / piece.file, error);
+    const std::uintmax_t size = fs::file_size(path_of(piece), error);
     needed += error ? 0 : size;
   }
   const fs::space_info space = fs::space(m_folder, error);
@@ -229,7 +272,7 @@ void ResultFile::write_linked() const
   if (std::ssize(states) > most_shown)
     states.erase(states.begin(), states.end() - most_shown);
   write_vtkhdf(file, states);
-  h5::save_file(std::move(file), m_folder / file_name);
+  replace_file(m_folder / file_name, h5::file_image(std::move(file)));
 }
 
 /// Writes result.vtkhdf anew, with the content of the pieces.
@@ -245,19 +288,20 @@ void ResultFile::merge(const std::string& summary)
     const h5::Handle steps = h5::create_group(file, "steps");
     for (const Piece& piece : m_pieces)
     {
+      require_intact(piece); // it is copied as it is
       states.push_back({piece.time, ".", piece.group, piece.layout});
-      h5::copy_group(h5::open_file(m_folder / pieces_folder / piece.file), piece_group, file, piece.group);
+      h5::copy_group(h5::open_file(path_of(piece)), piece_group, file, piece.group);
     }
   }
   write_vtkhdf(file, states);
   h5::close_file(std::move(file));
+  {
+    const h5::Handle written = h5::open_file(part_of(path));
+    for (const Piece& piece : m_pieces)
+      h5::require_same_datasets(h5::open_group(h5::open_file(path_of(piece)), piece_group),
+                                h5::open_group(written, piece.group));
+  }
   rename_file(part_of(path), path);
-}
-
-void ResultFile::remove_pieces() const
-{
-  std::error_code error; // pieces that stay behind do no harm
-  fs::remove_all(m_folder / pieces_folder, error);
 }
 
 } // namespace brinell::io

@@ -26,9 +26,8 @@ public:
   void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
   /// The state after the last step.
   void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  /// The pieces stay: nothing else can be resumed from.
   void merge(const std::string& summary);
-  /// The pieces go; only after that nothing is left to resume.
-  void remove_pieces() const;
 
 private:
   /// A stored state: its file in snapshots/ and its group in result.vtkhdf.
@@ -38,7 +37,11 @@ private:
     std::string group;
     double time; ///< the step
     StateLayout layout{};
+    std::string checksum{}; ///< of the file
   };
+  static Piece piece_of(int step);
+  [[nodiscard]] std::filesystem::path path_of(const Piece& piece) const;
+  void require_intact(const Piece& piece) const;
   void add(const simulation::Snapshot& snapshot, const std::vector<NamedNumber>& columns, Piece piece);
   void read_index(int finished_steps);
   void write_index() const;

@@ -42,6 +42,9 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   for (const auto& candidate : candidates) // "poisson" for "poisson_ratio"
     if (word.size() > 2 && (candidate.starts_with(word) || candidate.ends_with(word)))
       return candidate;
+  constexpr std::size_t longest = 100; // beyond it nothing is near, and the comparison costs much
+  if (word.size() > longest)
+    return "";
   std::string best;
   int best_distance = std::max(2, static_cast<int>(word.size()) / 3) + 1;
   for (const auto& candidate : candidates)

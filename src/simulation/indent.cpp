@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "indent.hpp"
 
+#include "brinell/foundation/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,7 +93,9 @@ void IndentReader::exchange(Archive& archive)
   archive("indent", indent_);
   archive.list("approach", approach_);
   archive.list("load", load_);
-  archive("peak", peak_);
+  if (archive.gives() && (load_.empty() || load_.size() != approach_.size()))
+    throw InputError("the stored state has a load-depth curve without points, or of as many loads as approaches");
+  archive("peak", peak_, 0, static_cast<int>(load_.size()) - 1);
 }
 
 } // namespace brinell::simulation

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 namespace brinell::simulation
@@ -75,10 +76,10 @@ public:
     archive("current", current_);
     archive.list("indents", indents_);
     archive("largest_work", largest_work_);
-    archive("iterations", iterations_);
+    archive("iterations", iterations_, 0, std::numeric_limits<long>::max());
     archive("from", from_);
     archive("to", to_);
-    archive("done", done_);
+    archive("done", done_, 0, plan_.steps);
   }
 
 private:

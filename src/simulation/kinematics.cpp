@@ -28,7 +28,7 @@ void Position::exchange(Archive& archive)
   archive("index", index);
   archive("columns", columns);
   archive("X", X);
-  archive("theta", theta);
+  archive("theta", theta, -4.0, 4.0);
   archive("interference", interference);
   archive("arc_lower", arc_lower);
   archive("arc_upper", arc_upper);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <limits>
 
 namespace brinell::simulation
 {
@@ -38,8 +39,8 @@ void Coverage::exchange(Archive& archive)
 
 void StepRecord::exchange(Archive& archive)
 {
-  archive("step", step);
-  archive("pass", pass);
+  archive("step", step, 0, std::numeric_limits<int>::max() - 1);
+  archive("pass", pass, 0, std::numeric_limits<int>::max() - 1);
   archive("contact_area", contact_area);
   archive("max_pressure", max_pressure);
   archive("F_n", F_n);
@@ -59,9 +60,7 @@ void GridChange::exchange(Archive& archive)
 {
   archive("step", step);
   int code = static_cast<int>(extent);
-  archive("extent", code);
-  if (code < 0 || code > static_cast<int>(Extent::upper_layers))
-    throw InputError("the stored state has an unknown change of a grid");
+  archive("extent", code, 0, static_cast<int>(Extent::upper_layers));
   extent = static_cast<Extent>(code);
   archive("before", before);
   archive("after", after);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/simulation/scenario.hpp"
+
+#include <string>
 
 namespace brinell::simulation
 {
@@ -17,7 +20,14 @@ void resume(Run& run, const Archive::Fields* checkpoint)
   if (!checkpoint)
     return;
   Archive archive(*checkpoint);
-  run.exchange(archive);
+  try
+  {
+    run.exchange(archive);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(std::string("checkpoint.h5: ") + error.what() + "; run without --resume");
+  }
 }
 
 /// Tells the observer of a finished step.

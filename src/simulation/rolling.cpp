@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace brinell::simulation
 {
@@ -73,10 +74,10 @@ public:
     archive.list("passes", passes_);
     archive("largest_work", largest_work_);
     archive("touch", touch_);
-    archive("iterations", iterations_);
-    archive("steps", steps_);
-    archive("pass", pass_);
-    archive("step_in_pass", step_in_pass_);
+    archive("iterations", iterations_, 0, std::numeric_limits<long>::max());
+    archive("steps", steps_, 0, plan_.steps);
+    archive("pass", pass_, 0, case_.passes);
+    archive("step_in_pass", step_in_pass_, 0, steps_per_pass() - 1);
   }
 
 private:

@@ -130,8 +130,8 @@ void Stepper::exchange(Archive& archive)
     move_to(stored);
   }
   archive("pair", *pair_);
-  archive("split_increments", split_increments_);
-  archive("steps", steps_);
+  archive("split_increments", split_increments_, 0, std::numeric_limits<int>::max() - 1);
+  archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
   archive.list("grid_changes", grid_changes_);
   archive("coverage", coverage_);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brinell::simulation
 {
@@ -95,7 +96,7 @@ void TrackReader::exchange(Archive& archive)
   archive("sum_force", sum_force_);
   archive("sum_pressure", sum_pressure_);
   archive("sum_load", sum_load_);
-  archive("count", count_);
+  archive("count", count_, 0, std::numeric_limits<int>::max() - 1);
 }
 
 void TrackReader::Uptake::exchange(Archive& archive)

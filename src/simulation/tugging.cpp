@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/tugging.hpp"
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
 #include "records.hpp"
 #include "stepper.hpp"
@@ -56,13 +57,26 @@ public:
     archive("stepper", stepper_);
     archive("summary", summary_);
     archive("position", position_);
-    archive("pass", pass_);
-    archive("step_in_pass", step_in_pass_);
-    archive("steps_in_pass", steps_in_pass_);
-    archive("extra_steps", extra_steps_);
+    // No pass lasts ten times as long as that of rigid spheres.
+    const int most_steps = 10 * passing_.step_count() + 10000;
+    archive("pass", pass_, 0, case_.passes);
+    archive("step_in_pass", step_in_pass_, 0, most_steps);
+    archive("steps_in_pass", steps_in_pass_, 0, most_steps);
+    archive("extra_steps", extra_steps_, 0, most_steps);
+    if (archive.gives())
+      require_on_bodies(position_);
   }
 
 private:
+  /// A stored position must not lead off the grids, nor so far that columns could not be counted.
+  void require_on_bodies(const Position& p) const
+  {
+    const double sum = case_.lower.radius + case_.upper.radius;
+    const double columns = 10.0 * (plan_.lower.surface.nx + plan_.upper.surface.nx) + 1000.0;
+    if (!(std::abs(p.X) <= sum && std::abs(p.columns) <= columns &&
+          std::max(std::abs(p.arc_lower), std::abs(p.arc_upper)) <= columns * plan_.contact.dx))
+      throw InputError("the stored state has a position that is not on the bodies");
+  }
   [[nodiscard]] static Centre centre(const Position& p) { return {p.arc_lower, p.arc_upper}; }
 
   /// @param steps  of the pass that are done there

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brinell::simulation
 {
@@ -48,8 +49,8 @@ void Summariser::exchange(Archive& archive)
 {
   archive("last", last_);
   archive("largest_work", largest_work_);
-  archive("steps", summary_.steps);
-  archive("iterations", summary_.iterations);
+  archive("steps", summary_.steps, 0, std::numeric_limits<int>::max() - 1);
+  archive("iterations", summary_.iterations, 0, std::numeric_limits<long>::max());
   archive("peak_F_X", summary_.peak_F_X);
   archive("X_at_peak_F_X", summary_.X_at_peak_F_X);
   archive("min_F_X", summary_.min_F_X);

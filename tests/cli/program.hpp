@@ -36,7 +36,9 @@ class Process
 {
 public:
   /// @param largest_file  [bytes], as if the disk were full then; 0: no limit
-  Process(const fs::path& folder, const std::vector<std::string>& arguments, rlim_t largest_file = 0)
+  /// @param beyond        what the program finds to be done by a signal when a file grows beyond that
+  Process(const fs::path& folder, const std::vector<std::string>& arguments, rlim_t largest_file = 0,
+          void (*beyond)(int) = SIG_IGN)
       : m_out(folder / "stdout"), m_err(folder / "stderr")
   {
     m_pid = fork();
@@ -47,7 +49,7 @@ public:
     if (largest_file > 0)
     {
       const rlimit limit{largest_file, largest_file};
-      std::signal(SIGXFSZ, SIG_IGN); // writing fails, the process goes on
+      std::signal(SIGXFSZ, beyond); // if ignored, writing fails, and the process goes on
       setrlimit(RLIMIT_FSIZE, &limit);
     }
     std::vector<char*> argv{const_cast<char*>(BRINELL_PROGRAM)};

@@ -3,6 +3,10 @@
 
 #include "brinell/foundation/error.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -34,14 +38,27 @@ public:
     else
       throw InputError("the stored state has another size of " + prefix_ + name);
   }
+  /// @throws InputError also if the stored number is none of the type
   template <typename Number>
   requires std::is_arithmetic_v<Number>
   void operator()(const std::string& name, Number& value)
   {
-    if (!gives_)
-      fields_[prefix_ + name] = {static_cast<double>(value)};
+    if constexpr (std::is_floating_point_v<Number>)
+      exchange_number(name, value);
     else
-      value = static_cast<Number>(at(name).at(0));
+      (*this)(name, value, std::numeric_limits<Number>::lowest(), std::numeric_limits<Number>::max());
+  }
+  /// A number that something may be indexed, counted or repeated by.
+  /// @throws InputError also if the stored one is not in [least, most], or no whole one for a whole type
+  template <typename Number>
+  requires std::is_arithmetic_v<Number>
+  void operator()(const std::string& name, Number& value, std::type_identity_t<Number> least,
+                  std::type_identity_t<Number> most)
+  {
+    if (gives_)
+      require_between(name, at(name).front(), static_cast<double>(least), static_cast<double>(most),
+                      !std::is_floating_point_v<Number>);
+    exchange_number(name, value);
   }
   /// A part that lists its own members, with its name before theirs.
   template <typename Part>
@@ -58,7 +75,7 @@ public:
   void list(const std::string& name, std::vector<double>& values)
   {
     std::size_t size = values.size();
-    (*this)(name + ".size", size);
+    (*this)(name + ".size", size, 0, gives_ ? stored_size(name) : size);
     values.resize(size);
     if (size > 0)
       (*this)(name, values);
@@ -67,10 +84,10 @@ public:
   template <typename Part>
   void list(const std::string& name, std::vector<Part>& parts)
   {
-    std::size_t size = parts.size();
-    (*this)(name + ".size", size);
-    parts.resize(size);
     const std::string first = prefix_ + name + ".member.";
+    std::size_t size = parts.size();
+    (*this)(name + ".size", size, 0, gives_ ? rows(first) : size);
+    parts.resize(size);
     for (std::size_t i = 0; i < size; ++i)
     {
       Archive one(gives_ ? row(first, i) : Fields{});
@@ -87,6 +104,36 @@ public:
   [[nodiscard]] Fields fields() && { return std::move(fields_); }
 
 private:
+  template <typename Number>
+  void exchange_number(const std::string& name, Number& value)
+  {
+    if (!gives_)
+      fields_[prefix_ + name] = {static_cast<double>(value)};
+    else
+      value = static_cast<Number>(at(name).front());
+  }
+  /// The largest numbers of 64-bit types are no doubles: the nearest one is just beyond them, and is refused.
+  void require_between(const std::string& name, double value, double least, double most, bool whole) const
+  {
+    constexpr double exact = 9007199254740992.0; // 2^53
+    const bool inside = value >= least && (most > exact ? value < most : value <= most);
+    if (!inside || (whole && value != std::trunc(value)))
+      throw InputError("the stored state has a " + prefix_ + name + " of " + std::to_string(value) +
+                       ", which is not possible");
+  }
+  [[nodiscard]] std::size_t stored_size(const std::string& name) const
+  {
+    const auto found = fields_.find(prefix_ + name);
+    return found == fields_.end() ? 0 : found->second.size();
+  }
+  /// Of the longest of the fields whose names begin so.
+  [[nodiscard]] std::size_t rows(const std::string& first) const
+  {
+    std::size_t longest = 0;
+    for (auto field = fields_.lower_bound(first); field != fields_.end() && field->first.starts_with(first); ++field)
+      longest = std::max(longest, field->second.size());
+    return longest;
+  }
   /// The i-th number of each field whose name begins so.
   [[nodiscard]] Fields row(const std::string& first, std::size_t i) const
   {

@@ -79,6 +79,10 @@ struct Case
 /// @throws InputError with all problems found, one per line, each with its place.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// Its text: of a file of up to 100 MB, which is no device and no pipe.
+/// @throws InputError, IoError
+[[nodiscard]] std::string case_file_text(const std::filesystem::path& file);
+
 /// The same from text; `file` is only named in messages.
 [[nodiscard]] Case parse_case(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& overrides = {});

@@ -16,6 +16,8 @@
 namespace brinell::io
 {
 
+class Checksum;
+
 /// A number of a history by its name.
 using NamedNumber = std::pair<const char*, std::variant<int, double>>;
 
@@ -44,24 +46,30 @@ public:
   /// Replaces the file, or goes on after the rows of its first steps.
   /// @param record  of any step, for the names of the columns
   /// @param kept    how many rows; 0: a new file.
-  /// @throws IoError
-  HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept);
+  /// @param sum     checksum that the file had when it ended with these rows; empty: not compared
+  /// @throws IoError, also if what is kept has changed since
+  HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
+                std::string_view sum = {});
+  ~HistoryWriter();
 
   /// @throws IoError
   void add(const std::vector<NamedNumber>& row);
 
   /// All rows that are in the file.
   [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return m_columns; }
+  /// Of the file as it is now.
+  [[nodiscard]] std::string checksum() const;
 
 private:
   struct Closer
   {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  void keep_rows(const std::string& header, int count);
+  void keep_rows(const std::string& header, int count, std::string_view sum);
 
   std::filesystem::path m_path;
   std::vector<HistoryColumn> m_columns;
+  std::unique_ptr<Checksum> m_sum;
   std::unique_ptr<std::FILE, Closer> m_file;
 };
 

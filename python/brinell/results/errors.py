@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import contextlib
+from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from brinell.errors import InputError
 
-__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line"]
+__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "tells_damage"]
 
 FORMAT_VERSION = 2
 """Version of the results format that this package reads."""
@@ -20,6 +22,22 @@ class RunError(InputError):
 def one_line(error: BaseException) -> str:
     """An exception's message on one line."""
     return " ".join(str(error.args[0] if error.args else error).split())
+
+
+@contextlib.contextmanager
+def tells_damage(path: Path, part: str = "it") -> Iterator[None]:
+    """Whatever h5py and NumPy raise of a file that is not as it was written becomes a `RunError` that names it.
+
+    Args:
+        path: of the file.
+        part: what of it is read.
+    """
+    try:
+        yield
+    except RunError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, OSError, RuntimeError, TypeError, ValueError) as error:
+        raise RunError(f"{path}: {part} is damaged ({one_line(error)})") from error
 
 
 def listed(names: Sequence[object]) -> str:

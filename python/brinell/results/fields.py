@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell.results.errors import RunError, listed, one_line
+from brinell.results.errors import RunError, listed, tells_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile
 from brinell.results.snapshots import COMPONENTS
@@ -41,7 +41,8 @@ def field_names(path: Path, body: Body) -> list[str]:
         if not states:
             raise RunError(f"{path}: no stored step; [output] of the case chooses them")
         group = file.group(next(iter(states.values())))
-        return [*group[body], *(CONTACT_FIELDS if body == "lower" else ())]
+        with tells_damage(path, str(group.name)):
+            return [*group[body], *(CONTACT_FIELDS if body == "lower" else ())]
 
 
 def labelled_field(path: Path, body: Body, name: str) -> Labelled:
@@ -52,12 +53,10 @@ def labelled_field(path: Path, body: Body, name: str) -> Labelled:
     with ResultFile(path) as file:
         states = file.states()
         last = file.group(list(states.values())[-1])  # grids only grow: its grid holds those of all states
-        try:
+        with tells_damage(path, str(last.name)):
             data = _first_dataset(last, body, name)
             coords = _coords(last, body, name, data)
             units, long_name = str(data.attrs["units"]), str(data.attrs["long_name"])
-        except (KeyError, OSError, ValueError) as error:
-            raise RunError(f"{path}: {last.name} is damaged ({one_line(error)})") from error
     part = _part_of_contact if name in CONTACT_FIELDS else _part_of_tensor if "component" in coords else _part
     grid = tuple(axis for key, axis in coords.items() if key != "component")
 
@@ -67,10 +66,8 @@ def labelled_field(path: Path, body: Body, name: str) -> Labelled:
         with ResultFile(path) as opened:
 
             def at(step: int) -> FloatArray:
-                try:
+                with tells_damage(path, f"/{groups[step]}"):
                     return part(opened.group(groups[step]), body, name, inside, grid)
-                except (KeyError, OSError, ValueError) as error:
-                    raise RunError(f"{path}: /{groups[step]} is damaged ({one_line(error)})") from error
 
             if isinstance(steps, int):
                 return at(steps)

@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Literal
 
 import h5py
+import numpy as np
 
-from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line
+from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, tells_damage
 from brinell.results.history import History
 from brinell.results.scenarios import Scenario, distance_from_middle
 from brinell.results.snapshots import Snapshot, row_of, snapshot_of
@@ -37,13 +38,19 @@ class ResultFile:
             self._file = h5py.File(path, "r")
         except OSError as error:
             raise RunError(f"{path}: not a readable HDF5 file ({one_line(error)})") from error
-        version = self._file.attrs.get("format_version")
-        if self._file.attrs.get("format") != "brinell-result":
+        try:
+            with tells_damage(path, "its description"):
+                self._require_format()
+        except RunError:
             self._file.close()
-            raise RunError(f"{path}: not a result of brinell")
-        if version is None or int(version) != FORMAT_VERSION:
-            self._file.close()
-            raise RunError(f"{path}: format version {version}, this program reads version {FORMAT_VERSION}")
+            raise
+
+    def _require_format(self) -> None:
+        kind, version = (self._file.attrs.get(name) for name in ("format", "format_version"))
+        if not isinstance(kind, str) or kind != "brinell-result":
+            raise RunError(f"{self.path}: not a result of brinell")
+        if np.ndim(version) != 0 or version != FORMAT_VERSION:
+            raise RunError(f"{self.path}: format version {version}, this program reads version {FORMAT_VERSION}")
 
     def __enter__(self) -> ResultFile:
         return self
@@ -53,7 +60,8 @@ class ResultFile:
 
     def text(self, name: str) -> str | None:
         """A text in the file: "case", the resolved case, "sources" or "summary"; None if it is not there."""
-        return str(self._file[name].asstr()[()]) if name in self._file else None
+        with tells_damage(self.path, f"/{name}"):
+            return str(self._file[name].asstr()[()]) if name in self._file else None
 
     def history(self) -> History:
         """The rows up to the last stored step; all of them in a complete run.
@@ -61,14 +69,12 @@ class ResultFile:
         Raises:
             RunError: no step is finished, or it is damaged.
         """
-        try:
-            columns = {name: column[()] for name, column in self._file["history"].items()}
-        except (KeyError, OSError) as error:
-            raise RunError(f"{self.path}: /history is damaged ({one_line(error)})") from error
+        with tells_damage(self.path, "/history"):
+            columns = {name: np.asarray(column[()], dtype=np.float64) for name, column in self._file["history"].items()}
+            if len({column.shape for column in columns.values()}) > 1 or any(c.ndim != 1 for c in columns.values()):
+                raise ValueError("columns of different lengths")
         if not columns:
             raise RunError(f"{self.path}: no finished step")
-        if len({len(column) for column in columns.values()}) > 1:
-            raise RunError(f"{self.path}: /history is damaged (columns of different lengths)")
         try:
             return History(columns)
         except RunError as error:
@@ -76,31 +82,34 @@ class ResultFile:
 
     def steps(self) -> list[int]:
         """Numbers of the steps whose fields are stored, in order."""
-        return sorted(int(name) for name in self._file["steps"]) if "steps" in self._file else []
+        with tells_damage(self.path, "/steps"):
+            return sorted(int(name) for name in self._file["steps"]) if "steps" in self._file else []
 
     def states(self) -> dict[int, str]:
         """Names of the groups with fields, by step; the final state comes last, by the number after the last step."""
         groups = {step: self._step_name(step) for step in self.steps()}
-        if "final" in self._file:
-            groups[int(self.group("final").attrs["step"]) + 1] = "final"
+        with tells_damage(self.path, "/final"):
+            if "final" in self._file:
+                groups[int(self.group("final").attrs["step"]) + 1] = "final"
         return groups
 
     def snapshot(self, which: int | Literal["aligned", "final"], scenario: Scenario, *, tensors: bool) -> Snapshot:
         """Fields at one step; see `Run.snapshot`."""
         name = self._group_name(which, scenario)
         group = self.group(name)
-        try:
+        with tells_damage(self.path, f"/{name}"):
             return snapshot_of(group, tensors, scenario, is_final=which == "final")
-        except (KeyError, OSError, ValueError) as error:
-            raise RunError(f"{self.path}: /{name} is damaged ({one_line(error)})") from error
 
     def group(self, name: str) -> h5py.Group:
         """A step; while the run has not finished it is a link to a file in snapshots/."""
         try:
-            return self._file[name]
-        except (KeyError, OSError) as error:
+            group = self._file[name]
+        except (KeyError, OSError, RuntimeError) as error:
             folder = self.path.parent / "snapshots"
             raise RunError(f"{self.path}: /{name} cannot be opened; is {folder} missing?") from error
+        if not isinstance(group, h5py.Group):
+            raise RunError(f"{self.path}: /{name} is damaged (no group)")
+        return group
 
     def _group_name(self, which: int | Literal["aligned", "final"], scenario: Scenario) -> str:
         if which == "final":
@@ -121,5 +130,6 @@ class ResultFile:
         names = [self._step_name(step) for step in self.steps()]
         if not names:
             raise RunError(f"{self.path}: no stored step; [output] of the case chooses them")
-        rows = {name: row_of(self.group(name)) for name in names}
-        return min(names, key=lambda name: (rows[name]["pass"], distance_from_middle(scenario, rows[name])))
+        with tells_damage(self.path, "/steps"):
+            rows = {name: row_of(self.group(name)) for name in names}
+            return min(names, key=lambda name: (rows[name]["pass"], distance_from_middle(scenario, rows[name])))

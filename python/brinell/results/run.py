@@ -294,9 +294,25 @@ def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
     if not path.exists():
         raise RunError(f"{path}: no such {'file' if path.suffix == '.vtkhdf' else 'folder'}")
     history, summary = _file_content(path) if path.is_file() else _folder_content(path)
-    if summary is None and not allow_unfinished:
-        raise _unfinished(path, history.steps)
-    return Run(path, history, None if summary is None else _checked_summary(summary, path, history.scenario))
+    if summary is None:
+        if not allow_unfinished:
+            raise _unfinished(path, history.steps)
+        return Run(path, history, None)
+    run = Run(path, history, _checked_summary(summary, path, history.scenario))
+    _require_all_steps(run)
+    return run
+
+
+def _require_all_steps(run: Run) -> None:
+    """Raises RunError if the history of a complete run is not whole."""
+    steps = run._number("run", "steps")
+    if not np.array_equal(run.history["step"], np.arange(steps)):
+        folder = run.path.is_dir()
+        raise RunError(
+            f"{run.path / 'history.csv' if folder else f'{run.path}: /history'}: has {run.history.steps} rows, the run "
+            f"had {steps:.0f} steps, one row each: it was cut or altered"
+            + (f"; {run.file} by itself may hold the history still" if folder else "")
+        )
 
 
 def _file_content(path: Path) -> tuple[History, str | None]:
@@ -336,6 +352,8 @@ def _checked_summary(text: str, path: Path, scenario: Scenario) -> dict[str, Any
         summary = json.loads(text)
     except json.JSONDecodeError as error:
         raise RunError(f"{place}:{error.lineno}: not valid JSON ({error.msg})") from error
+    except RecursionError as error:
+        raise RunError(f"{place}: not a summary of brinell") from error
     if not isinstance(summary, dict) or summary.get("format") != "brinell-summary":
         raise RunError(f"{place}: not a summary of brinell")
     if summary.get("format_version") != FORMAT_VERSION:

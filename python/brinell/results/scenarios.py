@@ -178,7 +178,7 @@ def parsed(kind: type[_T], entry: Any, where: str) -> _T:
         try:
             key = next(one.name + unit for unit in _UNITS if one.name + unit in entry)
             values[one.name] = _READERS[str(one.type)](entry[key])
-        except (StopIteration, TypeError, ValueError) as error:
+        except (StopIteration, OverflowError, TypeError, ValueError) as error:
             raise RunError(f"{where}: no {one.name} that can be read") from error
     return kind(**values)
 

@@ -116,7 +116,7 @@ def snapshot_of(group: h5py.Group, tensors: bool, scenario: Scenario, *, is_fina
     """The fields in a group of the file.
 
     Raises:
-        KeyError, OSError, ValueError: it is damaged.
+        KeyError, OSError, ValueError and others of h5py: it is damaged.
     """
     return Snapshot(
         scenario=scenario,

@@ -78,8 +78,10 @@ def command(
 
     The same command goes on with what is missing. DIR/table.csv has a row per run.
     """
-    # What ends a job of a queue ends the sweep as Ctrl-C does.
+    # What ends a job of a queue, or its terminal, ends the sweep as Ctrl-C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
+    if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # as it is with nohup
+        signal.signal(signal.SIGHUP, signal.default_int_handler)
     try:
         from brinell.sweeps import sweep
 

@@ -22,9 +22,20 @@ from brinell.errors import InputError, IoError
 from brinell.sweeps.designs import Point
 from brinell.sweeps.point import Outcome, finished_summary
 
-__all__ = ["FORMAT_VERSION", "Ledger", "flattened", "locked", "read_record", "run_folder", "start_folder"]
+__all__ = [
+    "FORMAT_VERSION",
+    "Ledger",
+    "flattened",
+    "locked",
+    "read_record",
+    "run_folder",
+    "start_folder",
+    "without_formulas",
+]
 
 FORMAT_VERSION = 1
+_FILES = ("table.csv", "table.parquet", "failures.json")
+"""What a sweep writes beside sweep.json, which comes first."""
 _UNTOLD = ("format", "format_version", "complete", "scenario", "title", "versions")
 """Entries of a summary that say nothing of the run's result."""
 _WRITING_SHARE = 0.05
@@ -73,6 +84,12 @@ def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool) -> None
     """
     earlier = read_record(path)
     if earlier is None:
+        foreign = [name for name in _FILES if (path / name).exists()]
+        if foreign:
+            raise InputError(
+                f"{path}: holds other files: {', '.join(foreign)}. A sweep writes files of these names, but none has "
+                "written these: move them away, or choose another folder"
+            )
         _replace(path / "sweep.json", lambda part: part.write_text(json.dumps(record, indent=2) + "\n", "utf-8"))
         return
     if not resume:
@@ -237,8 +254,23 @@ class Ledger:
         frame = self.table()
         failures = json.dumps(self._failures, indent=2) + "\n"
         _replace(self._path / "failures.json", lambda part: part.write_text(failures, "utf-8"))
-        _replace(self._path / "table.csv", lambda part: frame.to_csv(part, index=False))
+        _replace(self._path / "table.csv", lambda part: without_formulas(frame).to_csv(part, index=False))
         _replace(self._path / "table.parquet", lambda part: frame.to_parquet(part, index=False))
+
+
+def without_formulas(frame: pd.DataFrame) -> pd.DataFrame:
+    """The same for a spreadsheet, which would compute texts that look like formulas: they get an apostrophe."""
+    return frame.map(lambda cell: f"'{cell}" if _is_formula(cell) else cell)
+
+
+def _is_formula(cell: object) -> bool:
+    if not isinstance(cell, str) or not cell.startswith(("=", "+", "-", "@", "\t", "\r")):
+        return False
+    try:
+        float(cell)
+    except ValueError:
+        return True
+    return False
 
 
 def _at(case: Mapping[str, Any], key: str, otherwise: object) -> Any:

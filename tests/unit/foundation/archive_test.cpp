@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/archive.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace brinell
 {
@@ -78,6 +80,66 @@ TEST(ArchiveTest, SaysWhatDoesNotFit)
   fields.erase("field");
   Archive without(fields);
   EXPECT_THROW(copy.exchange(without), InputError);
+}
+
+// A stored state may come from somebody else, or from a disk that fails.
+TEST(ArchiveTest, RefusesNumbersThatTheTypeCannotHold)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double wrong : {std::nan(""), infinite, -infinite, 1e18, -1e18, 0.5, 2147483648.0})
+  {
+    int value = 7;
+    Archive archive({{"count", {wrong}}});
+    EXPECT_THROW(archive("count", value), InputError) << wrong;
+    EXPECT_EQ(value, 7);
+  }
+  std::size_t size = 0;
+  EXPECT_THROW(Archive({{"size", {-1.0}}})("size", size), InputError);
+  EXPECT_THROW(Archive({{"size", {18446744073709551616.0}}})("size", size), InputError);
+  bool flag = false;
+  EXPECT_THROW(Archive({{"flag", {2.0}}})("flag", flag), InputError);
+  double any = 0.0;
+  Archive({{"any", {infinite}}})("any", any);
+  EXPECT_EQ(any, infinite);
+}
+
+TEST(ArchiveTest, KeepsToBounds)
+{
+  const auto taken = [](double stored)
+  {
+    int value = 0;
+    Archive({{"layers", {stored}}})("layers", value, 1, 20);
+    return value;
+  };
+  EXPECT_EQ(taken(1.0), 1);
+  EXPECT_EQ(taken(20.0), 20);
+  for (const double wrong : {0.0, 21.0, std::nan("")})
+    try
+    {
+      taken(wrong);
+      ADD_FAILURE() << wrong;
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("layers"), std::string::npos) << error.what();
+    }
+  double share = 0.0;
+  EXPECT_THROW(Archive({{"share", {1.5}}})("share", share, 0.0, 1.0), InputError);
+}
+
+TEST(ArchiveTest, ListsAreAsLongAsWhatIsStored)
+{
+  Outer original = sample();
+  Archive taking;
+  original.exchange(taking);
+  for (const char* list : {"curve.size", "list.size"})
+  {
+    Archive::Fields fields = taking.fields();
+    fields[list] = {1e15}; // more than there is memory for
+    Outer copy;
+    Archive giving(fields);
+    EXPECT_THROW(copy.exchange(giving), InputError) << list;
+  }
 }
 
 } // namespace
