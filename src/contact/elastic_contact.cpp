@@ -89,7 +89,7 @@ Report touching(std::span<const double> distance, std::span<double> pressure, st
 
 /// A pressure to begin with: the guess, or if there is none the cells that overlap, at the stiffness of a single cell; under a
 /// load that has not pressed anything yet, the cell that touches first.
-void ElasticContact::start(std::span<const double> distance, const Drive& drive, std::span<double> pressure) const
+void ElasticContact::start(std::span<const double> distance, const Drive& drive, std::span<double> pressure)
 {
   for (double& p : pressure)
     p = std::max(p, 0.0);
@@ -104,7 +104,7 @@ void ElasticContact::start(std::span<const double> distance, const Drive& drive,
         pressure[i] = std::max(0.0, drive.value - distance[i]) * stiffness;
   }
   if (load_given)
-    scale_to_load(drive.value, pressure);
+    scale_to_load(drive.value, std::accumulate(pressure.begin(), pressure.end(), 0.0), pressure);
 }
 
 ElasticContact::Step& ElasticContact::Step::operator+=(const Step& other)
@@ -115,20 +115,19 @@ ElasticContact::Step& ElasticContact::Step::operator+=(const Step& other)
   return *this;
 }
 
-void ElasticContact::scale(double factor, std::span<double> pressure) const
+/// The load made what it should be; `sum` is that of the pressure. The displacement keeps pace.
+void ElasticContact::scale_to_load(double load, double sum, std::span<double> pressure)
 {
+  const double factor = load / (sum * compliance_.grid().cell_area());
   for_pieces(pressure.size(),
              [&](std::size_t first, std::size_t last)
              {
                for (std::size_t i = first; i < last; ++i)
+               {
                  pressure[i] *= factor;
+                 displacement_[i] *= factor;
+               }
              });
-}
-
-void ElasticContact::scale_to_load(double load, std::span<double> pressure) const
-{
-  const double sum = std::accumulate(pressure.begin(), pressure.end(), 0.0);
-  scale(load / (sum * compliance_.grid().cell_area()), pressure);
 }
 
 /// Gap and errors of the displacement that is known.
@@ -294,13 +293,13 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
     Step done = advance(step, relaxation, gap, pressure);
     conjugate = !done.added; // whatever comes into contact restarts the directions
     followed = done.cut || done.added ? many : followed + 1;
-    if (load_given && !(done.sum > 0.0)) // everything was cut: begin anew
+    if (load_given && done.sum > 0.0)
+      scale_to_load(drive.value, done.sum, pressure);
+    else if (load_given) // everything was cut: begin anew
     {
       start(distance, drive, pressure);
       conjugate = false;
     }
-    else if (load_given && followed == many)
-      scale(drive.value / (done.sum * compliance_.grid().cell_area()), pressure);
   }
 }
 

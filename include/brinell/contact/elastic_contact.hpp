@@ -70,9 +70,8 @@ private:
     double sum = 0.0;                ///< of the pressure
     Step& operator+=(const Step& other);
   };
-  void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure) const;
-  void scale(double factor, std::span<double> pressure) const;
-  void scale_to_load(double load, std::span<double> pressure) const;
+  void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure);
+  void scale_to_load(double load, double sum, std::span<double> pressure);
   [[nodiscard]] State settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
                              std::span<double> gap) const;
   [[nodiscard]] double descend(double beta, bool load_given, std::span<const double> pressure,
