@@ -58,6 +58,9 @@ BENCHMARK(contact_solution)
     ->Args({33, 13, 1})
     ->Args({129, 129, 0})
     ->Args({129, 129, 1})
+    ->Args({257, 257, 0})
+    ->Args({257, 257, 1})
+    ->Args({513, 513, 0})
     ->Unit(benchmark::kMicrosecond);
 
 } // namespace

@@ -16,17 +16,7 @@ namespace
 /// In a spectrum of one block, or of all blocks one after the other: the row of one wavenumber along y.
 std::ptrdiff_t row_at(const BlockedFft& fft, int block, int row)
 {
-  return (static_cast<std::ptrdiff_t>(block) * fft.py() + row) * fft.planes() * lane_count;
-}
-
-/// The last step back to real space.
-void real_field(const BlockedFft& fft, const Complex* rows, int plane, BlockedFft::Scratch& scratch, double* field)
-{
-  const SurfaceGrid& s = fft.grid();
-  const double* row = fft.rows_inverse(rows, plane, scratch);
-  for (std::ptrdiff_t j = 0; j < s.ny; ++j, row += fft.px())
-    for (std::ptrdiff_t i = 0; i < s.nx; ++i)
-      field[j * s.nx + i] = fft.scale() * row[i];
+  return (static_cast<std::ptrdiff_t>(block) * fft.py() + row) * fft.pitch() * lane_count;
 }
 
 int padded(int cells)
@@ -115,7 +105,7 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
                                       strained);
         eigenstrain_stress_.apply(block, row, strain, strained, work.stress_.data() + row_at(volume_fft_, block, row),
                                   layers, scratch.layers,
-                                  trace == nullptr ? nullptr : trace + row_at(surface_fft_, block, row) * grid_.nz);
+                                  trace == nullptr ? nullptr : trace + row_at(trace_fft_, block, row));
       }
     }
 #pragma omp for schedule(static)
@@ -123,7 +113,7 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
       surface_fft_.columns_inverse(work.surface_.data() + row_at(surface_fft_, block, 0), block, 0,
                                    work.surface_rows_.data(), scratch.fft);
   }
-  real_field(surface_fft_, work.surface_rows_.data(), 0, work.threads_.front().fft, displacement.data());
+  surface_fft_.rows_inverse(work.surface_rows_.data(), 0, displacement.data(), work.threads_.front().fft);
 }
 
 void HalfSpace::load_pressure(std::span<const double> pressure, Work& work) const
@@ -161,7 +151,7 @@ void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<co
       const int component = plane % Deviator::size;
       const int layer = plane / Deviator::size;
       double* field = stress.data() + field_at(component, layer);
-      real_field(volume_fft_, work.rows_.data(), plane, scratch.fft, field);
+      volume_fft_.rows_inverse(work.rows_.data(), plane, field, scratch.fft);
       finish(component, layer, plastic_strain, work, field);
     }
   }
@@ -200,7 +190,7 @@ void HalfSpace::full_stress(std::span<const double> pressure, std::span<const do
   for (int layer = 0; layer < grid_.nz; ++layer)
   {
     double* field = trace.data() + field_at(0, layer);
-    real_field(fft, rows.data(), layer, scratch, field);
+    fft.rows_inverse(rows.data(), layer, field, scratch);
     finish(ImageCorrection::trace, layer, plastic_strain, work, field);
   }
 }

@@ -37,6 +37,10 @@ struct Report
 ///
 /// Finds p >= 0, gap = distance - approach + A p >= 0, p * gap = 0 with A the surface compliance; the approach is given, or
 /// the sum of p dx dy is: docs/theory/contact.md (complementarity).
+///
+/// While no cell comes into contact or leaves it, the displacement follows the pressure by the image of the direction that
+/// the iteration has anyway, and an iteration costs one product with A. Whatever is reported comes of a product with the
+/// pressure itself.
 class ElasticContact
 {
 public:
@@ -53,15 +57,31 @@ public:
                              const std::function<bool()>& wants_stop = {});
 
 private:
-  void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure) const;
-  void scale_to_load(double load, std::span<double> pressure) const;
-  [[nodiscard]] double descend(bool conjugate, bool load_given, std::span<const double> pressure,
+  /// How the surfaces lie; from the displacement.
+  struct State
+  {
+    double squares = 0.0; ///< of the gap under pressure
+    Report report;
+  };
+  /// What a step has done to the pressure.
+  struct Step
+  {
+    bool cut = false, added = false; ///< cells that lost contact or came (back) into it
+    double sum = 0.0;                ///< of the pressure
+    Step& operator+=(const Step& other);
+  };
+  void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure);
+  void scale_to_load(double load, double sum, std::span<double> pressure);
+  [[nodiscard]] State settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
+                             std::span<double> gap) const;
+  [[nodiscard]] double descend(double beta, bool load_given, std::span<const double> pressure,
                                std::span<const double> gap);
+  [[nodiscard]] Step advance(double step, double relaxation, std::span<const double> gap, std::span<double> pressure);
 
   const halfspace::SurfaceCompliance& compliance_;
   halfspace::SurfaceCompliance::Scratch scratch_;
-  std::vector<double> direction_, image_;
-  double norm_ = 1.0; ///< of the gap under pressure, squared, in the iteration before
+  std::vector<double> direction_, image_; ///< of the pressure, and its displacement
+  std::vector<double> displacement_;      ///< of the pressure [m]
 };
 
 } // namespace brinell::contact

@@ -15,8 +15,9 @@ namespace brinell
 /// Work on a layered body couples all planes at one wavenumber. So the spectrum is cut into blocks of `lane_count`
 /// neighbouring wavenumbers along x, each small enough for the cache, and the transforms along x and y are apart:
 ///   rows      [block][plane][ny][lane]         after the transform along x; the zero padding in y is not stored
-///   spectrum  [block][row][plane][lane]        row = wavenumber index along y, wrapped
-/// Lanes beyond the last wavenumber hold zeros. Planned once; every function is const and may be called from several
+///   spectrum  [block][row][pitch][lane]        row = wavenumber index along y, wrapped; the pitch holds the planes
+/// Lanes beyond the last wavenumber hold zeros. The pitch is odd, at the price of one unused plane: were it divisible by
+/// a power of two, the rows of a column would fall into few sets of the caches and evict each other. Planned once; every function is const and may be called from several
 /// threads for different planes or blocks, each with its own Scratch.
 class BlockedFft
 {
@@ -32,15 +33,20 @@ public:
   [[nodiscard]] int py() const { return py_; }
   [[nodiscard]] int kx() const { return px_ / 2 + 1; } ///< wavenumbers along x
   [[nodiscard]] int planes() const { return planes_; }
+  /// Places for planes in one row of the spectrum: from one row to the next, pitch() * lane_count complex values.
+  [[nodiscard]] int pitch() const { return planes_ | 1; }
   [[nodiscard]] int blocks() const { return (kx() + lane_count - 1) / lane_count; }
   /// Complex values of all rows, and of the spectrum of one block.
   [[nodiscard]] std::size_t rows_size() const;
   [[nodiscard]] std::size_t block_size() const;
 
+  /// The rows of a plane are transformed in batches that stay in the cache, so many of them:
+  [[nodiscard]] int batches() const { return (grid_.ny + batch_rows_ - 1) / batch_rows_; }
+
   struct Scratch
   {
-    AlignedVector<double> real;    ///< [ny][px]
-    AlignedVector<Complex> half;   ///< [ny][blocks][lane]
+    AlignedVector<double> real;    ///< [row of a batch][px]
+    AlignedVector<Complex> half;   ///< [row of a batch][blocks][lane]
     AlignedVector<Complex> padded; ///< [py][lane], zero beyond row ny
     AlignedVector<Complex> column; ///< [py][lane]
   };
@@ -48,22 +54,26 @@ public:
 
   /// Along x: one real field on the grid to its rows (unnormalised).
   void rows_forward(const double* field, int plane, Complex* rows, Scratch& scratch) const;
+  /// One batch of them.
+  void rows_forward(const double* field, int plane, int batch, Complex* rows, Scratch& scratch) const;
   /// Along y: the rows of one plane in one block to the spectrum of this block.
   void columns_forward(const Complex* rows, int block, int plane, Complex* spectrum, Scratch& scratch) const;
   /// The way back along y.
   void columns_inverse(const Complex* spectrum, int block, int plane, Complex* rows, Scratch& scratch) const;
-  /// The way back along x. @returns the rows of the real field, px values apart, in `scratch`; they are to be multiplied
-  /// by `scale()`.
-  const double* rows_inverse(const Complex* rows, int plane, Scratch& scratch) const;
-  [[nodiscard]] double scale() const { return 1.0 / (static_cast<double>(px_) * py_); }
+  /// The way back along x, to the field on the grid (scaled by 1/(px py)).
+  void rows_inverse(const Complex* rows, int plane, double* field, Scratch& scratch) const;
+  /// One batch of its rows.
+  void rows_inverse(const Complex* rows, int plane, int batch, double* field, Scratch& scratch) const;
 
 private:
   struct Plans;
   [[nodiscard]] int width() const { return blocks() * lane_count; } ///< wavenumbers along x with the unused lanes
   [[nodiscard]] std::size_t rows_at(int block, int plane) const;
+  [[nodiscard]] int rows_in(int batch) const;
 
   SurfaceGrid grid_;
   int px_ = 0, py_ = 0, planes_ = 0;
+  int batch_rows_ = 1; ///< the last batch may have fewer
   std::unique_ptr<Plans> plans_;
 };
 

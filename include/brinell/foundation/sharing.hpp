@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace brinell
+{
+
+/// Whether work on a surface of so many cells is worth sharing among threads: below, they would mostly wait for each
+/// other.
+[[nodiscard]] inline bool is_shared(std::size_t cells)
+{
+  return cells >= 16384;
+}
+
+/// Cells of one piece of work. It does not depend on the number of threads, and so nor does any sum over pieces.
+inline constexpr std::size_t piece_size = 2048;
+
+/// work(first, last) for every piece of the cells [0, cells), by several threads if there are many cells.
+template <typename Work>
+void for_pieces(std::size_t cells, const Work& work)
+{
+  const std::size_t pieces = (cells + piece_size - 1) / piece_size;
+  const auto piece = [&](std::size_t i) { work(i * piece_size, std::min(cells, (i + 1) * piece_size)); };
+  if (!is_shared(cells))
+    for (std::size_t i = 0; i < pieces; ++i)
+      piece(i);
+  else
+  {
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < pieces; ++i)
+      piece(i);
+  }
+}
+
+/// Total of part(first, last) over the pieces, added with += in their order.
+template <typename Part>
+[[nodiscard]] auto sum_of_pieces(std::size_t cells, const Part& part)
+{
+  using Sum = decltype(part(std::size_t{}, std::size_t{}));
+  Sum total{};
+  if (!is_shared(cells))
+  {
+    for_pieces(cells, [&](std::size_t first, std::size_t last) { total += part(first, last); });
+    return total;
+  }
+  std::vector<Sum> parts((cells + piece_size - 1) / piece_size);
+  for_pieces(cells, [&](std::size_t first, std::size_t last) { parts[first / piece_size] = part(first, last); });
+  for (const Sum& sum : parts)
+    total += sum;
+  return total;
+}
+
+} // namespace brinell
