@@ -197,7 +197,8 @@ private:
     const auto choice = m_choices.find(entry.key);
     if (choice != m_choices.end() && !choice->second.empty())
       return choice->second;
-    return entry.fallback ? toml_text(*entry.fallback) : entry.example;
+    const std::optional<Value> fallback = fallback_of(entry, m_scenario);
+    return fallback ? toml_text(*fallback) : entry.example;
   }
 
   [[nodiscard]] static std::string meaning(const Entry& entry)

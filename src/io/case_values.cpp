@@ -57,7 +57,13 @@ private:
     else if (entry.required)
       missing(entry);
     else if (entry.fallback && !rival)
-      m_values.set(entry.key, *entry.fallback);
+      m_values.set(entry.key, *fallback_of(entry, scenario()));
+  }
+
+  [[nodiscard]] std::string scenario() const
+  {
+    const Value* value = m_values.find("scenario");
+    return value ? std::get<std::string>(*value) : "";
   }
 
   [[nodiscard]] bool applies(const Condition& when) const

@@ -46,7 +46,12 @@ std::string_view tail(std::string_view key)
 std::string default_text(const Entry& entry)
 {
   if (entry.fallback)
-    return toml_text(*entry.fallback);
+  {
+    std::string text = toml_text(*entry.fallback);
+    for (const auto& [scenario, value] : entry.fallback_in)
+      text += fmt::format(", in {} {}", scenario, toml_text(value));
+    return text;
+  }
   return entry.required ? "required" : entry.unset;
 }
 

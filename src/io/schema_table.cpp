@@ -4,8 +4,6 @@
 #include "brinell/simulation/tugging.hpp"
 #include "schema_parts.hpp"
 
-#include <fmt/format.h>
-
 namespace brinell::io
 {
 
@@ -33,8 +31,6 @@ std::vector<Entry> root_entries()
 std::vector<Entry> grid_entries()
 {
   const simulation::Numerics defaults;
-  const std::string resolutions =
-      fmt::format("{:g}; in tugging {:g}", defaults.resolution, simulation::TuggingCase().resolution);
   return {
       {.key = "grid.spacing",
        .type = Type::vector3,
@@ -43,11 +39,12 @@ std::vector<Entry> grid_entries()
        .unset = "from resolution",
        .text = "Size of the cells [dx, dy, dz]: along the motion, across it, in depth.",
        .excludes = "grid.resolution",
-       .example = R"(["20 um", "20 um", "10 um"])"},
+       .example = R"(["10 um", "10 um", "5 um"])"},
       {.key = "grid.resolution",
        .type = Type::number,
        .range = between(1.0, 1000.0),
-       .unset = resolutions,
+       .fallback = defaults.resolution,
+       .fallback_in = {{"tugging", simulation::TuggingCase().resolution}},
        .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
                "Tugging: the "
                "elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
@@ -180,6 +177,14 @@ const Entry* find_entry(std::string_view key)
     if (entry.key == key)
       return &entry;
   return nullptr;
+}
+
+std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario)
+{
+  for (const auto& [name, value] : entry.fallback_in)
+    if (name == scenario)
+      return value;
+  return entry.fallback;
 }
 
 bool is_table(std::string_view key)

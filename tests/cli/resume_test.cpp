@@ -141,7 +141,7 @@ TEST_P(Resume, OnlyTheSameCaseThatIsNotComplete)
   EXPECT_EQ(run({"run", "case.toml", "-o", "nowhere", "--resume"}).exit_code, 2);
   EXPECT_FALSE(fs::exists(folder() / "nowhere"));
   EXPECT_EQ(stopped(3, SIGINT), 130);
-  const Outcome other = run({"run", "case.toml", "-o", "stopped", "--resume", "--set", "grid.resolution=4"});
+  const Outcome other = run({"run", "case.toml", "-o", "stopped", "--resume", "--set", "grid.resolution=5"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.err.find("another case"), std::string::npos) << other.err;
   EXPECT_EQ(run({"run", "case.toml", "-q", "-o", "stopped", "--resume"}).exit_code, 0);

@@ -83,14 +83,18 @@ struct Entry
   std::vector<std::string> choices{};
   bool required = false;           ///< where the condition holds
   std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset
-  std::string unset{};             ///< what happens then
-  std::string text;                ///< meaning
-  std::string hint{};              ///< what a usual value is, for messages
+  std::vector<std::pair<std::string, Value>> fallback_in{}; ///< defaults that a scenario has instead
+  std::string unset{};                                      ///< what happens then
+  std::string text;                                         ///< meaning
+  std::string hint{};                                       ///< what a usual value is, for messages
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
   std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
   std::string example{};  ///< a sensible value as TOML, where there is no default
 };
+
+/// The default of a key in a scenario.
+[[nodiscard]] std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario);
 
 /// All keys, parents before children, keys that others depend on before these.
 [[nodiscard]] const std::vector<Entry>& case_schema();

@@ -153,7 +153,7 @@ TEST(InputFiles, ModulusBeyondAllSolidsIsWarnedOf)
   {
     const Case c = sample::parsed({std::string("upper.material.young_modulus=") + modulus});
     return std::any_of(c.warnings.begin(), c.warnings.end(),
-                       [](const auto& w) { return w.find("stiffer than any solid") != std::string::npos; });
+                       [](const auto& w) { return w.text.find("stiffer than any solid") != std::string::npos; });
   };
   EXPECT_TRUE(warned("1e109"));
   EXPECT_FALSE(warned("1.1e12")) << "diamond";

@@ -30,7 +30,7 @@ RunTotals good_totals(const RollingCase& c)
   const RollingPlan p = plan(c);
   RunTotals t;
   t.coverage = {static_cast<int>(2.0 * p.half_width_x / p.contact.dx),
-                static_cast<int>(2.0 * p.half_width_y / p.contact.dy), 20, 1e-3};
+                static_cast<int>(2.0 * p.half_width_y / p.contact.dy), 20};
   t.max_equivalent_plastic_strain = 0.01;
   t.energy_balance_error = 1e-3;
   return t;
