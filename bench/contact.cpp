@@ -42,15 +42,18 @@ void contact_solution(benchmark::State& state)
   if (warm && !solver.solve(rigid_gap(grid, 0.95), {}, 1e-7 * depth, 1000, last, gap).converged)
     state.SkipWithError("the step before has not converged");
   long iterations = 0;
+  long products = 0;
   for (auto _ : state)
   {
     std::vector<double> pressure = last;
     const contact::Report report = solver.solve(rigid, {}, 1e-7 * depth, 1000, pressure, gap);
     iterations += report.iterations;
+    products += report.products;
     if (!report.converged)
       state.SkipWithError("not converged");
   }
   state.counters["iterations"] = static_cast<double>(iterations) / static_cast<double>(state.iterations());
+  state.counters["products"] = static_cast<double>(products) / static_cast<double>(state.iterations());
 }
 BENCHMARK(contact_solution)
     ->ArgNames({"nx", "ny", "warm"})

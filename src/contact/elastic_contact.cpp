@@ -74,6 +74,98 @@ struct Slopes
   }
 };
 
+/// Cells [first, last) of fields: the loops are written once, and shared out by sum_of_pieces and for_pieces.
+struct Piece
+{
+  std::size_t first, last;
+};
+
+/// The gap at no approach.
+Under sum_under(Piece piece, const double* p, const double* displacement, const double* distance)
+{
+  double sum = 0.0;
+  double count = 0.0;
+#pragma omp simd reduction(+ : sum, count)
+  for (std::size_t i = piece.first; i < piece.last; ++i)
+  {
+    sum += p[i] > 0.0 ? displacement[i] + distance[i] : 0.0;
+    count += p[i] > 0.0 ? 1.0 : 0.0;
+  }
+  return {sum, count};
+}
+
+Errors errors_of(Piece piece, const double* p, const double* gap)
+{
+  double squares = 0.0;
+  double sum = 0.0; // is NaN if any gap is
+  double gap_error = 0.0;
+  double penetration = 0.0;
+#pragma omp simd reduction(+ : squares, sum) reduction(max : gap_error, penetration)
+  for (std::size_t i = piece.first; i < piece.last; ++i)
+  {
+    const double under = p[i] > 0.0 ? gap[i] : 0.0;
+    const double outside = p[i] > 0.0 ? 0.0 : -gap[i];
+    sum += gap[i];
+    squares += under * under;
+    gap_error = std::max(gap_error, std::abs(under));
+    penetration = std::max(penetration, outside);
+  }
+  const double none = std::isnan(sum) ? sum : 0.0;
+  return {squares, gap_error + none, penetration + none};
+}
+
+Slopes slopes_of(Piece piece, const double* p, const double* gap, const double* direction, const double* image)
+{
+  double descent = 0.0;
+  double curvature = 0.0;
+  double total = 0.0;
+  double sum = 0.0;
+  double count = 0.0;
+#pragma omp simd reduction(+ : descent, curvature, total, sum, count)
+  for (std::size_t i = piece.first; i < piece.last; ++i)
+  {
+    descent += gap[i] * direction[i];
+    curvature += image[i] * direction[i];
+    total += direction[i];
+    sum += p[i] > 0.0 ? image[i] : 0.0;
+    count += p[i] > 0.0 ? 1.0 : 0.0;
+  }
+  return {descent, curvature, total, {sum, count}};
+}
+
+/// Cells that a step cuts off or brings into contact, and the sum of the pressure after it.
+struct Taken
+{
+  double cut = 0.0, added = 0.0, pressure = 0.0;
+  Taken& operator+=(const Taken& other)
+  {
+    cut += other.cut;
+    added += other.added;
+    pressure += other.pressure;
+    return *this;
+  }
+};
+
+Taken taken(Piece piece, double step, double relaxation, const double* gap, const double* direction,
+            const double* image, double* p, double* displacement)
+{
+  double sum = 0.0;
+  double cut = 0.0; // GCC 12 counts wrongly, and reads beyond arrays, if these are integers
+  double added = 0.0;
+#pragma omp simd reduction(+ : sum, cut, added)
+  for (std::size_t i = piece.first; i < piece.last; ++i)
+  {
+    const double moved = p[i] > 0.0 ? p[i] - step * direction[i] : 0.0;
+    const bool is_added = !(moved > 0.0) && gap[i] < 0.0;
+    cut += p[i] > 0.0 && !(moved > 0.0) ? 1.0 : 0.0;
+    added += is_added ? 1.0 : 0.0;
+    p[i] = is_added ? -relaxation * gap[i] : std::max(0.0, moved);
+    sum += p[i];
+    displacement[i] -= step * image[i];
+  }
+  return {cut, added, sum};
+}
+
 /// Without load the surfaces just touch.
 Report touching(std::span<const double> distance, std::span<double> pressure, std::span<double> gap)
 {
@@ -107,14 +199,6 @@ void ElasticContact::start(std::span<const double> distance, const Drive& drive,
     scale_to_load(drive.value, std::accumulate(pressure.begin(), pressure.end(), 0.0), pressure);
 }
 
-ElasticContact::Step& ElasticContact::Step::operator+=(const Step& other)
-{
-  cut = cut || other.cut;
-  added = added || other.added;
-  sum += other.sum;
-  return *this;
-}
-
 /// The load made what it should be; `sum` is that of the pressure. The displacement keeps pace.
 void ElasticContact::scale_to_load(double load, double sum, std::span<double> pressure)
 {
@@ -136,48 +220,21 @@ ElasticContact::State ElasticContact::settle(std::span<const double> distance, c
 {
   const std::size_t cells = gap.size();
   const double* p = pressure.data();
-  double* g = gap.data();
+  const double* u = displacement_.data();
   State state;
-  state.report.approach = drive.value;
-  if (drive.kind == Drive::Kind::load)
-    state.report.approach = sum_of_pieces(cells,
-                                          [&](std::size_t first, std::size_t last)
-                                          {
-                                            double sum = 0.0;
-                                            double count = 0.0;
-#pragma omp simd reduction(+ : sum, count)
-                                            for (std::size_t i = first; i < last; ++i)
-                                            {
-                                              sum += p[i] > 0.0 ? displacement_[i] + distance[i] : 0.0;
-                                              count += p[i] > 0.0 ? 1.0 : 0.0;
-                                            }
-                                            return Under{sum, count};
-                                          })
-                                .mean();
-  const double approach = state.report.approach;
-  const Errors errors = sum_of_pieces(cells,
-                                      [&](std::size_t first, std::size_t last)
-                                      {
-                                        double squares = 0.0;
-                                        double sum = 0.0; // is NaN if any gap is
-                                        double gap_error = 0.0;
-                                        double penetration = 0.0;
-#pragma omp simd reduction(+ : squares, sum) reduction(max : gap_error, penetration)
-                                        for (std::size_t i = first; i < last; ++i)
-                                        {
-                                          const double value = displacement_[i] + distance[i] - approach;
-                                          const double under = p[i] > 0.0 ? value : 0.0;
-                                          const double outside = p[i] > 0.0 ? 0.0 : -value;
-                                          g[i] = value;
-                                          sum += value;
-                                          squares += under * under;
-                                          gap_error = std::max(gap_error, std::abs(under));
-                                          penetration = std::max(penetration, outside);
-                                        }
-                                        const double none = std::isnan(sum) ? sum : 0.0;
-                                        return Errors{squares, gap_error + none, penetration + none};
-                                      });
+  const auto under = [&](std::size_t first, std::size_t last) {
+    return sum_under({first, last}, p, u, distance.data());
+  };
+  const double approach = drive.kind == Drive::Kind::load ? sum_of_pieces(cells, under).mean() : drive.value;
+  const auto close = [&](std::size_t first, std::size_t last)
+  {
+    for (std::size_t i = first; i < last; ++i)
+      gap[i] = u[i] + distance[i] - approach;
+    return errors_of({first, last}, p, gap.data());
+  };
+  const Errors errors = sum_of_pieces(cells, close);
   state.squares = errors.squares;
+  state.report.approach = approach;
   state.report.gap_error = errors.gap;
   state.report.penetration = errors.penetration;
   return state;
@@ -194,31 +251,14 @@ double ElasticContact::descend(double beta, bool load_given, std::span<const dou
   for_pieces(gap.size(),
              [&](std::size_t first, std::size_t last)
              {
-#pragma omp simd
                for (std::size_t i = first; i < last; ++i)
                  d[i] = p[i] > 0.0 ? g[i] + beta * d[i] : 0.0;
              });
   compliance_.apply(direction_, image_, scratch_);
-  const double* image = image_.data();
-  const Slopes slopes = sum_of_pieces(gap.size(),
-                                      [&](std::size_t first, std::size_t last)
-                                      {
-                                        double descent = 0.0;
-                                        double curvature = 0.0;
-                                        double direction = 0.0;
-                                        double sum = 0.0;
-                                        double count = 0.0;
-#pragma omp simd reduction(+ : descent, curvature, direction, sum, count)
-                                        for (std::size_t i = first; i < last; ++i)
-                                        {
-                                          descent += g[i] * d[i];
-                                          curvature += image[i] * d[i];
-                                          direction += d[i];
-                                          sum += p[i] > 0.0 ? image[i] : 0.0;
-                                          count += p[i] > 0.0 ? 1.0 : 0.0;
-                                        }
-                                        return Slopes{descent, curvature, direction, {sum, count}};
-                                      });
+  const auto slopes_here = [&](std::size_t first, std::size_t last) {
+    return slopes_of({first, last}, p, g, d, image_.data());
+  };
+  const Slopes slopes = sum_of_pieces(gap.size(), slopes_here);
   const double mean = load_given ? slopes.image.mean() : 0.0; // the approach takes it up
   const double curvature = slopes.curvature - mean * slopes.direction;
   return curvature > 0.0 ? slopes.descent / curvature : 0.0;
@@ -229,28 +269,13 @@ double ElasticContact::descend(double beta, bool load_given, std::span<const dou
 ElasticContact::Step ElasticContact::advance(double step, double relaxation, std::span<const double> gap,
                                              std::span<double> pressure)
 {
-  double* p = pressure.data();
-  const double* g = gap.data();
-  return sum_of_pieces(gap.size(),
-                       [&](std::size_t first, std::size_t last)
-                       {
-                         double sum = 0.0;
-                         int cut = 0;
-                         int added = 0;
-#pragma omp simd reduction(+ : sum, cut, added)
-                         for (std::size_t i = first; i < last; ++i)
-                         {
-                           const double moved = p[i] > 0.0 ? p[i] - step * direction_[i] : 0.0;
-                           const bool is_cut = p[i] > 0.0 && !(moved > 0.0);
-                           const bool is_added = !(moved > 0.0) && g[i] < 0.0;
-                           cut += is_cut ? 1 : 0;
-                           added += is_added ? 1 : 0;
-                           p[i] = is_added ? -relaxation * g[i] : std::max(0.0, moved);
-                           sum += p[i];
-                           displacement_[i] -= step * image_[i];
-                         }
-                         return Step{cut > 0, added > 0, sum};
-                       });
+  const auto taken_here = [&](std::size_t first, std::size_t last)
+  {
+    return taken({first, last}, step, relaxation, gap.data(), direction_.data(), image_.data(), pressure.data(),
+                 displacement_.data());
+  };
+  const Taken sums = sum_of_pieces(gap.size(), taken_here);
+  return {sums.cut > 0.0, sums.added > 0.0, sums.pressure};
 }
 
 Report ElasticContact::solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
@@ -265,32 +290,40 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
   { return r.gap_error <= tolerance && r.penetration <= tolerance && std::isfinite(r.approach); };
   constexpr int few = 8;   // iterations between questions whether to stop
   constexpr int many = 32; // and at most between two products with the pressure itself: rounding does not pile up
-  int followed = many;     // iterations since the last of these
+  int followed = many;     // steps that the displacement has followed since the last of these; `many`: it has not
   bool conjugate = false;
   double squares_before = 1.0;
+  int products = 0;
   for (int iteration = 0;; ++iteration)
   {
     if (wants_stop && iteration % few == 0 && wants_stop())
       throw Interrupted();
     const bool is_last = iteration == max_iterations;
+    bool is_exact = followed >= many || is_last;
     State state;
-    if (followed < many && !is_last)
+    if (!is_exact)
+    {
       state = settle(distance, drive, pressure, gap);
-    if (followed >= many || is_last || (followed > 0 && is_good(state.report)))
+      is_exact = is_good(state.report); // to be told apart from what rounding has made of it
+    }
+    if (is_exact)
     {
       compliance_.apply(pressure, displacement_, scratch_);
       followed = 0;
+      ++products;
       state = settle(distance, drive, pressure, gap);
     }
     state.report.iterations = iteration;
+    state.report.products = products;
     state.report.converged = is_good(state.report);
     if (state.report.converged || is_last)
       return state.report;
 
+    ++products;
     const double step = descend(conjugate ? state.squares / squares_before : 0.0, load_given, pressure, gap);
     squares_before = state.squares;
     const double relaxation = step > 0.0 ? step : 1.0 / compliance_.longest_wave();
-    Step done = advance(step, relaxation, gap, pressure);
+    const Step done = advance(step, relaxation, gap, pressure);
     conjugate = !done.added; // whatever comes into contact restarts the directions
     followed = done.cut || done.added ? many : followed + 1;
     if (load_given && done.sum > 0.0)

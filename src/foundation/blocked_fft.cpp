@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <fftw3.h>
 
@@ -47,7 +46,7 @@ struct BlockedFft::Plans
   Plans(const BlockedFft& f, Scratch& scratch)
   {
     // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
-    const unsigned flags = getenv("M") ? FFTW_MEASURE : FFTW_ESTIMATE;
+    const unsigned flags = FFTW_ESTIMATE;
     const auto lock = planner_lock();
     const int width = f.width();
     const int pitch = f.pitch() * lane_count;

@@ -28,6 +28,7 @@ struct Report
 {
   bool converged = false;
   int iterations = 0;
+  int products = 0;         ///< with the compliance, which is what a solution costs
   double approach = 0.0;    ///< imposed or found [m]; without load that at which the surfaces touch
   double gap_error = 0.0;   ///< largest |gap| where pressure acts [m]
   double penetration = 0.0; ///< largest negative gap where none acts [m]
@@ -68,7 +69,6 @@ private:
   {
     bool cut = false, added = false; ///< cells that lost contact or came (back) into it
     double sum = 0.0;                ///< of the pressure
-    Step& operator+=(const Step& other);
   };
   void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure);
   void scale_to_load(double load, double sum, std::span<double> pressure);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <omp.h>
 #include <vector>
 
 namespace brinell::contact
@@ -283,6 +284,206 @@ TEST(LoadDrivenTest, ANumberThatIsNoneIsNotAConvergedOne)
   {
     std::vector<double> pressure(g.size(), 0.0), gap(g.size());
     EXPECT_FALSE(contact.solve(distance, drive, 1e-9, 50, pressure, gap).converged);
+  }
+}
+
+/// A sphere with roughness in several waves, pressed by half the height of the sphere's cap on the grid.
+struct RoughSphere
+{
+  SurfaceGrid grid;
+  std::vector<double> distance;
+  double overlap = 0.0;
+
+  explicit RoughSphere(int n, double roughness) : grid{n, n, 1.0 / n, 1.0 / n}, distance(paraboloid(grid, 0.0))
+  {
+    overlap = 0.5 * 0.3 * 0.3;
+    const std::vector<double> phase = test::random_field(24, 11, 0.0, 2.0 * std::numbers::pi);
+    for (int k = 0; k < 12; ++k)
+    {
+      const double wave = 2.0 * std::numbers::pi * (k + 2), turn = phase[static_cast<std::size_t>(2 * k)];
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          distance[static_cast<std::size_t>(i + n * j)] +=
+              roughness * overlap * std::pow(k + 1.0, -1.8) *
+              std::cos(wave * (std::cos(turn) * i * grid.dx + std::sin(turn) * j * grid.dy) +
+                       phase[static_cast<std::size_t>(2 * k + 1)]);
+    }
+  }
+  /// Of modulus 1.
+  [[nodiscard]] Solution pressed(const Drive& drive, double tolerance, int max_iterations = 1000) const
+  {
+    const halfspace::SurfaceCompliance compliance(grid, 1.0);
+    ElasticContact contact(compliance);
+    Solution s{{}, std::vector<double>(grid.size()), std::vector<double>(grid.size())};
+    s.report = contact.solve(distance, drive, tolerance, max_iterations, s.pressure, s.gap);
+    return s;
+  }
+};
+
+/// The method as it is written, with sums in the order of the cells and a product with the pressure in every iteration.
+Solution by_two_products(const RoughSphere& problem, const Drive& drive, double tolerance)
+{
+  const SurfaceGrid& grid = problem.grid;
+  const halfspace::SurfaceCompliance compliance(grid, 1.0);
+  halfspace::SurfaceCompliance::Scratch scratch = compliance.make_scratch();
+  const bool load_given = drive.kind == Drive::Kind::load;
+  const std::size_t n = grid.size();
+  std::vector<double> p(n), g(n), d(n), image(n);
+  const auto touching = [&](std::size_t i) { return p[i] > 0.0; };
+  const auto mean = [&](const std::vector<double>& field)
+  {
+    double total = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      if (touching(i))
+        total += field[i], count += 1.0;
+    return total / count;
+  };
+  const auto scale = [&]
+  {
+    const double factor = drive.value / (sum(p) * grid.cell_area());
+    for (double& value : p)
+      value *= factor;
+  };
+  if (load_given)
+  {
+    p[static_cast<std::size_t>(std::min_element(problem.distance.begin(), problem.distance.end()) -
+                               problem.distance.begin())] = 1.0;
+    scale();
+  }
+  else
+    for (std::size_t i = 0; i < n; ++i)
+      p[i] = std::max(0.0, drive.value - problem.distance[i]) / compliance.largest();
+  double before = 1.0;
+  bool conjugate = false;
+  Report report;
+  for (;; ++report.iterations)
+  {
+    compliance.apply(p, g, scratch);
+    for (std::size_t i = 0; i < n; ++i)
+      g[i] += problem.distance[i];
+    report.approach = load_given ? mean(g) : drive.value;
+    double squares = 0.0, error = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      g[i] -= report.approach;
+      squares += touching(i) ? g[i] * g[i] : 0.0;
+      error = std::max(error, touching(i) ? std::abs(g[i]) : -g[i]);
+    }
+    report.converged = error <= tolerance;
+    if (report.converged || report.iterations == 1000)
+      return {report, p, g};
+    for (std::size_t i = 0; i < n; ++i)
+      d[i] = touching(i) ? g[i] + (conjugate ? squares / before : 0.0) * d[i] : 0.0;
+    before = squares;
+    conjugate = true;
+    compliance.apply(d, image, scratch);
+    const double shift = load_given ? mean(image) : 0.0;
+    double descent = 0.0, curvature = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      descent += g[i] * d[i], curvature += (image[i] - shift) * d[i];
+    const double step = curvature > 0.0 ? descent / curvature : 0.0;
+    const double relaxation = step > 0.0 ? step : 1.0 / compliance.longest_wave();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      p[i] = touching(i) ? std::max(0.0, p[i] - step * d[i]) : 0.0;
+      if (p[i] == 0.0 && g[i] < 0.0)
+      {
+        p[i] = -relaxation * g[i];
+        conjugate = false;
+      }
+    }
+    if (load_given)
+      scale();
+  }
+}
+
+TEST(OneProductTest, TakesTheStepsOfTheMethodAndCostsHalf)
+{
+  for (const int n : {31, 65})
+  {
+    const RoughSphere problem(n, 0.2);
+    for (const Drive& drive : {Drive{Drive::Kind::approach, problem.overlap}, Drive{Drive::Kind::load, 0.01}})
+    {
+      const double tolerance = 1e-8 * problem.overlap;
+      const Solution s = problem.pressed(drive, tolerance);
+      expect_complementary(s, tolerance);
+      const Solution twin = by_two_products(problem, drive, tolerance);
+      ASSERT_TRUE(twin.report.converged);
+      EXPECT_EQ(s.report.iterations, twin.report.iterations);
+      EXPECT_NEAR(s.report.approach, twin.report.approach, 1e-12 * problem.overlap);
+      // Each step feeds on the rounding of the one before, but what is left of it is below the tolerance of the gap.
+      for (std::size_t i = 0; i < s.pressure.size(); ++i)
+        EXPECT_NEAR(s.pressure[i], twin.pressure[i], 1e-8 * largest(twin.pressure));
+      EXPECT_LT(s.report.products, 1.7 * s.report.iterations); // 2 by the method as it is written
+    }
+  }
+}
+
+/// What the pressure itself says, by a product of its own.
+void expect_true_errors(const RoughSphere& problem, const Solution& s)
+{
+  const halfspace::SurfaceCompliance compliance(problem.grid, 1.0);
+  halfspace::SurfaceCompliance::Scratch scratch = compliance.make_scratch();
+  std::vector<double> gap(s.gap.size());
+  compliance.apply(s.pressure, gap, scratch);
+  double under = 0.0, outside = 0.0;
+  for (std::size_t i = 0; i < gap.size(); ++i)
+  {
+    gap[i] = gap[i] + problem.distance[i] - s.report.approach;
+    EXPECT_EQ(s.gap[i], gap[i]);
+    (s.pressure[i] > 0.0 ? under : outside) =
+        std::max(s.pressure[i] > 0.0 ? under : outside, s.pressure[i] > 0.0 ? std::abs(gap[i]) : -gap[i]);
+  }
+  EXPECT_EQ(s.report.gap_error, under);
+  EXPECT_EQ(s.report.penetration, outside);
+}
+
+TEST(OneProductTest, WhatIsReportedComesOfTheFinalPressure)
+{
+  // Also in the last iteration allowed, and at a tolerance near rounding, where hundreds of followed steps would not tell.
+  const RoughSphere problem(65, 0.2);
+  for (const Drive& drive : {Drive{Drive::Kind::approach, problem.overlap}, Drive{Drive::Kind::load, 0.01}})
+  {
+    for (const int iterations : {0, 1, 7, 40})
+      expect_true_errors(problem, problem.pressed(drive, 1e-13 * problem.overlap, iterations));
+    const Solution exact = problem.pressed(drive, 1e-13 * problem.overlap);
+    EXPECT_TRUE(exact.report.converged);
+    expect_true_errors(problem, exact);
+  }
+}
+
+TEST(OneProductTest, ManyStepsDoNotDriftApartFromThePressure)
+{
+  // No tolerance is ever met: hundreds of steps at rounding level, where errors of following would add up.
+  const RoughSphere problem(33, 0.0);
+  const Solution s = problem.pressed({Drive::Kind::approach, problem.overlap}, 0.0, 1000);
+  EXPECT_FALSE(s.report.converged);
+  expect_true_errors(problem, s);
+  EXPECT_LT(s.report.gap_error, 1e-13 * problem.overlap);
+}
+
+TEST(ThreadsTest, DoNotChangeADigit)
+{
+  // 139 cells: the last piece of the sums and the last batch of rows are incomplete.
+  const int before = omp_get_max_threads();
+  const RoughSphere problem(139, 0.1);
+  for (const Drive& drive : {Drive{Drive::Kind::approach, problem.overlap}, Drive{Drive::Kind::load, 0.01}})
+  {
+    std::vector<Solution> solutions;
+    for (const int threads : {1, 2, 3})
+    {
+      omp_set_num_threads(threads);
+      solutions.push_back(problem.pressed(drive, 1e-6 * problem.overlap));
+    }
+    omp_set_num_threads(before);
+    for (const Solution& s : solutions)
+    {
+      EXPECT_TRUE(s.report.converged);
+      EXPECT_EQ(s.report.iterations, solutions.front().report.iterations);
+      EXPECT_EQ(s.report.approach, solutions.front().report.approach);
+      EXPECT_EQ(s.pressure, solutions.front().pressure);
+      EXPECT_EQ(s.gap, solutions.front().gap);
+    }
   }
 }
 
