@@ -84,7 +84,7 @@ void read_numerics(const CaseReader& reader, simulation::Numerics& numerics)
 {
   if (reader.has("grid.spacing"))
     numerics.spacing = reader.get<Vector3>("grid.spacing");
-  else if (reader.has("grid.resolution"))
+  else
     numerics.resolution = reader.get<double>("grid.resolution");
   numerics.extent = reader.get<double>("grid.extent");
   numerics.solver = solver(reader);

@@ -197,6 +197,9 @@ private:
     const auto choice = m_choices.find(entry.key);
     if (choice != m_choices.end() && !choice->second.empty())
       return choice->second;
+    if (entry.other_fallback && entry.other_fallback->when.key == "scenario" &&
+        std::ranges::find(entry.other_fallback->when.values, m_scenario) != entry.other_fallback->when.values.end())
+      return toml_text(entry.other_fallback->value);
     return entry.fallback ? toml_text(*entry.fallback) : entry.example;
   }
 

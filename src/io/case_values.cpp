@@ -57,7 +57,8 @@ private:
     else if (entry.required)
       missing(entry);
     else if (entry.fallback && !rival)
-      m_values.set(entry.key, *entry.fallback);
+      m_values.set(entry.key, entry.other_fallback && applies(entry.other_fallback->when) ? entry.other_fallback->value
+                                                                                          : *entry.fallback);
   }
 
   [[nodiscard]] bool applies(const Condition& when) const

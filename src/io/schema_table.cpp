@@ -33,8 +33,7 @@ std::vector<Entry> root_entries()
 std::vector<Entry> grid_entries()
 {
   const simulation::Numerics defaults;
-  const std::string resolutions =
-      fmt::format("{:g}; in tugging {:g}", defaults.resolution, simulation::TuggingCase().resolution);
+  const double in_tugging = simulation::TuggingCase().resolution;
   return {
       {.key = "grid.spacing",
        .type = Type::vector3,
@@ -47,10 +46,13 @@ std::vector<Entry> grid_entries()
       {.key = "grid.resolution",
        .type = Type::number,
        .range = between(1.0, 1000.0),
-       .unset = resolutions,
-       .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
-               "Tugging: the "
-               "elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
+       .fallback = defaults.resolution,
+       .other_fallback = OtherFallback{{"scenario", {"tugging"}}, in_tugging},
+       .text = std::string(
+                   "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
+                   "Tugging: the "
+                   "elastic contact radius at alignment, ") +
+               fmt::format("{:g} by default, of dx, 2 dx and dx/2.", in_tugging),
        .excludes = "grid.spacing"},
       {.key = "grid.extent",
        .type = Type::number,

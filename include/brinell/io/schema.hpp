@@ -72,6 +72,13 @@ struct Condition
   std::vector<std::string> values;
 };
 
+/// Another default where the condition holds.
+struct OtherFallback
+{
+  Condition when;
+  Value value;
+};
+
 /// One key of the case file.
 struct Entry
 {
@@ -82,9 +89,10 @@ struct Entry
   std::vector<std::string> choices{};
   bool required = false;           ///< where the condition holds
   std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset
-  std::string unset{};             ///< what happens then
-  std::string text;                ///< meaning
-  std::string hint{};              ///< what a usual value is, for messages
+  std::optional<OtherFallback> other_fallback{};
+  std::string unset{}; ///< what happens then
+  std::string text;    ///< meaning
+  std::string hint{};  ///< what a usual value is, for messages
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
   std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`

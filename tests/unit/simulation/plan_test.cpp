@@ -69,7 +69,7 @@ TEST(PlanTest, ResolutionGivesTheCells)
     const TuggingPlan p = plan(t);
     const double cell = p.elastic_contact_radius / resolution;
     EXPECT_DOUBLE_EQ(p.contact.dx, cell);
-    EXPECT_DOUBLE_EQ(p.contact.dy, cell);
+    EXPECT_DOUBLE_EQ(p.contact.dy, 2.0 * cell);
     EXPECT_DOUBLE_EQ(p.lower.dz, 0.5 * cell);
     EXPECT_DOUBLE_EQ(p.shift, cell);
   }
