@@ -59,13 +59,13 @@ std::vector<std::pair<std::string, std::string>> samples()
 {
   return {
       {"tugging, perfect, 9 alpha_c",
-       pair("tugging", ball, perfect, ball, perfect) + "[tugging]\ninterference = 9\n" + resolution(5)},
+       pair("tugging", ball, perfect, ball, perfect) + "[tugging]\ninterference = 9\n" + resolution(8)},
       {"tugging, hardening, 4 alpha_c",
-       pair("tugging", ball, steel, ball, steel) + "[tugging]\ninterference = 4\n" + resolution(5)},
+       pair("tugging", ball, steel, ball, steel) + "[tugging]\ninterference = 4\n" + resolution(8)},
       {"tugging, one body elastic, 6 alpha_c",
-       pair("tugging", ball, steel, ball, elastic) + "[tugging]\ninterference = 6\n" + resolution(4)},
+       pair("tugging", ball, steel, ball, elastic) + "[tugging]\ninterference = 6\n" + resolution(8)},
       {"tugging under a load, 5 P_c",
-       pair("tugging", ball, steel, ball, elastic) + "[tugging]\nload = 5\n" + resolution(4)},
+       pair("tugging", ball, steel, ball, elastic) + "[tugging]\nload = 5\n" + resolution(8)},
       {"elastic tugging", pair("tugging", ball, elastic, ball, elastic) +
                               "[tugging]\nnormalised = false\ninterference = \"1 um\"\n" + resolution(5)},
       {"ball on a flat, by load", pair("indentation", flat, steel, ball, elastic) +

@@ -45,9 +45,10 @@ TEST(InterpolatedShift, StaysBelowTheErrorOfTheMesh)
   {
     TuggingCase t =
         equal_spheres(4.0, constitutive::Material{elastic, constitutive::LinearHardening{yield_stress, 10e9}});
-    t.resolution = cells;
+    const double cell = simulation::plan(t).elastic_contact_radius / cells;
+    t.spacing = {{cell, cell, 0.5 * cell}};
     t.solver.mirror = false;
-    t.shift = shift * simulation::plan(t).contact.dx;
+    t.shift = shift * cell;
     return computed(t).summary;
   };
   std::vector<double> errors;
