@@ -15,7 +15,7 @@ namespace brinell::app
 /// The coarser runs of a series; none for a run by itself.
 struct LevelsBefore
 {
-  double cells = 1.0;  ///< size of the cells of the run at hand, over that of the case as given
+  double cells = 1.0; ///< size of the cells of the run at hand, over that of the case as given
   std::vector<io::Level> levels{};
 };
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <random>
 #include <string>
@@ -292,7 +291,7 @@ struct Outcome
       const double excess =
           std::max(yield_excess(state.lower, c.lower.material), yield_excess(state.upper, c.upper.material));
       largest_excess = std::max(largest_excess, excess);
-      // The tolerance of the solver, and the twin of it that a stress of the last evaluation may be off by.
+      // The solver's tolerance is one on g - q; the stress that follows from both may be off by a little more.
       EXPECT_LE(excess, 3.0 * c.solver.yield_tolerance);
     };
     observer.on_snapshot = [&](const Record&, const simulation::Snapshot& state) { look(state); };
@@ -310,16 +309,16 @@ struct Outcome
     const auto dissipation = [](const simulation::RunTotals& s) { return s.dissipation_lower + s.dissipation_upper; };
     const auto residual = [](const simulation::RunTotals& s)
     { return std::max(s.max_residual_lower, s.max_residual_upper); };
-    const double scale = std::max(fine.work, fine.energy_elastic + fine.energy_residual + dissipation(fine));
-    if (!(scale > 0.0))
-      return;
     ++compared;
-    std::printf("  finer: dissipation %.3g -> %.3g (%.3f), residual %.3g -> %.3g (%.3f)\n", dissipation(coarse),
-                dissipation(fine), dissipation(coarse) / dissipation(fine), residual(coarse), residual(fine),
-                residual(coarse) / residual(fine));
+    EXPECT_EQ(dissipation(coarse) > 0.0, dissipation(fine) > 0.0);
+    if (!(dissipation(fine) > 0.0))
+      return;
+    // What the convergence tables let expect of 2.5 to 4 cells per contact radius: some 20 % of an energy, 10 % of a depth.
+    EXPECT_NEAR(dissipation(coarse) / dissipation(fine), 1.0, 0.3);
+    EXPECT_NEAR(residual(coarse) / residual(fine), 1.0, 0.2);
   }
 
-  void expect_sound(const std::string& scenario, double count) const
+  void expect_sound(const std::string& scenario, double count)
   {
     test::expect_within(scenario + ": share of cases that converge", converged / count, 1.0, 1.0, "bound: all");
     test::expect_within(scenario + ": evaluations per step, mean", iterations / steps, 1.0, 20.0,
@@ -328,11 +327,18 @@ struct Outcome
                         "bound: one in fifty");
     test::expect_within(scenario + ": largest excess over the yield stress", largest_excess, 0.0, 3e-4,
                         "three times the tolerance of the solver");
-    std::vector<double> sorted = balance;
-    std::sort(sorted.begin(), sorted.end());
-    for (double q : {0.5, 0.8, 0.9, 0.95, 0.99, 1.0})
-      std::printf("  balance %g: %g\n", q, sorted[static_cast<std::size_t>(q * (sorted.size() - 1))]);
-    std::printf("  grown %d compared %d\n", grown, compared);
+    // Of a mesh of 2.5 to 4 cells per contact radius and of as few as two steps: some percent, more in single runs.
+    std::sort(balance.begin(), balance.end());
+    const auto share = [&](double of)
+    { return balance[static_cast<std::size_t>(of * static_cast<double>(balance.size() - 1))]; };
+    test::expect_within(scenario + ": error of the energy balance, half of the cases", share(0.5), 0.0, 0.03,
+                        "bound: mesh and steps");
+    test::expect_within(scenario + ": error of the energy balance, 95 % of the cases", share(0.95), 0.0, 0.12,
+                        "bound: mesh and steps");
+    test::expect_within(scenario + ": error of the energy balance, largest", balance.back(), 0.0, 0.3,
+                        "bound: mesh and steps");
+    test::expect_within(scenario + ": cases compared with a finer mesh", compared, slow_build ? 0.0 : count / 25.0,
+                        count, "one in twenty");
   }
 };
 
@@ -344,7 +350,7 @@ void sweep(const std::string& scenario, unsigned count, const Make& make)
   {
     SCOPED_TRACE(scenario + " " + std::to_string(seed));
     Draw draw(seed);
-    outcome.run(make(draw), seed % 20 == 7);
+    outcome.run(make(draw), seed % 20 == 7 && !slow_build);
   }
   outcome.expect_sound(scenario, count);
 }

@@ -117,7 +117,7 @@ def _selected(data: Any, taken: tuple[Axis, ...]) -> FloatArray:
 
 
 def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: Grid) -> h5py.Dataset | FloatArray:
-    """A field of a body on a grid that holds its own: beyond it there was no plastic strain, and the rest is not known."""
+    """A field of a body on a grid that holds its own: beyond it there was no plastic strain, the rest is unknown."""
     if data.shape == tuple(len(axis) for axis in grid):
         return data
     spacing, origin = state[body].attrs["spacing"], state[body].attrs["origin"]
