@@ -239,7 +239,18 @@ def test_commands_are_completed() -> None:
 
 
 def test_options_are_completed() -> None:
-    assert offered("run", "-") == ["-h", "--help", "--set", "-o", "--output", "--threads", "--resume", "-q", "--quiet"]
+    assert offered("run", "-") == [
+        "-h",
+        "--help",
+        "--set",
+        "-o",
+        "--output",
+        "--accuracy",
+        "--threads",
+        "--resume",
+        "-q",
+        "--quiet",
+    ]
     assert offered("run", "case.toml", "--th") == ["--threads"]
     assert offered("cite", "--b") == ["--bibtex"]
     assert offered("new", "--f") == ["--force"]

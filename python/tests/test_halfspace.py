@@ -190,7 +190,7 @@ def test_coordinates_have_their_origin_in_the_middle() -> None:
         ((0, 1, 1.0, 1.0), "nx = 0 of a grid; allowed: a whole number of cells"),
         ((2.5, 1, 1.0, 1.0), "nx = 2.5"),
         ((1, 10**9, 1.0, 1.0), "ny = 1000000000"),
-        ((1, 1, -1.0, 1.0), "dx = -1.0 of a grid; allowed: a length above 0"),
+        ((1, 1, -1.0, 1.0), "dx = -1.0 of a grid; allowed: a length from 1e-30"),
         ((1, 1, 1.0, float("inf")), "dy = inf"),
         ((1, 1, "1 um", 1.0), "dx = '1 um'; allowed: a finite number, in SI"),
     ],

@@ -39,7 +39,7 @@ def test_a_tugging_is_that_of_the_case_file() -> None:
         upper=body_of_radius(15e-6, HARDER),
         interference=4,
         title="Dissimilar hardening asperities",
-        grid={"resolution": 10},
+        grid={"resolution": 14},
         output={"snapshots": "every 8"},
     )
     of_file = brinell.Case.from_file(CASES / "tugging" / "case.toml")

@@ -372,7 +372,7 @@ Edges Body::reached_edges() const
 bool Body::may_yield_beneath() const
 {
   const std::size_t n = grid().size();
-  const std::size_t last = static_cast<std::size_t>(grid().nz - 1);
+  const auto last = static_cast<std::size_t>(grid().nz - 1);
   double weakest = yield_factor_[last];
   double added = 0.0; // initial stress beneath, beyond that in the last layer [Pa]
   const double bottom = grid().nz * grid().dz;

@@ -117,8 +117,9 @@ Facts facts(const RollingCase& c, const RollingPlan& plan)
   Facts f = shaped_facts(c, plan, c.drive);
   f.documented = of_rolling;
   f.moves = true;
-  if (c.shift)
-    f.shift = plan.shift;
+  // Of the faster surface: with much sliding it moves many cells where the other one moves one.
+  if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
+    f.shift = faster;
   return f;
 }
 

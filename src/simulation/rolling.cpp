@@ -21,12 +21,6 @@ namespace
 
 using contact::Drive;
 
-/// Distance on the upper body per distance on the lower one.
-double upper_share(const RollingCase& rolling)
-{
-  return (2.0 - rolling.slide_to_roll) / (2.0 + rolling.slide_to_roll);
-}
-
 class Rolling
 {
 public:
@@ -187,6 +181,11 @@ bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
 }
 
 } // namespace
+
+double upper_share(const RollingCase& rolling)
+{
+  return (2.0 - rolling.slide_to_roll) / (2.0 + rolling.slide_to_roll);
+}
 
 RollingPlan plan(const RollingCase& rolling)
 {

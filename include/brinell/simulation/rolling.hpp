@@ -26,6 +26,9 @@ struct RollingCase : Numerics
   int load_steps = 6; ///< in which the drive comes up before a pass and goes down after it
 };
 
+/// Distance that the contact moves on the upper body per distance on the lower one.
+[[nodiscard]] double upper_share(const RollingCase& rolling);
+
 struct RollingPlan : Plan
 {
   double half_width_x = 0.0, half_width_y = 0.0; ///< of the contact, estimate [m]
