@@ -29,7 +29,7 @@ void collect(const Json& json, const std::string& name, Numbers& numbers)
   else if (json.is_object())
     for (const auto& [key, value] : json.items())
       if (std::find(std::begin(no_results), std::end(no_results), key) == std::end(no_results))
-        collect(value, name + "." + key, numbers);
+        collect(value, fmt::format("{}.{}", name, key), numbers);
 }
 
 /// What one looks for first; of a series of passes or indents, in the last one.
@@ -161,9 +161,8 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
 {
   Accuracy accuracy;
   accuracy.asked = c.accuracy.value_or(0.0);
-  std::vector<double> cells;
-  for (const Level& level : levels)
-    cells.push_back(level.cells);
+  std::vector<double> cells(levels.size());
+  std::transform(levels.begin(), levels.end(), cells.begin(), [](const Level& level) { return level.cells; });
   const Numbers& finest = levels.back().numbers;
   const ScaleOf scale(c, finest);
   for (const auto& [name, value] : finest)

@@ -325,29 +325,29 @@ Quality after(const Facts& f, const RunTotals& totals)
 
 } // namespace
 
-Quality expected_quality(const TuggingCase& c, const TuggingPlan& plan)
+Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan)
 {
-  return before(facts(c, plan));
+  return before(facts(tugging, plan));
 }
-Quality expected_quality(const IndentationCase& c, const IndentationPlan& plan)
+Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan)
 {
-  return before(facts(c, plan));
+  return before(facts(indentation, plan));
 }
-Quality expected_quality(const RollingCase& c, const RollingPlan& plan)
+Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan)
 {
-  return before(facts(c, plan));
+  return before(facts(rolling, plan));
 }
-Quality quality(const TuggingCase& c, const TuggingPlan& plan, const RunTotals& totals)
+Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals)
 {
-  return after(facts(c, plan), totals);
+  return after(facts(tugging, plan), totals);
 }
-Quality quality(const IndentationCase& c, const IndentationPlan& plan, const RunTotals& totals)
+Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals)
 {
-  return after(facts(c, plan), totals);
+  return after(facts(indentation, plan), totals);
 }
-Quality quality(const RollingCase& c, const RollingPlan& plan, const RunTotals& totals)
+Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals)
 {
-  return after(facts(c, plan), totals);
+  return after(facts(rolling, plan), totals);
 }
 
 std::string resolution_text(const Resolution& r)

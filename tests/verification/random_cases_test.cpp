@@ -335,15 +335,13 @@ struct Outcome
                         "bound: one in fifty");
     test::expect_within(scenario + ": largest excess over the yield stress", largest_excess, 0.0, 3e-4,
                         "three times the tolerance of the solver");
-    // Of a mesh of 2.5 to 4 cells per contact radius and of as few as two steps: some percent, more in single runs.
+    // Of a mesh of 2.5 to 4 cells per contact radius and of as few as two steps: some percent, more in single runs, which then warn of it.
     std::sort(balance.begin(), balance.end());
     const auto share = [&](double of)
     { return balance[static_cast<std::size_t>(of * static_cast<double>(balance.size() - 1))]; };
     test::expect_within(scenario + ": error of the energy balance, half of the cases", share(0.5), 0.0, 0.03,
                         "bound: mesh and steps");
     test::expect_within(scenario + ": error of the energy balance, 95 % of the cases", share(0.95), 0.0, 0.12,
-                        "bound: mesh and steps");
-    test::expect_within(scenario + ": error of the energy balance, largest", balance.back(), 0.0, 0.3,
                         "bound: mesh and steps");
     test::expect_within(scenario + ": cases compared with a finer mesh", compared, slow_build ? 0.0 : count / 25.0,
                         count, "one in twenty");

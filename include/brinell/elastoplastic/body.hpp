@@ -105,7 +105,7 @@ public:
 
   /// Takes over the history of the same body from a smaller grid whose middle is the middle of this one. Stress and residual
   /// displacement are computed anew, under `pressure` (on the whole surface grid).
-  void continue_from(const BodyState& history, const VolumeGrid& grid, std::span<const double> pressure);
+  void continue_from(const BodyState& history, const VolumeGrid& from, std::span<const double> pressure);
   [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
