@@ -15,7 +15,6 @@
 namespace brinell::simulation
 {
 
-using elastoplastic::Body;
 using elastoplastic::CoupledContact;
 using elastoplastic::IncrementReport;
 using elastoplastic::Integration;
@@ -67,7 +66,7 @@ Lattice::Lattice(const Plan& plan, const Centre& start)
       // Local x' of the contact's column 0, as a coordinate of the upper body, is to fall on one of its columns.
       upper_start_(static_cast<double>(centre_column(start.lower) - half_) * dx_ - start.lower + start.upper),
       lower_columns_((plan.lower.surface.nx - 1) / 2),
-      upper_columns_(static_cast<int>(std::lround(upper_start_ / dx_ + (plan.upper.surface.nx - 1) / 2)))
+      upper_columns_(static_cast<int>(std::lround(upper_start_ / dx_ + 0.5 * (plan.upper.surface.nx - 1))))
 {
 }
 
