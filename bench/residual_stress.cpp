@@ -47,11 +47,17 @@ void transform_all(const BlockedFft& fft, const std::vector<double>& strain, Ali
     for (int block = 0; block < fft.blocks(); ++block)
     {
 #pragma omp for schedule(static)
-      for (int plane = 0; plane < fft.planes(); ++plane)
-        fft.columns_forward(rows.data(), block, plane, spectrum.data(), scratch);
+      for (int group = 0; group < BlockedFft::groups(fft.planes()); ++group)
+      {
+        fft.columns_forward(rows.data(), block, group, fft.planes(), scratch);
+        fft.scatter(scratch, group, fft.planes(), spectrum.data());
+      }
 #pragma omp for schedule(static)
-      for (int plane = 0; plane < fft.planes(); ++plane)
-        fft.columns_inverse(spectrum.data(), block, plane, rows.data(), scratch);
+      for (int group = 0; group < BlockedFft::groups(fft.planes()); ++group)
+      {
+        fft.gather(spectrum.data(), group, fft.planes(), scratch);
+        fft.columns_inverse(scratch, block, group, fft.planes(), rows.data());
+      }
     }
 #pragma omp for schedule(static)
     for (int plane = 0; plane < fft.planes(); ++plane)

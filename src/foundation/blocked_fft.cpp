@@ -31,16 +31,11 @@ std::size_t product(int a, int b, int c, int d = 1)
 
 } // namespace
 
-/// Transforms of a batch of rows.
-struct RowPlans
-{
-  fftw_plan forward = nullptr, inverse = nullptr;
-};
-
-/// Out of place throughout: in place, FFTW's transforms of a few neighbouring columns take about half as long again.
+/// Out of place throughout: in place, FFTW's transforms of a few neighbouring columns take about half as long again. Rows
+/// one by one: FFTW's estimate chooses better for one than for many.
 struct BlockedFft::Plans
 {
-  RowPlans batch, last_batch;
+  fftw_plan row_forward = nullptr, row_inverse = nullptr;
   fftw_plan columns_forward = nullptr, columns_inverse = nullptr;
 
   Plans(const BlockedFft& f, Scratch& scratch)
@@ -48,33 +43,25 @@ struct BlockedFft::Plans
     // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
     const unsigned flags = FFTW_ESTIMATE;
     const auto lock = planner_lock();
-    const int width = f.width();
-    const int pitch = f.pitch() * lane_count;
-    auto* half = as_fftw(scratch.half.data());
+    const unsigned destroy = flags | FFTW_DESTROY_INPUT;
     double* real = scratch.real.data();
-    const auto rows = [&](int count)
+    auto* half = as_fftw(scratch.half.data());
+    row_forward = fftw_plan_dft_r2c_1d(f.px_, real, half, destroy);
+    row_inverse = fftw_plan_dft_c2r_1d(f.px_, half, real, destroy);
+    const auto along_columns = [&](AlignedVector<Complex>& from, AlignedVector<Complex>& to, int sign)
     {
-      return RowPlans{fftw_plan_many_dft_r2c(1, &f.px_, count, real, nullptr, 1, f.px_, half, nullptr, 1, width,
-                                             flags | FFTW_DESTROY_INPUT),
-                      fftw_plan_many_dft_c2r(1, &f.px_, count, half, nullptr, 1, width, real, nullptr, 1, f.px_,
-                                             flags | FFTW_DESTROY_INPUT)};
+      return fftw_plan_many_dft(1, &f.py_, lane_count, as_fftw(from.data()), nullptr, lane_count, 1, as_fftw(to.data()),
+                                nullptr, lane_count, 1, sign, flags | FFTW_PRESERVE_INPUT);
     };
-    batch = rows(f.batch_rows_);
-    last_batch = rows(f.rows_in(f.batches() - 1));
-    AlignedVector<Complex> block(f.block_size());
-    auto* spectrum = as_fftw(block.data());
-    columns_forward = fftw_plan_many_dft(1, &f.py_, lane_count, as_fftw(scratch.padded.data()), nullptr, lane_count, 1,
-                                         spectrum, nullptr, pitch, 1, FFTW_FORWARD, flags | FFTW_PRESERVE_INPUT);
-    columns_inverse =
-        fftw_plan_many_dft(1, &f.py_, lane_count, spectrum, nullptr, pitch, 1, as_fftw(scratch.column.data()), nullptr,
-                           lane_count, 1, FFTW_BACKWARD, flags | FFTW_PRESERVE_INPUT);
+    columns_forward = along_columns(scratch.padded, scratch.columns, FFTW_FORWARD);
+    columns_inverse = along_columns(scratch.columns, scratch.column, FFTW_BACKWARD);
     for (fftw_plan p : all())
       if (!p)
         throw InternalError("FFTW made no plan");
   }
-  [[nodiscard]] std::array<fftw_plan, 6> all() const
+  [[nodiscard]] std::array<fftw_plan, 4> all() const
   {
-    return {batch.forward, batch.inverse, last_batch.forward, last_batch.inverse, columns_forward, columns_inverse};
+    return {row_forward, row_inverse, columns_forward, columns_inverse};
   }
   ~Plans()
   {
@@ -119,10 +106,11 @@ std::size_t BlockedFft::rows_at(int block, int plane) const
 BlockedFft::Scratch BlockedFft::make_scratch() const
 {
   Scratch scratch;
-  scratch.real.resize(product(batch_rows_, px_, 1));
+  scratch.real.resize(static_cast<std::size_t>(px_));
   scratch.half.resize(product(batch_rows_, width(), 1));
   scratch.padded.resize(product(py_, lane_count, 1));
   scratch.column.resize(product(py_, lane_count, 1));
+  scratch.columns.resize(product(std::min(group_planes, planes_), py_, lane_count));
   return scratch;
 }
 
@@ -144,11 +132,10 @@ void BlockedFft::rows_forward(const double* field, int plane, int batch, Complex
   const int count = rows_in(batch);
   for (std::ptrdiff_t j = 0; j < count; ++j)
   {
-    double* padding = std::copy_n(field + (first + j) * nx, nx, scratch.real.data() + j * px_);
+    double* padding = std::copy_n(field + (first + j) * nx, nx, scratch.real.data());
     std::fill_n(padding, px_ - nx, 0.0);
+    fftw_execute_dft_r2c(plans_->row_forward, scratch.real.data(), as_fftw(scratch.half.data() + j * width()));
   }
-  const RowPlans& plans = count == batch_rows_ ? plans_->batch : plans_->last_batch;
-  fftw_execute_dft_r2c(plans.forward, scratch.real.data(), as_fftw(scratch.half.data()));
   for (int block = 0; block < blocks(); ++block)
   {
     Complex* to = rows + rows_at(block, plane) + first * lane_count;
@@ -158,17 +145,54 @@ void BlockedFft::rows_forward(const double* field, int plane, int batch, Complex
   }
 }
 
-void BlockedFft::columns_forward(const Complex* rows, int block, int plane, Complex* spectrum, Scratch& scratch) const
+namespace
 {
-  std::copy_n(rows + rows_at(block, plane), product(grid_.ny, lane_count, 1), scratch.padded.data());
-  fftw_execute_dft(plans_->columns_forward, as_fftw(scratch.padded.data()), as_fftw(spectrum + plane * lane_count));
+
+int planes_in(int group, int planes)
+{
+  return std::min(BlockedFft::group_planes, planes - group * BlockedFft::group_planes);
 }
 
-void BlockedFft::columns_inverse(const Complex* spectrum, int block, int plane, Complex* rows, Scratch& scratch) const
+} // namespace
+
+void BlockedFft::columns_forward(const Complex* rows, int block, int group, int planes, Scratch& scratch) const
 {
-  auto* from = as_fftw(const_cast<Complex*>(spectrum) + plane * lane_count); // planned to preserve its input
-  fftw_execute_dft(plans_->columns_inverse, from, as_fftw(scratch.column.data()));
-  std::copy_n(scratch.column.data(), product(grid_.ny, lane_count, 1), rows + rows_at(block, plane));
+  Complex* column = scratch.columns.data();
+  for (int g = 0; g < planes_in(group, planes); ++g, column += column_size())
+  {
+    std::copy_n(rows + rows_at(block, group * group_planes + g), grid_column_size(), scratch.padded.data());
+    fftw_execute_dft(plans_->columns_forward, as_fftw(scratch.padded.data()), as_fftw(column));
+  }
+}
+
+void BlockedFft::scatter(const Scratch& scratch, int group, int planes, Complex* spectrum) const
+{
+  const std::ptrdiff_t count = planes_in(group, planes);
+  const Complex* from = scratch.columns.data();
+  Complex* to = spectrum + group * group_planes * lane_count;
+  for (int row = 0; row < py_; ++row, from += lane_count, to += pitch() * lane_count)
+    for (std::ptrdiff_t g = 0; g < count; ++g)
+      std::memcpy(to + g * lane_count, from + g * column_size(), lane_bytes);
+}
+
+void BlockedFft::gather(const Complex* spectrum, int group, int planes, Scratch& scratch) const
+{
+  const std::ptrdiff_t count = planes_in(group, planes);
+  const Complex* from = spectrum + group * group_planes * lane_count;
+  Complex* to = scratch.columns.data();
+  for (int row = 0; row < py_; ++row, from += pitch() * lane_count, to += lane_count)
+    for (std::ptrdiff_t g = 0; g < count; ++g)
+      std::memcpy(to + g * column_size(), from + g * lane_count, lane_bytes);
+}
+
+void BlockedFft::columns_inverse(Scratch& scratch, int block, int group, int planes, Complex* rows) const
+{
+  Complex* column = scratch.columns.data(); // planned to be preserved
+  for (int g = 0; g < planes_in(group, planes); ++g, column += column_size())
+  {
+    fftw_execute_dft(plans_->columns_inverse, as_fftw(column), as_fftw(scratch.column.data()));
+    std::copy_n(scratch.column.data(), grid_column_size(), rows + rows_at(block, group * group_planes + g));
+  }
 }
 
 void BlockedFft::rows_inverse(const Complex* rows, int plane, double* field, Scratch& scratch) const
@@ -188,13 +212,15 @@ void BlockedFft::rows_inverse(const Complex* rows, int plane, int batch, double*
     for (int j = 0; j < count; ++j, from += lane_count, to += width())
       std::memcpy(to, from, lane_bytes);
   }
-  const RowPlans& plans = count == batch_rows_ ? plans_->batch : plans_->last_batch;
-  fftw_execute_dft_c2r(plans.inverse, as_fftw(scratch.half.data()), scratch.real.data());
   const double scale = 1.0 / (static_cast<double>(px_) * py_);
   const std::ptrdiff_t nx = grid_.nx;
   for (std::ptrdiff_t j = 0; j < count; ++j)
+  {
+    fftw_execute_dft_c2r(plans_->row_inverse, as_fftw(scratch.half.data() + j * width()), scratch.real.data());
+    double* to = field + (first + j) * nx;
     for (std::ptrdiff_t i = 0; i < nx; ++i)
-      field[(first + j) * nx + i] = scale * scratch.real[static_cast<std::size_t>(j * px_ + i)];
+      to[i] = scale * scratch.real[static_cast<std::size_t>(i)];
+  }
 }
 
 } // namespace brinell

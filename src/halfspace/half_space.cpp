@@ -19,6 +19,10 @@ std::ptrdiff_t row_at(const BlockedFft& fft, int block, int row)
   return (static_cast<std::ptrdiff_t>(block) * fft.py() + row) * fft.pitch() * lane_count;
 }
 
+/// A group of planes that are transformed together holds whole layers.
+constexpr int layers_of_a_group = BlockedFft::group_planes / Deviator::size;
+static_assert(BlockedFft::group_planes % Deviator::size == 0);
+
 int padded(int cells)
 {
   return fast_length(2 * cells - 1);
@@ -95,10 +99,12 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
     for (int block = 0; block < volume_fft_.blocks(); ++block)
     {
 #pragma omp for schedule(static)
-      for (int plane = 0; plane < planes; ++plane)
-        volume_fft_.columns_forward(work.rows_.data(), block, plane, work.strain_.data(), scratch.fft);
-#pragma omp for schedule(static)
-      for (int row = 0; row < volume_fft_.py(); ++row)
+      for (int group = 0; group < BlockedFft::groups(planes); ++group)
+      {
+        volume_fft_.columns_forward(work.rows_.data(), block, group, planes, scratch.fft);
+        volume_fft_.scatter(scratch.fft, group, planes, work.strain_.data());
+      }
+      const auto pass_row = [&](int row)
       {
         const Complex* strain = work.strain_.data() + row_at(volume_fft_, 0, row);
         pressure_stress_.displacement(block, row, strain, work.surface_.data() + row_at(surface_fft_, block, row),
@@ -106,12 +112,21 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
         eigenstrain_stress_.apply(block, row, strain, strained, work.stress_.data() + row_at(volume_fft_, block, row),
                                   layers, scratch.layers,
                                   trace == nullptr ? nullptr : trace + row_at(trace_fft_, block, row));
+      };
+#pragma omp for schedule(static)
+      for (int row = 0; row <= volume_fft_.py() / 2; ++row)
+      {
+        pass_row(row);
+        if (const int mirrored = volume_fft_.mirrored(row); mirrored != row)
+          pass_row(mirrored); // while the kernels of both are in the cache
       }
     }
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft_.blocks(); ++block)
-      surface_fft_.columns_inverse(work.surface_.data() + row_at(surface_fft_, block, 0), block, 0,
-                                   work.surface_rows_.data(), scratch.fft);
+    {
+      surface_fft_.gather(work.surface_.data() + row_at(surface_fft_, block, 0), 0, 1, scratch.fft);
+      surface_fft_.columns_inverse(scratch.fft, block, 0, 1, work.surface_rows_.data());
+    }
   }
   surface_fft_.rows_inverse(work.surface_rows_.data(), 0, displacement.data(), work.threads_.front().fft);
 }
@@ -121,8 +136,10 @@ void HalfSpace::load_pressure(std::span<const double> pressure, Work& work) cons
   BlockedFft::Scratch& scratch = work.threads_.front().fft;
   surface_fft_.rows_forward(pressure.data(), 0, work.surface_rows_.data(), scratch);
   for (int block = 0; block < surface_fft_.blocks(); ++block)
-    surface_fft_.columns_forward(work.surface_rows_.data(), block, 0,
-                                 work.surface_.data() + row_at(surface_fft_, block, 0), scratch);
+  {
+    surface_fft_.columns_forward(work.surface_rows_.data(), block, 0, 1, scratch);
+    surface_fft_.scatter(scratch, 0, 1, work.surface_.data() + row_at(surface_fft_, block, 0));
+  }
 }
 
 void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
@@ -135,16 +152,16 @@ void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<co
   {
     Work::Scratch& scratch = work.threads_[static_cast<std::size_t>(omp_get_thread_num())];
     for (int block = 0; block < volume_fft_.blocks(); ++block)
-    {
-      Complex* spectrum = work.stress_.data() + row_at(volume_fft_, block, 0);
 #pragma omp for schedule(static)
-      for (int row = 0; row < volume_fft_.py(); ++row)
-        pressure_stress_.add_deviator(block, row, work.surface_.data() + row_at(surface_fft_, block, row),
-                                      spectrum + row_at(volume_fft_, 0, row), work.layers_);
-#pragma omp for schedule(static)
-      for (int plane = 0; plane < planes; ++plane)
-        volume_fft_.columns_inverse(spectrum, block, plane, work.rows_.data(), scratch.fft);
-    }
+      for (int group = 0; group < BlockedFft::groups(planes); ++group)
+      {
+        volume_fft_.gather(work.stress_.data() + row_at(volume_fft_, block, 0), group, planes, scratch.fft);
+        const int first = group * layers_of_a_group;
+        pressure_stress_.add_deviator(block, first, std::min(layers_of_a_group, work.layers_ - first),
+                                      work.surface_.data() + row_at(surface_fft_, block, 0),
+                                      scratch.fft.columns.data());
+        volume_fft_.columns_inverse(scratch.fft, block, group, planes, work.rows_.data());
+      }
 #pragma omp for schedule(static)
     for (int plane = 0; plane < planes; ++plane)
     {
@@ -184,8 +201,11 @@ void HalfSpace::full_stress(std::span<const double> pressure, std::span<const do
     for (int row = 0; row < fft.py(); ++row)
       pressure_stress_.add_trace(block, row, work.surface_.data() + row_at(surface_fft_, block, row),
                                  spectrum + row_at(fft, 0, row));
-    for (int layer = 0; layer < grid_.nz; ++layer)
-      fft.columns_inverse(spectrum, block, layer, rows.data(), scratch);
+    for (int group = 0; group < BlockedFft::groups(grid_.nz); ++group)
+    {
+      fft.gather(spectrum, group, grid_.nz, scratch);
+      fft.columns_inverse(scratch, block, group, grid_.nz, rows.data());
+    }
   }
   for (int layer = 0; layer < grid_.nz; ++layer)
   {

@@ -129,19 +129,30 @@ void add_lanes(const ComplexLanes& value, Complex* to)
 
 } // namespace
 
-void PressureStress::add_deviator(int block, int row, const Complex* pressure, Complex* stress, int layers) const
+void PressureStress::add_deviator(int block, int first, int count, const Complex* pressure, Complex* stress) const
 {
-  const Kernels* kernel = kernels(block, row);
-  const ComplexLanes p = load_lanes(pressure);
-  const ComplexLanes third = (1.0 / 3.0) * p;
-  const ComplexLanes p_y = sign_of_row(row, fft_.py()) * p;
-  for (int layer = 0; layer < layers; ++layer, ++kernel, stress += Deviator::size * lane_count)
+  const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(fft_.py()) * lane_count;
+  const auto add_to_row = [&](int row, const Kernels* kernel)
   {
-    add_lanes((2.0 * kernel->xx - kernel->yy) * third, stress);
-    add_lanes((2.0 * kernel->yy - kernel->xx) * third, stress + lane_count);
-    add_lanes(kernel->yz * times_i(p_y), stress + 2 * lane_count);
-    add_lanes(kernel->xz * times_i(p), stress + 3 * lane_count);
-    add_lanes(kernel->xy * p_y, stress + 4 * lane_count);
+    const ComplexLanes p = load_lanes(pressure + row * lane_count);
+    const ComplexLanes third = (1.0 / 3.0) * p;
+    const ComplexLanes p_y = sign_of_row(row, fft_.py()) * p;
+    Complex* s = stress + row * lane_count;
+    for (int layer = 0; layer < count; ++layer, ++kernel, s += Deviator::size * plane)
+    {
+      add_lanes((2.0 * kernel->xx - kernel->yy) * third, s);
+      add_lanes((2.0 * kernel->yy - kernel->xx) * third, s + plane);
+      add_lanes(kernel->yz * times_i(p_y), s + 2 * plane);
+      add_lanes(kernel->xz * times_i(p), s + 3 * plane);
+      add_lanes(kernel->xy * p_y, s + 4 * plane);
+    }
+  };
+  for (int row = 0; row < rows_; ++row)
+  {
+    const Kernels* kernel = kernels(block, row) + first;
+    add_to_row(row, kernel);
+    if (const int mirrored = fft_.mirrored(row); mirrored != row)
+      add_to_row(mirrored, kernel);
   }
 }
 

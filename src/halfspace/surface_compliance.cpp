@@ -64,23 +64,23 @@ SurfaceCompliance::Scratch SurfaceCompliance::make_scratch() const
   scratch.rows.resize(fft_.rows_size());
   const int threads = is_shared(grid().size()) ? omp_get_max_threads() : 1;
   for (int thread = 0; thread < threads; ++thread)
-    scratch.threads.push_back({fft_.make_scratch(), AlignedVector<Complex>(fft_.block_size())});
+    scratch.threads.push_back(fft_.make_scratch());
   return scratch;
 }
 
 /// From the rows of one block and back to them.
-void SurfaceCompliance::apply_to_block(int block, Scratch& scratch, Scratch::Thread& own) const
+void SurfaceCompliance::apply_to_block(int block, Scratch& scratch, BlockedFft::Scratch& own) const
 {
-  fft_.columns_forward(scratch.rows.data(), block, 0, own.spectrum.data(), own.fft);
+  fft_.columns_forward(scratch.rows.data(), block, 0, 1, own);
   const double* factors = spectrum_.data() + static_cast<std::ptrdiff_t>(block) * rows_ * lane_count;
-  Complex* line = own.spectrum.data();
+  Complex* line = own.columns.data();
   for (int row = 0; row < fft_.py(); ++row, line += lane_count)
   {
     const double* factor = factors + std::min(row, fft_.py() - row) * lane_count;
     for (int lane = 0; lane < lane_count; ++lane)
       line[lane] *= factor[lane];
   }
-  fft_.columns_inverse(own.spectrum.data(), block, 0, scratch.rows.data(), own.fft);
+  fft_.columns_inverse(own, block, 0, 1, scratch.rows.data());
 }
 
 void SurfaceCompliance::apply(std::span<const double> pressure, std::span<double> displacement, Scratch& scratch) const
@@ -88,17 +88,17 @@ void SurfaceCompliance::apply(std::span<const double> pressure, std::span<double
   if (pressure.size() != grid().size() || displacement.size() != grid().size() || scratch.threads.empty() ||
       scratch.rows.size() < fft_.rows_size())
     throw InternalError("SurfaceCompliance::apply: fields do not have the size of the grid");
-  const auto work = [&](Scratch::Thread& own)
+  const auto work = [&](BlockedFft::Scratch& own)
   {
 #pragma omp for schedule(static)
     for (int batch = 0; batch < fft_.batches(); ++batch)
-      fft_.rows_forward(pressure.data(), 0, batch, scratch.rows.data(), own.fft);
+      fft_.rows_forward(pressure.data(), 0, batch, scratch.rows.data(), own);
 #pragma omp for schedule(static)
     for (int block = 0; block < fft_.blocks(); ++block)
       apply_to_block(block, scratch, own);
 #pragma omp for schedule(static)
     for (int batch = 0; batch < fft_.batches(); ++batch)
-      fft_.rows_inverse(scratch.rows.data(), 0, batch, displacement.data(), own.fft);
+      fft_.rows_inverse(scratch.rows.data(), 0, batch, displacement.data(), own);
   };
   const auto threads = static_cast<int>(scratch.threads.size());
 #pragma omp parallel num_threads(threads)

@@ -35,6 +35,8 @@ public:
   [[nodiscard]] int planes() const { return planes_; }
   /// Places for planes in one row of the spectrum: from one row to the next, pitch() * lane_count complex values.
   [[nodiscard]] int pitch() const { return planes_ | 1; }
+  /// The row of the opposite wavenumber along y.
+  [[nodiscard]] int mirrored(int row) const { return row == 0 ? 0 : py_ - row; }
   [[nodiscard]] int blocks() const { return (kx() + lane_count - 1) / lane_count; }
   /// Complex values of all rows, and of the spectrum of one block.
   [[nodiscard]] std::size_t rows_size() const;
@@ -43,12 +45,19 @@ public:
   /// The rows of a plane are transformed in batches that stay in the cache, so many of them:
   [[nodiscard]] int batches() const { return (grid_.ny + batch_rows_ - 1) / batch_rows_; }
 
+  /// The columns of neighbouring planes are transformed together, so that the spectrum is read and written in pieces long
+  /// enough for the memory. Ten planes: the components of two layers.
+  static constexpr int group_planes = 10;
+  /// Groups of the first `planes` planes.
+  [[nodiscard]] static int groups(int planes) { return (planes + group_planes - 1) / group_planes; }
+
   struct Scratch
   {
-    AlignedVector<double> real;    ///< [row of a batch][px]
-    AlignedVector<Complex> half;   ///< [row of a batch][blocks][lane]
-    AlignedVector<Complex> padded; ///< [py][lane], zero beyond row ny
-    AlignedVector<Complex> column; ///< [py][lane]
+    AlignedVector<double> real;     ///< [px]
+    AlignedVector<Complex> half;    ///< [row of a batch][blocks][lane]
+    AlignedVector<Complex> padded;  ///< [py][lane], zero beyond row ny
+    AlignedVector<Complex> column;  ///< [py][lane]
+    AlignedVector<Complex> columns; ///< [plane of a group][py][lane]: the spectrum of a group
   };
   [[nodiscard]] Scratch make_scratch() const;
 
@@ -56,10 +65,14 @@ public:
   void rows_forward(const double* field, int plane, Complex* rows, Scratch& scratch) const;
   /// One batch of them.
   void rows_forward(const double* field, int plane, int batch, Complex* rows, Scratch& scratch) const;
-  /// Along y: the rows of one plane in one block to the spectrum of this block.
-  void columns_forward(const Complex* rows, int block, int plane, Complex* spectrum, Scratch& scratch) const;
-  /// The way back along y.
-  void columns_inverse(const Complex* spectrum, int block, int plane, Complex* rows, Scratch& scratch) const;
+  /// Along y: the rows of one group of the first `planes` planes in one block to `scratch.columns`,
+  void columns_forward(const Complex* rows, int block, int group, int planes, Scratch& scratch) const;
+  /// and from there into the spectrum of the block.
+  void scatter(const Scratch& scratch, int group, int planes, Complex* spectrum) const;
+  /// The way back along y: from the spectrum to `scratch.columns`,
+  void gather(const Complex* spectrum, int group, int planes, Scratch& scratch) const;
+  /// and from there, which is left as it is, to the rows.
+  void columns_inverse(Scratch& scratch, int block, int group, int planes, Complex* rows) const;
   /// The way back along x, to the field on the grid (scaled by 1/(px py)).
   void rows_inverse(const Complex* rows, int plane, double* field, Scratch& scratch) const;
   /// One batch of its rows.
@@ -70,6 +83,9 @@ private:
   [[nodiscard]] int width() const { return blocks() * lane_count; } ///< wavenumbers along x with the unused lanes
   [[nodiscard]] std::size_t rows_at(int block, int plane) const;
   [[nodiscard]] int rows_in(int batch) const;
+  /// Complex values of one column, and of its part on the grid.
+  [[nodiscard]] std::ptrdiff_t column_size() const { return static_cast<std::ptrdiff_t>(py_) * lane_count; }
+  [[nodiscard]] std::ptrdiff_t grid_column_size() const { return static_cast<std::ptrdiff_t>(grid_.ny) * lane_count; }
 
   SurfaceGrid grid_;
   int px_ = 0, py_ = 0, planes_ = 0;

@@ -15,16 +15,18 @@ namespace brinell::halfspace
 ///   u(x) = integral of s^(unit load at x) : eps_p dV,    docs/theory/half-space.md (residual-displacement),
 /// with the same coefficients, so the discrete system stays symmetric.
 ///
-/// Everything here works on one row of one block of BlockedFft's spectra: a stress or strain is [5 * nz planes][lane],
-/// the components (order of Deviator) of one layer together.
+/// Works on blocks of BlockedFft's spectra, on single rows of them where nothing else is said: there a stress or strain is
+/// [5 * nz planes][lane], the components (order of Deviator) of one layer together.
 class PressureStress
 {
 public:
   /// @param fft  transform of single planes on the surface of `grid`; must outlive this object.
   PressureStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft);
 
-  /// Adds the deviatoric stress of the pressure [Pa] (one plane) to `stress` (layers [0, layers)).
-  void add_deviator(int block, int row, const Complex* pressure, Complex* stress, int layers) const;
+  /// Adds the deviatoric stress of the pressure [Pa] to all rows of one block in the layers [first, first + count).
+  /// @param pressure  [row][lane]
+  /// @param stress    [5 * count planes][row][lane]
+  void add_deviator(int block, int first, int count, const Complex* pressure, Complex* stress) const;
   /// Adds the trace of the stress of the pressure [Pa] to `trace`, nz planes.
   void add_trace(int block, int row, const Complex* pressure, Complex* trace) const;
   /// Normal surface displacement [m] (one plane), positive into the body, of traceless plastic strain in the layers

@@ -22,13 +22,8 @@ public:
   /// Buffers of one application.
   struct Scratch
   {
-    struct Thread
-    {
-      BlockedFft::Scratch fft;
-      AlignedVector<Complex> spectrum; ///< of one block
-    };
     AlignedVector<Complex> rows;
-    std::vector<Thread> threads; ///< one where the grid is too small to share
+    std::vector<BlockedFft::Scratch> threads; ///< one where the grid is too small to share
   };
 
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
@@ -41,7 +36,7 @@ public:
   [[nodiscard]] double longest_wave() const { return longest_wave_; }
 
 private:
-  void apply_to_block(int block, Scratch& scratch, Scratch::Thread& own) const;
+  void apply_to_block(int block, Scratch& scratch, BlockedFft::Scratch& own) const;
 
   BlockedFft fft_;
   int rows_;                       ///< stored rows of the spectrum, ky >= 0

@@ -15,7 +15,7 @@ namespace brinell
 namespace
 {
 
-constexpr int planes = 3;
+constexpr int planes = 13; ///< a group of them, and a part of the next
 constexpr double rounding = 1e-14;
 
 class BlockedFftTest : public testing::TestWithParam<SurfaceGrid>
@@ -27,6 +27,15 @@ protected:
   BlockedFft::Scratch scratch = blocked.make_scratch();
   AlignedVector<Complex> rows = AlignedVector<Complex>(blocked.rows_size());
   std::vector<std::vector<double>> fields;
+
+  void transform_columns(int block, Complex* spectrum)
+  {
+    for (int group = 0; group < BlockedFft::groups(planes); ++group)
+    {
+      blocked.columns_forward(rows.data(), block, group, planes, scratch);
+      blocked.scatter(scratch, group, planes, spectrum);
+    }
+  }
 
   void SetUp() override
   {
@@ -49,13 +58,13 @@ TEST_P(BlockedFftTest, SpectrumIsThatOfEveryPlaneByItself)
 {
   AlignedVector<Complex> expected(plain.plane());
   AlignedVector<double> real(plain.scratch_size());
-  for (int plane = 0; plane < planes; ++plane)
+  for (int block = 0; block < blocked.blocks(); ++block)
   {
-    plain.forward(fields[static_cast<std::size_t>(plane)].data(), expected.data(), real);
-    for (int block = 0; block < blocked.blocks(); ++block)
+    AlignedVector<Complex> spectrum(blocked.block_size());
+    transform_columns(block, spectrum.data());
+    for (int plane = 0; plane < planes; ++plane)
     {
-      AlignedVector<Complex> spectrum(blocked.block_size());
-      blocked.columns_forward(rows.data(), block, plane, spectrum.data(), scratch);
+      plain.forward(fields[static_cast<std::size_t>(plane)].data(), expected.data(), real);
       for (int row = 0; row < blocked.py(); ++row)
         for (int lane = 0; lane < lane_count; ++lane)
         {
@@ -73,10 +82,12 @@ TEST_P(BlockedFftTest, ThereAndBackIsTheField)
   for (int block = 0; block < blocked.blocks(); ++block)
   {
     AlignedVector<Complex> spectrum(blocked.block_size());
-    for (int plane = 0; plane < planes; ++plane)
-      blocked.columns_forward(rows.data(), block, plane, spectrum.data(), scratch);
-    for (int plane = 0; plane < planes; ++plane)
-      blocked.columns_inverse(spectrum.data(), block, plane, rows.data(), scratch);
+    transform_columns(block, spectrum.data());
+    for (int group = 0; group < BlockedFft::groups(planes); ++group)
+    {
+      blocked.gather(spectrum.data(), group, planes, scratch);
+      blocked.columns_inverse(scratch, block, group, planes, rows.data());
+    }
   }
   for (int plane = 0; plane < planes; ++plane)
   {
