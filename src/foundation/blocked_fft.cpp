@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <fftw3.h>
 
 namespace brinell
@@ -15,7 +14,6 @@ namespace brinell
 namespace
 {
 
-constexpr std::size_t lane_bytes = lane_count * sizeof(Complex);
 constexpr std::size_t batch_bytes = 64 * 1024; ///< of a batch of rows, before and after: a part of the second cache
 
 fftw_complex* as_fftw(Complex* c)
@@ -141,8 +139,9 @@ void BlockedFft::rows_forward(const double* field, int plane, int batch, Complex
     Complex* to = rows + rows_at(block, plane) + first * lane_count;
     const Complex* from = scratch.half.data() + block * lane_count;
     for (int j = 0; j < count; ++j, to += lane_count, from += width())
-      std::memcpy(to, from, lane_bytes);
+      copy_lanes(from, to, past_caches());
   }
+  end_streaming();
 }
 
 namespace
@@ -172,7 +171,7 @@ void BlockedFft::scatter(const Scratch& scratch, int group, int planes, Complex*
   Complex* to = spectrum + group * group_planes * lane_count;
   for (int row = 0; row < py_; ++row, from += lane_count, to += pitch() * lane_count)
     for (std::ptrdiff_t g = 0; g < count; ++g)
-      std::memcpy(to + g * lane_count, from + g * column_size(), lane_bytes);
+      copy_lanes(from + g * column_size(), to + g * lane_count, false);
 }
 
 void BlockedFft::gather(const Complex* spectrum, int group, int planes, Scratch& scratch) const
@@ -182,7 +181,7 @@ void BlockedFft::gather(const Complex* spectrum, int group, int planes, Scratch&
   Complex* to = scratch.columns.data();
   for (int row = 0; row < py_; ++row, from += pitch() * lane_count, to += lane_count)
     for (std::ptrdiff_t g = 0; g < count; ++g)
-      std::memcpy(to + g * column_size(), from + g * lane_count, lane_bytes);
+      copy_lanes(from + g * lane_count, to + g * column_size(), false);
 }
 
 void BlockedFft::columns_inverse(Scratch& scratch, int block, int group, int planes, Complex* rows) const
@@ -191,8 +190,12 @@ void BlockedFft::columns_inverse(Scratch& scratch, int block, int group, int pla
   for (int g = 0; g < planes_in(group, planes); ++g, column += column_size())
   {
     fftw_execute_dft(plans_->columns_inverse, as_fftw(column), as_fftw(scratch.column.data()));
-    std::copy_n(scratch.column.data(), grid_column_size(), rows + rows_at(block, group * group_planes + g));
+    const Complex* from = scratch.column.data();
+    Complex* to = rows + rows_at(block, group * group_planes + g);
+    for (std::ptrdiff_t i = 0; i < grid_column_size(); i += lane_count)
+      copy_lanes(from + i, to + i, past_caches());
   }
+  end_streaming();
 }
 
 void BlockedFft::rows_inverse(const Complex* rows, int plane, double* field, Scratch& scratch) const
@@ -210,7 +213,7 @@ void BlockedFft::rows_inverse(const Complex* rows, int plane, int batch, double*
     const Complex* from = rows + rows_at(block, plane) + first * lane_count;
     Complex* to = scratch.half.data() + block * lane_count;
     for (int j = 0; j < count; ++j, from += lane_count, to += width())
-      std::memcpy(to, from, lane_bytes);
+      copy_lanes(from, to, false);
   }
   const double scale = 1.0 / (static_cast<double>(px_) * py_);
   const std::ptrdiff_t nx = grid_.nx;

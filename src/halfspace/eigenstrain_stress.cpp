@@ -130,17 +130,18 @@ void rotate(const Factors& f, const Complex* strain, double one_minus_2nu, Layer
 }
 
 /// Stress (ll, zz, lz, lt, tz) to the deviator in the axes x, y, z. @returns the trace.
-ComplexLanes rotate_back(const Factors& f, double nu, const Field& s, const ComplexLanes& tz, Complex* stress)
+ComplexLanes rotate_back(const Factors& f, double nu, const Field& s, const ComplexLanes& tz, Complex* stress,
+                         bool past_caches)
 {
   const ComplexLanes trace = (1.0 + nu) * (s.ll + s.zz); // sigma_tt = nu (ll + zz): plane strain across the wavevector
   const ComplexLanes ll = s.ll - (1.0 / 3.0) * trace;
   const ComplexLanes tt = -1.0 * (ll + (s.zz - (1.0 / 3.0) * trace));
   const ComplexLanes cross = 2.0 * (f.lxly * s.lt);
-  store_lanes(f.lx2 * ll + f.ly2 * tt - cross, stress);
-  store_lanes(f.ly2 * ll + f.lx2 * tt + cross, stress + lane_count);
-  store_lanes(f.ly * s.lz + f.lx * tz, stress + 2 * lane_count);
-  store_lanes(f.lx * s.lz - f.ly * tz, stress + 3 * lane_count);
-  store_lanes(f.lxly * (ll - tt) + (f.lx2 - f.ly2) * s.lt, stress + 4 * lane_count);
+  store_lanes(f.lx2 * ll + f.ly2 * tt - cross, stress, past_caches);
+  store_lanes(f.ly2 * ll + f.lx2 * tt + cross, stress + lane_count, past_caches);
+  store_lanes(f.ly * s.lz + f.lx * tz, stress + 2 * lane_count, past_caches);
+  store_lanes(f.lx * s.lz - f.ly * tz, stress + 3 * lane_count, past_caches);
+  store_lanes(f.lxly * (ll - tt) + (f.lx2 - f.ly2) * s.lt, stress + 4 * lane_count, past_caches);
   return trace;
 }
 
@@ -149,7 +150,9 @@ ComplexLanes rotate_back(const Factors& f, double nu, const Field& s, const Comp
 EigenstrainStress::~EigenstrainStress() = default;
 
 EigenstrainStress::EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft)
-    : grid_(grid), nu_(elastic.poisson_ratio), mu_(elastic.shear_modulus()), fft_(fft)
+    : grid_(grid), nu_(elastic.poisson_ratio), mu_(elastic.shear_modulus()), fft_(fft),
+      spectra_bytes_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(fft.py()) *
+                     static_cast<std::size_t>(Deviator::size * grid.nz) * lane_count * sizeof(Complex))
 {
   const int rows = fft.py() / 2 + 1;
   factors_.resize(static_cast<std::size_t>(fft.blocks() * rows));
@@ -203,6 +206,7 @@ void EigenstrainStress::apply(int block, int row, const Complex* strain, int str
                               Scratch& scratch, Complex* trace) const
 {
   const Factors f = factors_at(block, row);
+  const bool past_caches = spectra_bytes_ > cached_bytes;
   constexpr std::ptrdiff_t per_layer = Deviator::size * lane_count;
 
   // Upwards: what the layers below give is kept; the sums that reach the surface make the image.
@@ -243,10 +247,11 @@ void EigenstrainStress::apply(int block, int row, const Complex* strain, int str
       s.lz = times_i(s.lz);
       pass(f, down);
     }
-    const ComplexLanes sum = rotate_back(f, nu_, s, tz, stress + i * per_layer);
+    const ComplexLanes sum = rotate_back(f, nu_, s, tz, stress + i * per_layer, past_caches);
     if (trace != nullptr)
       store_lanes(sum, trace + i * lane_count);
   }
+  end_streaming();
 }
 
 } // namespace brinell::halfspace

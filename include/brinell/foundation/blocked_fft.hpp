@@ -83,6 +83,7 @@ private:
   [[nodiscard]] int width() const { return blocks() * lane_count; } ///< wavenumbers along x with the unused lanes
   [[nodiscard]] std::size_t rows_at(int block, int plane) const;
   [[nodiscard]] int rows_in(int batch) const;
+  [[nodiscard]] bool past_caches() const { return rows_size() * sizeof(Complex) > cached_bytes; }
   /// Complex values of one column, and of its part on the grid.
   [[nodiscard]] std::ptrdiff_t column_size() const { return static_cast<std::ptrdiff_t>(py_) * lane_count; }
   [[nodiscard]] std::ptrdiff_t grid_column_size() const { return static_cast<std::ptrdiff_t>(grid_.ny) * lane_count; }

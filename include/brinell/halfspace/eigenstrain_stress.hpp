@@ -50,7 +50,7 @@ public:
   /// Non-local part of the residual stress at the wavenumbers of one row of one block (the caller adds `local_stress`
   /// in real space).
   /// @param strain    [5 * nz planes][lane], traceless plastic strain; zero in layers >= `strained`, which are not read.
-  /// @param stress    deviatoric stress [Pa]; overwritten in layers [0, layers).
+  /// @param stress    deviatoric stress [Pa]; overwritten in layers [0, layers). Starts on a cache line.
   /// @param trace     nullptr, or [nz][lane] for the trace of the stress [Pa].
   void apply(int block, int row, const Complex* strain, int strained, Complex* stress, int layers, Scratch& scratch,
              Complex* trace = nullptr) const;
@@ -69,6 +69,7 @@ private:
   VolumeGrid grid_;
   double nu_, mu_;
   const BlockedFft& fft_;
+  std::size_t spectra_bytes_;      ///< of the stress at all wavenumbers
   AlignedVector<Factors> factors_; ///< [block][row], rows of the half-plane ky >= 0
 };
 

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -96,6 +98,37 @@ TEST_P(BlockedFftTest, ThereAndBackIsTheField)
     for (std::size_t i = 0; i < field.size(); ++i)
       EXPECT_NEAR(field[i], fields[static_cast<std::size_t>(plane)][i], rounding);
   }
+}
+
+TEST(BlockedFftSizeTest, RowsThatGoPastTheCachesComeBackAsWell)
+{
+  const SurfaceGrid grid{96, 70, 1.0, 1.0};
+  const int many = 320;
+  const BlockedFft fft(grid, 192, 140, many);
+  ASSERT_GT(fft.rows_size() * sizeof(Complex), cached_bytes);
+  BlockedFft::Scratch scratch = fft.make_scratch();
+  AlignedVector<Complex> rows(fft.rows_size());
+  AlignedVector<Complex> spectrum(fft.block_size());
+  const std::vector<double> fields = test::random_field(grid.size() * many, 1);
+  for (int plane = 0; plane < many; ++plane)
+    fft.rows_forward(fields.data() + plane * static_cast<std::ptrdiff_t>(grid.size()), plane, rows.data(), scratch);
+  for (int block = 0; block < fft.blocks(); ++block)
+    for (int group = 0; group < BlockedFft::groups(many); ++group)
+    {
+      fft.columns_forward(rows.data(), block, group, many, scratch);
+      fft.scatter(scratch, group, many, spectrum.data());
+      fft.gather(spectrum.data(), group, many, scratch);
+      fft.columns_inverse(scratch, block, group, many, rows.data());
+    }
+  double largest = 0.0;
+  std::vector<double> back(grid.size());
+  for (int plane = 0; plane < many; ++plane)
+  {
+    fft.rows_inverse(rows.data(), plane, back.data(), scratch);
+    for (std::size_t i = 0; i < back.size(); ++i)
+      largest = std::max(largest, std::abs(back[i] - fields[static_cast<std::size_t>(plane) * grid.size() + i]));
+  }
+  EXPECT_LT(largest, rounding);
 }
 
 TEST(BlockedFftDoorTest, RefusesLengthsThatDoNotFit)
