@@ -32,16 +32,16 @@ void take(int number, struct sigaction& before)
 InterruptGuard::InterruptGuard()
 {
   noted_signal = 0;
-  take(SIGINT, m_interrupt);
-  take(SIGTERM, m_terminate);
-  take(SIGHUP, m_hang_up);
+  take(SIGINT, interrupt_);
+  take(SIGTERM, terminate_);
+  take(SIGHUP, hang_up_);
 }
 
 InterruptGuard::~InterruptGuard()
 {
-  sigaction(SIGINT, &m_interrupt, nullptr);
-  sigaction(SIGTERM, &m_terminate, nullptr);
-  sigaction(SIGHUP, &m_hang_up, nullptr);
+  sigaction(SIGINT, &interrupt_, nullptr);
+  sigaction(SIGTERM, &terminate_, nullptr);
+  sigaction(SIGHUP, &hang_up_, nullptr);
 }
 
 int InterruptGuard::signal()

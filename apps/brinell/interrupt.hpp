@@ -20,7 +20,7 @@ public:
   [[nodiscard]] static int signal();
 
 private:
-  struct sigaction m_interrupt = {}, m_terminate = {}, m_hang_up = {}; ///< what was there before
+  struct sigaction interrupt_ = {}, terminate_ = {}, hang_up_ = {}; ///< what was there before
 };
 
 } // namespace brinell::app

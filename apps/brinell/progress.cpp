@@ -28,43 +28,43 @@ std::string duration_text(double seconds)
 } // namespace
 
 Progress::Progress(bool quiet, int done_before)
-    : m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) == 1), m_done_before(done_before)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), done_before_(done_before)
 {
 }
 
 Progress::~Progress()
 {
-  if (m_bar_is_shown)
+  if (bar_is_shown_)
     fmt::print(stderr, "\n");
 }
 
 void Progress::remark(const std::string& text)
 {
-  if (m_quiet)
+  if (quiet_)
     return;
-  fmt::print(stderr, "{}brinell: {}\n", m_bar_is_shown ? "\r\x1b[K" : "", text);
-  m_bar_is_shown = false;
+  fmt::print(stderr, "{}brinell: {}\n", bar_is_shown_ ? "\r\x1b[K" : "", text);
+  bar_is_shown_ = false;
 }
 
 void Progress::step(int step, int step_count, const std::string& where, int iterations)
 {
-  if (m_quiet)
+  if (quiet_)
     return;
   const int done = step + 1;
   const int total = std::max(step_count, done); // the count is an estimate
-  const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
-  const double left = seconds / std::max(1, done - m_done_before) * (total - done);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double left = seconds / std::max(1, done - done_before_) * (total - done);
   const std::string text = fmt::format("step {}/{}  {}  {} iteration{}  {} left", done, total, where, iterations,
                                        iterations == 1 ? "" : "s", duration_text(left));
-  if (m_terminal)
+  if (terminal_)
   {
     const auto filled = static_cast<std::size_t>(static_cast<long>(bar_width) * done / total);
     fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(filled, '#'), std::string(bar_width - filled, '.'), text);
-    m_bar_is_shown = true;
+    bar_is_shown_ = true;
   }
-  else if (const auto tenths = static_cast<int>(10L * done / total); tenths > m_tenths)
+  else if (const auto tenths = static_cast<int>(10L * done / total); tenths > tenths_)
   {
-    m_tenths = tenths;
+    tenths_ = tenths;
     fmt::print(stderr, "{}\n", text);
   }
   std::fflush(stderr);

@@ -25,11 +25,11 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  bool m_quiet, m_terminal;
-  int m_done_before; ///< steps of an earlier process
-  bool m_bar_is_shown = false;
-  int m_tenths = 0;
-  Clock::time_point m_start = Clock::now();
+  bool quiet_, terminal_;
+  int done_before_; ///< steps of an earlier process
+  bool bar_is_shown_ = false;
+  int tenths_ = 0;
+  Clock::time_point start_ = Clock::now();
 };
 
 } // namespace brinell::app

@@ -29,27 +29,27 @@ double seconds_since(Clock::time_point start)
 class Stop
 {
 public:
-  explicit Stop(const std::function<bool()>& wanted) : m_wanted(wanted) {}
+  explicit Stop(const std::function<bool()>& wanted) : wanted_(wanted) {}
 
   [[nodiscard]] bool after_step()
   {
-    if (!m_is_wanted && m_wanted && m_wanted())
+    if (!is_wanted_ && wanted_ && wanted_())
     {
-      m_is_wanted = true;
-      m_since = Clock::now();
+      is_wanted_ = true;
+      since_ = Clock::now();
     }
-    return m_is_wanted;
+    return is_wanted_;
   }
   [[nodiscard]] bool at_once()
   {
     constexpr double moment = 2.0; // s
-    return after_step() && seconds_since(m_since) > moment;
+    return after_step() && seconds_since(since_) > moment;
   }
 
 private:
-  const std::function<bool()>& m_wanted;
-  bool m_is_wanted = false;
-  Clock::time_point m_since;
+  const std::function<bool()>& wanted_;
+  bool is_wanted_ = false;
+  Clock::time_point since_;
 };
 
 /// Runs one scenario, writes its steps and finishes the folder.
@@ -123,17 +123,17 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, io::Result
 class Threads
 {
 public:
-  explicit Threads(int count) : m_before(omp_get_max_threads())
+  explicit Threads(int count) : before_(omp_get_max_threads())
   {
     if (count > 0)
       omp_set_num_threads(count);
   }
-  ~Threads() { omp_set_num_threads(m_before); }
+  ~Threads() { omp_set_num_threads(before_); }
   Threads(const Threads&) = delete;
   Threads& operator=(const Threads&) = delete;
 
 private:
-  int m_before;
+  int before_;
 };
 
 } // namespace

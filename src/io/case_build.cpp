@@ -52,16 +52,14 @@ std::string case_name(const std::filesystem::path& file)
 
 const Value* CaseValues::find(std::string_view key) const
 {
-  const auto found =
-      std::find_if(m_values.begin(), m_values.end(), [&](const auto& item) { return item.first == key; });
-  return found == m_values.end() ? nullptr : &found->second;
+  const auto found = std::find_if(values_.begin(), values_.end(), [&](const auto& item) { return item.first == key; });
+  return found == values_.end() ? nullptr : &found->second;
 }
 
 void CaseValues::replace(std::string_view key, std::vector<std::pair<std::string, Value>> by)
 {
-  const auto found =
-      std::find_if(m_values.begin(), m_values.end(), [&](const auto& item) { return item.first == key; });
-  m_values.insert(m_values.erase(found), std::make_move_iterator(by.begin()), std::make_move_iterator(by.end()));
+  const auto found = std::find_if(values_.begin(), values_.end(), [&](const auto& item) { return item.first == key; });
+  values_.insert(values_.erase(found), std::make_move_iterator(by.begin()), std::make_move_iterator(by.end()));
 }
 
 template <class T>

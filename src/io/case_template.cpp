@@ -126,7 +126,7 @@ bool is_in(const std::vector<std::string>& words, std::string_view word)
 class Writer
 {
 public:
-  explicit Writer(std::string_view scenario) : m_scenario(scenario), m_choices(choices_of(scenario)) {}
+  explicit Writer(std::string_view scenario) : scenario_(scenario), choices_(choices_of(scenario)) {}
 
   std::string text() &&
   {
@@ -143,61 +143,61 @@ public:
         std::for_each(entry, end, [&](const Entry& one) { key(one); });
       entry = end;
     }
-    return std::move(m_text);
+    return std::move(text_);
   }
 
 private:
   void begin()
   {
-    m_text += comment(fmt::format("A case for brinell, written by `brinell new {}`. It runs as it is.", m_scenario));
-    m_text += "#\n#   brinell check FILE    what it comes to: grid, steps, memory, cost\n"
-              "#   brinell run FILE      compute it\n#\n";
-    m_text += comment("A number is SI; text carries its unit (\"200 GPa\"). Lines that begin with \"# key =\" show a "
-                      "default, or an example of what may stand there: remove the # to use them. `brinell schema` "
-                      "tells more of every key.");
+    text_ += comment(fmt::format("A case for brinell, written by `brinell new {}`. It runs as it is.", scenario_));
+    text_ += "#\n#   brinell check FILE    what it comes to: grid, steps, memory, cost\n"
+             "#   brinell run FILE      compute it\n#\n";
+    text_ += comment("A number is SI; text carries its unit (\"200 GPa\"). Lines that begin with \"# key =\" show a "
+                     "default, or an example of what may stand there: remove the # to use them. `brinell schema` "
+                     "tells more of every key.");
   }
 
   void open_section(std::string_view section)
   {
-    if (section == m_section)
+    if (section == section_)
       return;
-    m_section = section;
+    section_ = section;
     const std::string text = heading(section);
     if (!text.empty())
-      m_text += fmt::format("\n# --- {} {}\n", text, std::string(line_width - 7 - text.size(), '-'));
-    m_text += fmt::format("\n[{}]\n", section);
-    m_section_start = m_text.size();
+      text_ += fmt::format("\n# --- {} {}\n", text, std::string(line_width - 7 - text.size(), '-'));
+    text_ += fmt::format("\n[{}]\n", section);
+    section_start_ = text_.size();
   }
 
   /// Between the keys of a section.
-  [[nodiscard]] const char* blank_line() const { return m_text.size() == m_section_start ? "" : "\n"; }
+  [[nodiscard]] const char* blank_line() const { return text_.size() == section_start_ ? "" : "\n"; }
 
   /// The upper body's keys are explained at the lower one's.
   [[nodiscard]] bool is_explained(const Entry& entry) const { return !entry.key.starts_with("upper."); }
 
   void key(const Entry& entry)
   {
-    if (entry.when.key == "scenario" && !is_in(entry.when.values, m_scenario))
+    if (entry.when.key == "scenario" && !is_in(entry.when.values, scenario_))
       return;
-    const auto choice = m_choices.find(entry.key);
-    const bool is_used = entry.required || choice != m_choices.end();
+    const auto choice = choices_.find(entry.key);
+    const bool is_used = entry.required || choice != choices_.end();
     if (!is_used && !is_explained(entry))
       return;
     if (!parent(entry.key).empty())
       open_section(parent(entry.key));
     if (is_explained(entry))
-      m_text.append(blank_line()).append(comment(meaning(entry)));
-    m_text += fmt::format("{}{} = {}\n", is_used ? "" : "# ", last_part(entry.key), value(entry));
+      text_.append(blank_line()).append(comment(meaning(entry)));
+    text_ += fmt::format("{}{} = {}\n", is_used ? "" : "# ", last_part(entry.key), value(entry));
   }
 
   [[nodiscard]] std::string value(const Entry& entry) const
   {
     if (entry.key == "scenario")
-      return toml_string(m_scenario);
-    const auto choice = m_choices.find(entry.key);
-    if (choice != m_choices.end() && !choice->second.empty())
+      return toml_string(scenario_);
+    const auto choice = choices_.find(entry.key);
+    if (choice != choices_.end() && !choice->second.empty())
       return choice->second;
-    const std::optional<Value> fallback = fallback_of(entry, m_scenario);
+    const std::optional<Value> fallback = fallback_of(entry, scenario_);
     return fallback ? toml_text(*fallback) : entry.example;
   }
 
@@ -216,13 +216,13 @@ private:
   /// Tugging is for smooth spheres.
   [[nodiscard]] bool is_offered(std::string_view table, std::string_view choice) const
   {
-    return m_scenario != "tugging" || (table.ends_with(".shape") ? choice == "sphere" : !table.ends_with(".texture"));
+    return scenario_ != "tugging" || (table.ends_with(".shape") ? choice == "sphere" : !table.ends_with(".texture"));
   }
 
   void inline_table(const std::string& table, std::span<const Entry> entries)
   {
     const Entry& first = entries.front();
-    const auto chosen = m_choices.find(first.key);
+    const auto chosen = choices_.find(first.key);
     if (first.type != Type::choice)
     {
       if (is_explained(first))
@@ -232,20 +232,20 @@ private:
     if (!std::any_of(first.choices.begin(), first.choices.end(),
                      [&](const std::string& choice) { return is_offered(table, choice); }))
       return;
-    const std::string used = chosen != m_choices.end() ? chosen->second : "";
+    const std::string used = chosen != choices_.end() ? chosen->second : "";
     if (!is_explained(first) && used.empty())
       return;
     open_section(parent(table));
     if (is_explained(first))
-      m_text.append(blank_line()).append(comment(meaning(first)));
+      text_.append(blank_line()).append(comment(meaning(first)));
     if (!used.empty())
-      m_text += fmt::format("{} = {}\n", last_part(table), choice_table(entries, used));
+      text_ += fmt::format("{} = {}\n", last_part(table), choice_table(entries, used));
     if (!is_explained(first))
       return;
     const std::string fallback = first.fallback ? std::get<std::string>(*first.fallback) : "";
     for (const std::string& choice : first.choices)
       if (choice != used && choice != fallback && is_offered(table, choice))
-        m_text += fmt::format("# {} = {}\n", last_part(table), choice_table(entries, choice));
+        text_ += fmt::format("# {} = {}\n", last_part(table), choice_table(entries, choice));
     further_keys(table, entries);
   }
 
@@ -288,7 +288,7 @@ private:
         text += comment(fmt::format("{}{}{}: {}", last_part(entry.key), shown, with, meaning(entry)), "#   ", "#     ");
       }
     if (!text.empty())
-      m_text.append("# May be added:\n").append(text);
+      text_.append("# May be added:\n").append(text);
   }
 
   /// A table that is needed seldom, as a comment.
@@ -301,13 +301,13 @@ private:
       text += fmt::format("{}{}: {}", text.empty() ? "" : " ", last_part(entry.key), entry.text);
       values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", last_part(entry.key), entry.example);
     }
-    m_text += fmt::format("\n{}# {} = {{ {} }}\n", comment(text), last_part(table), values);
+    text_ += fmt::format("\n{}# {} = {{ {} }}\n", comment(text), last_part(table), values);
   }
 
-  std::string m_scenario;
-  Choices m_choices;
-  std::string m_section, m_text;
-  std::size_t m_section_start = 0; ///< behind its name
+  std::string scenario_;
+  Choices choices_;
+  std::string section_, text_;
+  std::size_t section_start_ = 0; ///< behind its name
 };
 
 } // namespace

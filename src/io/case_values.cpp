@@ -24,20 +24,20 @@ std::string alternatives(const std::vector<std::string>& words)
 class Resolver
 {
 public:
-  Resolver(const RawCase& raw_case, Problems& problems) : m_raw(raw_case), m_problems(problems) {}
+  Resolver(const RawCase& raw_case, Problems& problems) : raw_(raw_case), problems_(problems) {}
 
   CaseValues resolve() &&
   {
     for (const Entry& entry : case_schema())
       resolve(entry);
-    return std::move(m_values);
+    return std::move(values_);
   }
 
 private:
   void resolve(const Entry& entry)
   {
-    const Given* given = m_raw.find(entry.key);
-    if (m_broken.contains(entry.when.key))
+    const Given* given = raw_.find(entry.key);
+    if (broken_.contains(entry.when.key))
       return; // whether the key applies is not known: its parent has been reported
     if (!applies(entry.when))
     {
@@ -45,11 +45,11 @@ private:
         not_applicable(entry, *given);
       return;
     }
-    const Given* rival = entry.excludes.empty() ? nullptr : m_raw.find(entry.excludes);
+    const Given* rival = entry.excludes.empty() ? nullptr : raw_.find(entry.excludes);
     if (given && rival && overridden(*given, entry.excludes))
       given = nullptr;
-    else if (given && rival && !overridden(*rival, entry.key) && m_reported_rivals.insert(entry.excludes).second &&
-             m_reported_rivals.insert(entry.key).second)
+    else if (given && rival && !overridden(*rival, entry.key) && reported_rivals_.insert(entry.excludes).second &&
+             reported_rivals_.insert(entry.key).second)
       add(entry, *given,
           fmt::format("cannot stand together with {} ({}); keep one of them", entry.excludes, rival->place));
     if (given)
@@ -57,12 +57,12 @@ private:
     else if (entry.required)
       missing(entry);
     else if (entry.fallback && !rival)
-      m_values.set(entry.key, *fallback_of(entry, scenario()));
+      values_.set(entry.key, *fallback_of(entry, scenario()));
   }
 
   [[nodiscard]] std::string scenario() const
   {
-    const Value* value = m_values.find("scenario");
+    const Value* value = values_.find("scenario");
     return value ? std::get<std::string>(*value) : "";
   }
 
@@ -70,7 +70,7 @@ private:
   {
     if (when.key.empty())
       return true;
-    const Value* value = m_values.find(when.key);
+    const Value* value = values_.find(when.key);
     if (!value)
       return false;
     const auto* flag = std::get_if<bool>(value);
@@ -82,7 +82,7 @@ private:
   /// Whether `given` of the file loses its meaning because the command line sets `other`.
   [[nodiscard]] bool overridden(const Given& given, std::string_view other) const
   {
-    const Given* rival = m_raw.find(other);
+    const Given* rival = raw_.find(other);
     return !given.from_command_line && rival && rival->from_command_line;
   }
 
@@ -91,14 +91,14 @@ private:
     bool pure = false;
     if (!entry.pure_if.empty())
     {
-      if (m_broken.contains(entry.pure_if))
+      if (broken_.contains(entry.pure_if))
         return;
-      const Value* flag = m_values.find(entry.pure_if);
+      const Value* flag = values_.find(entry.pure_if);
       pure = flag && std::get<bool>(*flag);
     }
     try
     {
-      m_values.set(entry.key, converted(given.raw, entry, pure));
+      values_.set(entry.key, converted(given.raw, entry, pure));
     }
     catch (const InputError& error)
     {
@@ -109,36 +109,36 @@ private:
   void missing(const Entry& entry)
   {
     const bool pure =
-        !entry.pure_if.empty() && m_values.find(entry.pure_if) && std::get<bool>(*m_values.find(entry.pure_if));
+        !entry.pure_if.empty() && values_.find(entry.pure_if) && std::get<bool>(*values_.find(entry.pure_if));
     Entry plain = entry;
     plain.pure_if.clear();
     if (pure)
       plain.dimension = dimension::none;
-    m_problems.add(m_raw.place_for(entry.key),
-                   fmt::format("{} is missing; allowed: {}{}{}", entry.key, allowed_values(plain),
-                               entry.hint.empty() ? "" : "; ", entry.hint));
-    m_broken.insert(entry.key);
+    problems_.add(raw_.place_for(entry.key),
+                  fmt::format("{} is missing; allowed: {}{}{}", entry.key, allowed_values(plain),
+                              entry.hint.empty() ? "" : "; ", entry.hint));
+    broken_.insert(entry.key);
   }
 
   void not_applicable(const Entry& entry, const Given& given)
   {
-    const Value* parent = m_values.find(entry.when.key);
+    const Value* parent = values_.find(entry.when.key);
     add(entry, given,
         fmt::format("applies only with {} = {}; it is {}{}", entry.when.key, alternatives(entry.when.values),
-                    parent ? toml_text(*parent) : "not set", m_raw.find(entry.when.key) ? "" : " by default"));
+                    parent ? toml_text(*parent) : "not set", raw_.find(entry.when.key) ? "" : " by default"));
   }
 
   void add(const Entry& entry, const Given& given, std::string_view what)
   {
-    m_problems.add(given.place, fmt::format("{} = {} {}", entry.key, shown(given.raw), what));
-    m_broken.insert(entry.key);
+    problems_.add(given.place, fmt::format("{} = {} {}", entry.key, shown(given.raw), what));
+    broken_.insert(entry.key);
   }
 
-  const RawCase& m_raw;
-  Problems& m_problems;
-  CaseValues m_values;
-  std::set<std::string, std::less<>> m_broken; ///< keys that have been reported
-  std::set<std::string, std::less<>> m_reported_rivals;
+  const RawCase& raw_;
+  Problems& problems_;
+  CaseValues values_;
+  std::set<std::string, std::less<>> broken_; ///< keys that have been reported
+  std::set<std::string, std::less<>> reported_rivals_;
 };
 
 } // namespace

@@ -20,9 +20,9 @@ public:
 private:
   void mix(std::uint64_t word);
 
-  std::uint64_t m_state = 0x9e3779b97f4a7c15; // any number that is not 0
-  std::uint64_t m_size = 0;
-  std::uint64_t m_word = 0; ///< bytes that do not make a word yet
+  std::uint64_t state_ = 0x9e3779b97f4a7c15; // any number that is not 0
+  std::uint64_t size_ = 0;
+  std::uint64_t word_ = 0; ///< bytes that do not make a word yet
 };
 
 [[nodiscard]] std::string checksum(std::string_view bytes);

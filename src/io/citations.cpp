@@ -25,17 +25,17 @@ class Sources
 public:
   void add(Reference reference, std::string_view use)
   {
-    const auto known = std::find_if(m_citations.begin(), m_citations.end(),
+    const auto known = std::find_if(citations_.begin(), citations_.end(),
                                     [&](const Citation& c) { return c.reference.key == reference.key; });
-    if (known == m_citations.end())
-      m_citations.push_back({std::move(reference), std::string(use)});
+    if (known == citations_.end())
+      citations_.push_back({std::move(reference), std::string(use)});
     else if (known->use.find(use) == known->use.npos) // both bodies may have the same law
       known->use += fmt::format("; {}", use);
   }
-  [[nodiscard]] std::vector<Citation> take() && { return std::move(m_citations); }
+  [[nodiscard]] std::vector<Citation> take() && { return std::move(citations_); }
 
 private:
-  std::vector<Citation> m_citations;
+  std::vector<Citation> citations_;
 };
 
 void add_scenario(const TuggingCase& tugging, Sources& sources)

@@ -21,26 +21,26 @@ class Handle
 public:
   using Close = herr_t (*)(hid_t);
 
-  Handle(hid_t id, Close close) : m_id(id), m_close(close) {}
-  Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept
   {
-    std::swap(m_id, other.m_id);
-    std::swap(m_close, other.m_close);
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
     return *this;
   }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   ~Handle()
   {
-    if (m_id >= 0)
-      m_close(m_id);
+    if (id_ >= 0)
+      close_(id_);
   }
-  [[nodiscard]] hid_t id() const { return m_id; }
+  [[nodiscard]] hid_t id() const { return id_; }
 
 private:
-  hid_t m_id;
-  Close m_close;
+  hid_t id_;
+  Close close_;
 };
 
 /// A new file, replacing what is there.

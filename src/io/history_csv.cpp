@@ -130,62 +130,62 @@ std::string history_row(const std::vector<NamedNumber>& columns)
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
                              std::string_view sum)
-    : m_path(std::move(path)), m_sum(std::make_unique<Checksum>())
+    : path_(std::move(path)), sum_(std::make_unique<Checksum>())
 {
   for (const auto& [name, value] : record)
-    m_columns.push_back({name, std::holds_alternative<int>(value), {}});
+    columns_.push_back({name, std::holds_alternative<int>(value), {}});
   const std::string header = history_header(record) + '\n';
   if (kept > 0)
     keep_rows(header, kept, sum);
   else
   {
-    m_sum->add(header);
-    replace_file(m_path, header);
+    sum_->add(header);
+    replace_file(path_, header);
   }
-  m_file.reset(std::fopen(m_path.c_str(), "a"));
-  if (!m_file)
-    throw failure(m_path, "cannot be written");
+  file_.reset(std::fopen(path_.c_str(), "a"));
+  if (!file_)
+    throw failure(path_, "cannot be written");
 }
 
 HistoryWriter::~HistoryWriter() = default;
 
 std::string HistoryWriter::checksum() const
 {
-  return m_sum->text();
+  return sum_->text();
 }
 
 /// The rows of the first steps stay, what comes after them goes.
 void HistoryWriter::keep_rows(const std::string& header, int count, std::string_view sum)
 {
-  std::ifstream stream(m_path, std::ios::binary);
+  std::ifstream stream(path_, std::ios::binary);
   std::string text;
   std::string line;
   for (int i = 0; i <= count; ++i)
   {
     if (!std::getline(stream, line) || (i == 0 && line + '\n' != header))
-      throw IoError(fmt::format("{}: is not the history that the checkpoint belongs to", m_path.string()));
+      throw IoError(fmt::format("{}: is not the history that the checkpoint belongs to", path_.string()));
     text += line + '\n';
     if (i == 0)
       continue;
-    const std::vector<double> values = parsed_row(line, m_columns.size(), m_path);
+    const std::vector<double> values = parsed_row(line, columns_.size(), path_);
     for (std::size_t c = 0; c < values.size(); ++c)
-      m_columns[c].values.push_back(values[c]);
+      columns_[c].values.push_back(values[c]);
   }
   stream.close();
-  m_sum->add(text);
-  if (!sum.empty() && m_sum->text() != sum)
-    throw IoError(fmt::format("{}: is damaged; run without --resume", m_path.string()));
-  replace_file(m_path, text);
+  sum_->add(text);
+  if (!sum.empty() && sum_->text() != sum)
+    throw IoError(fmt::format("{}: is damaged; run without --resume", path_.string()));
+  replace_file(path_, text);
 }
 
 void HistoryWriter::add(const std::vector<NamedNumber>& row)
 {
   const std::string line = history_row(row) + '\n';
-  if (std::fputs(line.c_str(), m_file.get()) < 0 || std::fflush(m_file.get()) != 0)
-    throw failure(m_path, "cannot be written");
-  m_sum->add(line);
-  for (std::size_t c = 0; c < m_columns.size(); ++c)
-    m_columns[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].second));
+  if (std::fputs(line.c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0)
+    throw failure(path_, "cannot be written");
+  sum_->add(line);
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    columns_[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].second));
 }
 
 } // namespace brinell::io

@@ -15,21 +15,21 @@ namespace
 class Walk
 {
 public:
-  explicit Walk(std::string_view text) : m_text(text) {}
+  explicit Walk(std::string_view text) : text_(text) {}
 
   std::optional<int> line_of_deep_key()
   {
-    while (m_place < m_text.size())
+    while (place_ < text_.size())
     {
-      const char c = m_text[m_place];
+      const char c = text_[place_];
       if (c == '"' || c == '\'')
         skip_string(c);
       else if (c == '#')
-        m_place = std::min(m_text.find('\n', m_place), m_text.size());
+        place_ = std::min(text_.find('\n', place_), text_.size());
       else
         take(c);
-      if (m_parts > deepest_key)
-        return m_line;
+      if (parts_ > deepest_key)
+        return line_;
     }
     return std::nullopt;
   }
@@ -38,49 +38,49 @@ private:
   void take(char c)
   {
     if (c == '.')
-      ++m_parts;
+      ++parts_;
     else if (c == '\n' || c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}')
-      m_parts = 1;
+      parts_ = 1;
     step();
   }
 
   void step()
   {
-    if (m_text[m_place++] == '\n')
-      ++m_line;
+    if (text_[place_++] == '\n')
+      ++line_;
   }
 
   /// One of several lines ends with three quotes, of which two more may stand before; others end with their line at the latest.
   void skip_string(char quote)
   {
     const std::string_view three = quote == '"' ? R"(""")" : "'''";
-    const bool is_long = m_text.substr(m_place).starts_with(three);
-    m_place += is_long ? three.size() : 1;
-    while (m_place < m_text.size())
+    const bool is_long = text_.substr(place_).starts_with(three);
+    place_ += is_long ? three.size() : 1;
+    while (place_ < text_.size())
     {
-      const std::string_view rest = m_text.substr(m_place);
+      const std::string_view rest = text_.substr(place_);
       if (is_long && rest.starts_with(three))
       {
-        m_place += three.size();
-        for (int more = 0; more < 2 && m_place < m_text.size() && m_text[m_place] == quote; ++more)
-          ++m_place;
+        place_ += three.size();
+        for (int more = 0; more < 2 && place_ < text_.size() && text_[place_] == quote; ++more)
+          ++place_;
         return;
       }
       if (!is_long && (rest.front() == quote || rest.front() == '\n'))
       {
-        m_place += rest.front() == quote ? 1 : 0;
+        place_ += rest.front() == quote ? 1 : 0;
         return;
       }
       const bool escapes = quote == '"' && rest.front() == '\\' && rest.size() > 1;
       step();
-      if (escapes && (is_long || m_text[m_place] != '\n'))
+      if (escapes && (is_long || text_[place_] != '\n'))
         step();
     }
   }
 
-  std::string_view m_text;
-  std::size_t m_place = 0;
-  int m_line = 1, m_parts = 1;
+  std::string_view text_;
+  std::size_t place_ = 0;
+  int line_ = 1, parts_ = 1;
 };
 
 } // namespace

@@ -21,17 +21,17 @@ public:
   /// @param place  "file", "file:line" or "--set key=value"
   void add(std::string_view place, std::string_view what)
   {
-    m_problems.push_back({line_number(place), fmt::format("{}: {}", place, what)});
+    problems_.push_back({line_number(place), fmt::format("{}: {}", place, what)});
   }
 
-  [[nodiscard]] bool empty() const { return m_problems.empty(); }
+  [[nodiscard]] bool empty() const { return problems_.empty(); }
 
   /// @throws InputError if there is any problem; in the order of the file
   void throw_if_any() const
   {
-    if (m_problems.empty())
+    if (problems_.empty())
       return;
-    auto sorted = m_problems;
+    auto sorted = problems_;
     std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
     constexpr std::size_t most_shown = 20; // with more, something else is wrong than each of them
     std::string text;
@@ -59,7 +59,7 @@ private:
     return line;
   }
 
-  std::vector<Problem> m_problems;
+  std::vector<Problem> problems_;
 };
 
 } // namespace brinell::io

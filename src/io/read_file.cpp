@@ -21,18 +21,18 @@ namespace
 class Descriptor
 {
 public:
-  explicit Descriptor(int number) : m_number(number) {}
+  explicit Descriptor(int number) : number_(number) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor()
   {
-    if (m_number >= 0)
-      close(m_number);
+    if (number_ >= 0)
+      close(number_);
   }
-  [[nodiscard]] int number() const { return m_number; }
+  [[nodiscard]] int number() const { return number_; }
 
 private:
-  int m_number;
+  int number_;
 };
 
 InputError too_large(std::size_t largest)

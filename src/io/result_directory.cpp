@@ -34,12 +34,12 @@ namespace fs = std::filesystem;
 class FolderLock
 {
 public:
-  explicit FolderLock(const fs::path& folder) : m_descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+  explicit FolderLock(const fs::path& folder) : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
   {
     // Not every file system has locks; only a lock that somebody holds is an error.
-    if (m_descriptor >= 0 && flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     {
-      close(m_descriptor);
+      close(descriptor_);
       throw IoError(
           fmt::format("{}: another run is writing its results there; choose another folder with -o", folder.string()));
     }
@@ -48,12 +48,12 @@ public:
   FolderLock& operator=(const FolderLock&) = delete;
   ~FolderLock()
   {
-    if (m_descriptor >= 0)
-      close(m_descriptor);
+    if (descriptor_ >= 0)
+      close(descriptor_);
   }
 
 private:
-  int m_descriptor;
+  int descriptor_;
 };
 
 fs::path made_folder(const fs::path& path)
@@ -250,7 +250,7 @@ struct ResultDirectory::State
 };
 
 ResultDirectory::ResultDirectory(const fs::path& path, const Case& c, Mode mode)
-    : m_state(std::make_unique<State>(path, c, mode))
+    : state_(std::make_unique<State>(path, c, mode))
 {
 }
 ResultDirectory::ResultDirectory(ResultDirectory&&) noexcept = default;
@@ -259,44 +259,44 @@ ResultDirectory::~ResultDirectory() = default;
 
 bool ResultDirectory::replaced() const
 {
-  return m_state->replaced;
+  return state_->replaced;
 }
 
 const std::optional<Archive::Fields>& ResultDirectory::checkpoint() const
 {
-  return m_state->fields;
+  return state_->fields;
 }
 
 int ResultDirectory::finished_steps() const
 {
-  return m_state->finished_steps();
+  return state_->finished_steps();
 }
 
 void ResultDirectory::add(const std::vector<NamedNumber>& columns)
 {
-  m_state->history.add(columns);
+  state_->history.add(columns);
 }
 
 void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
 {
-  m_state->result.add_step(step, columns, snapshot);
+  state_->result.add_step(step, columns, snapshot);
 }
 
 void ResultDirectory::add_checkpoint(int step, const Archive::Fields& fields)
 {
-  write_checkpoint(m_state->path / checkpoint_file, step, m_state->history.checksum(), fields);
+  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), fields);
 }
 
 void ResultDirectory::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
                              const std::string& summary)
 {
-  m_state->result.add_final(std::get<int>(last_columns.front().second), last_columns, final_state);
-  m_state->result.merge(summary);
-  replace_file(m_state->path / "summary.json", summary);
+  state_->result.add_final(std::get<int>(last_columns.front().second), last_columns, final_state);
+  state_->result.merge(summary);
+  replace_file(state_->path / "summary.json", summary);
   try
   {
-    remove_pieces(m_state->path);
-    fs::remove(m_state->path / checkpoint_file);
+    remove_pieces(state_->path);
+    fs::remove(state_->path / checkpoint_file);
   }
   catch (const std::exception&) // what stays behind of a complete run does no harm
   {

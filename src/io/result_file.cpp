@@ -108,9 +108,9 @@ fs::path part_of(fs::path path)
 } // namespace
 
 ResultFile::ResultFile(fs::path folder, const Case& c, int finished_steps, const std::vector<HistoryColumn>& history)
-    : m_folder(std::move(folder)), m_case_text(resolved_text(c.values)),
-      m_sources(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),
-      m_scenario(c.values.get<std::string>("scenario")), m_title(c.title), m_history(history)
+    : folder_(std::move(folder)), case_text_(resolved_text(c.values)),
+      sources_(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),
+      scenario_(c.values.get<std::string>("scenario")), title_(c.title), history_(history)
 {
   if (finished_steps > 0)
     read_index(finished_steps);
@@ -125,7 +125,7 @@ ResultFile::Piece ResultFile::piece_of(int step)
 
 fs::path ResultFile::path_of(const Piece& piece) const
 {
-  return m_folder / pieces_folder / piece.file;
+  return folder_ / pieces_folder / piece.file;
 }
 
 void ResultFile::add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
@@ -141,14 +141,14 @@ void ResultFile::add_final(int step, const std::vector<NamedNumber>& columns, co
 void ResultFile::add(const simulation::Snapshot& snapshot, const std::vector<NamedNumber>& columns, Piece piece)
 {
   std::error_code error;
-  fs::create_directories(m_folder / pieces_folder, error); // a failure shows when the file is created
+  fs::create_directories(folder_ / pieces_folder, error); // a failure shows when the file is created
   h5::Handle file = h5::create_file_in_memory();
   write_snapshot(h5::create_group(file, piece_group), columns, snapshot);
   const std::string image = h5::file_image(std::move(file));
   piece.checksum = checksum(image);
   replace_file(path_of(piece), image);
   piece.layout = layout_of(snapshot);
-  m_pieces.push_back(std::move(piece));
+  pieces_.push_back(std::move(piece));
   write_index();
   write_linked();
 }
@@ -157,19 +157,19 @@ void ResultFile::add(const simulation::Snapshot& snapshot, const std::vector<Nam
 void ResultFile::write_index() const
 {
   Json index = Json::array();
-  for (const Piece& piece : m_pieces)
+  for (const Piece& piece : pieces_)
     index.push_back({{"file", piece.file},
                      {"step", static_cast<int>(piece.time)},
                      {"layout", json_of(piece.layout)},
                      {"checksum", piece.checksum}});
   const std::string sum = checksum(index.dump());
   const Json whole = {{"format", index_mark}, {"checksum", sum}, {"pieces", std::move(index)}};
-  replace_file(m_folder / pieces_folder / index_file, whole.dump());
+  replace_file(folder_ / pieces_folder / index_file, whole.dump());
 }
 
 void ResultFile::read_index(int finished_steps)
 {
-  const fs::path path = m_folder / pieces_folder / index_file;
+  const fs::path path = folder_ / pieces_folder / index_file;
   if (!fs::exists(path)) // no step has been stored yet
     return;
   try
@@ -184,7 +184,7 @@ void ResultFile::read_index(int finished_steps)
       piece.layout = state_of(entry.at("layout"));
       piece.checksum = entry.at("checksum");
       if (piece.time < finished_steps && entry.at("file") == piece.file) // not the final state
-        m_pieces.push_back(std::move(piece));
+        pieces_.push_back(std::move(piece));
     }
   }
   catch (const Json::exception&)
@@ -195,7 +195,7 @@ void ResultFile::read_index(int finished_steps)
   {
     throw damaged(path);
   }
-  for (const Piece& piece : m_pieces)
+  for (const Piece& piece : pieces_)
     require_intact(piece);
 }
 
@@ -220,18 +220,18 @@ void ResultFile::require_space() const
 {
   std::uintmax_t needed = 0;
   std::error_code error;
-  for (const Piece& piece : m_pieces)
+  for (const Piece& piece : pieces_)
   {
     const std::uintmax_t size = fs::file_size(path_of(piece), error);
     needed += error ? 0 : size;
   }
-  const fs::space_info space = fs::space(m_folder, error);
+  const fs::space_info space = fs::space(folder_, error);
   if (!error && space.available < needed)
     throw IoError(
         fmt::format("{}: cannot be written: it needs {:.1f} MB, the disk has {:.1f} MB; the finished steps are "
                     "in {}",
-                    (m_folder / file_name).string(), static_cast<double>(needed) * 1e-6,
-                    static_cast<double>(space.available) * 1e-6, (m_folder / pieces_folder).string()));
+                    (folder_ / file_name).string(), static_cast<double>(needed) * 1e-6,
+                    static_cast<double>(space.available) * 1e-6, (folder_ / pieces_folder).string()));
 }
 
 /// What a result file holds besides the fields.
@@ -244,12 +244,12 @@ void ResultFile::write_description(const h5::Handle& file) const
   h5::write_attribute(file, "git_hash", versions.git_hash);
   h5::write_attribute(file, "fftw_version", versions.fftw);
   h5::write_attribute(file, "hdf5_version", versions.hdf5);
-  h5::write_attribute(file, "scenario", m_scenario);
-  h5::write_attribute(file, "title", m_title);
+  h5::write_attribute(file, "scenario", scenario_);
+  h5::write_attribute(file, "title", title_);
   h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
-  h5::write_text(file, "case", m_case_text);
-  h5::write_text(file, "sources", m_sources);
-  write_history(file, m_history);
+  h5::write_text(file, "case", case_text_);
+  h5::write_text(file, "sources", sources_);
+  write_history(file, history_);
 }
 
 /// Writes result.vtkhdf anew, with links to the pieces. Its cost must grow little with each of them: thirty in /VTKHDF take
@@ -262,7 +262,7 @@ void ResultFile::write_linked() const
   {
     // The group must be closed before the file is.
     const h5::Handle steps = h5::create_group(file, "steps");
-    for (const Piece& piece : m_pieces)
+    for (const Piece& piece : pieces_)
     {
       states.push_back(
           {piece.time, fmt::format("{}/{}", pieces_folder, piece.file), fmt::format("/{}", piece_group), piece.layout});
@@ -272,21 +272,21 @@ void ResultFile::write_linked() const
   if (std::ssize(states) > most_shown)
     states.erase(states.begin(), states.end() - most_shown);
   write_vtkhdf(file, states);
-  replace_file(m_folder / file_name, h5::file_image(std::move(file)));
+  replace_file(folder_ / file_name, h5::file_image(std::move(file)));
 }
 
 /// Writes result.vtkhdf anew, with the content of the pieces.
 void ResultFile::merge(const std::string& summary)
 {
   require_space();
-  const fs::path path = m_folder / file_name;
+  const fs::path path = folder_ / file_name;
   h5::Handle file = h5::create_file(part_of(path));
   write_description(file);
   h5::write_text(file, "summary", summary);
   std::vector<StoredState> states;
   {
     const h5::Handle steps = h5::create_group(file, "steps");
-    for (const Piece& piece : m_pieces)
+    for (const Piece& piece : pieces_)
     {
       require_intact(piece); // it is copied as it is
       states.push_back({piece.time, ".", piece.group, piece.layout});
@@ -297,7 +297,7 @@ void ResultFile::merge(const std::string& summary)
   h5::close_file(std::move(file));
   {
     const h5::Handle written = h5::open_file(part_of(path));
-    for (const Piece& piece : m_pieces)
+    for (const Piece& piece : pieces_)
       h5::require_same_datasets(h5::open_group(h5::open_file(path_of(piece)), piece_group),
                                 h5::open_group(written, piece.group));
   }

@@ -49,10 +49,10 @@ private:
   void write_linked() const;
   void write_description(const h5::Handle& file) const;
 
-  std::filesystem::path m_folder;
-  std::string m_case_text, m_sources, m_scenario, m_title;
-  const std::vector<HistoryColumn>& m_history;
-  std::vector<Piece> m_pieces;
+  std::filesystem::path folder_;
+  std::string case_text_, sources_, scenario_, title_;
+  const std::vector<HistoryColumn>& history_;
+  std::vector<Piece> pieces_;
 };
 
 } // namespace brinell::io

@@ -10,29 +10,29 @@ namespace brinell::io
 /// The next step is not known yet: it is taken to be as long as this one was.
 bool NearestToMiddle::operator()(int pass, double x)
 {
-  const bool first = pass != m_pass;
+  const bool first = pass != pass_;
   if (first)
-    m_is_stored = false;
-  const double next = x + (x - m_x);
-  const bool nearest = x >= 0.0 || (!first && x > m_x && std::abs(x) <= std::abs(next));
-  m_pass = pass;
-  m_x = x;
-  if (m_is_stored || !nearest)
+    is_stored_ = false;
+  const double next = x + (x - x_);
+  const bool nearest = x >= 0.0 || (!first && x > x_ && std::abs(x) <= std::abs(next));
+  pass_ = pass;
+  x_ = x;
+  if (is_stored_ || !nearest)
     return false;
-  m_is_stored = true;
+  is_stored_ = true;
   return true;
 }
 
 void NearestToMiddle::exchange(Archive& archive)
 {
-  archive("pass", m_pass);
-  archive("x", m_x);
-  archive("is_stored", m_is_stored);
+  archive("pass", pass_);
+  archive("x", x_);
+  archive("is_stored", is_stored_);
 }
 
 bool SnapshotChoice::operator()(const simulation::TuggingCase&, const simulation::TuggingRecord& record)
 {
-  return chosen(record.step, m_middle(record.pass, record.X));
+  return chosen(record.step, middle_(record.pass, record.X));
 }
 
 bool SnapshotChoice::operator()(const simulation::IndentationCase& c, const simulation::IndentationRecord& record)
@@ -42,22 +42,22 @@ bool SnapshotChoice::operator()(const simulation::IndentationCase& c, const simu
 
 bool SnapshotChoice::operator()(const simulation::RollingCase&, const simulation::RollingRecord& record)
 {
-  return chosen(record.step, m_middle(record.pass, record.x));
+  return chosen(record.step, middle_(record.pass, record.x));
 }
 
 bool SnapshotChoice::chosen(int step, bool is_key_step) const
 {
   using Kind = SnapshotRule::Kind;
-  switch (m_rule.kind)
+  switch (rule_.kind)
   {
   case Kind::none:
     return false;
   case Kind::all:
     return true;
   case Kind::every:
-    return step % m_rule.every == 0;
+    return step % rule_.every == 0;
   case Kind::listed:
-    return std::binary_search(m_rule.steps.begin(), m_rule.steps.end(), step);
+    return std::binary_search(rule_.steps.begin(), rule_.steps.end(), step);
   case Kind::aligned:
     return is_key_step;
   }

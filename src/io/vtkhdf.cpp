@@ -60,25 +60,25 @@ class Block
 public:
   /// @param body  whose fields it shows: its group in a state
   Block(const h5::Handle& parent, const char* name, std::string body, int index, const std::vector<StoredState>& states)
-      : m_body(std::move(body)), m_states(states), m_group(h5::create_ordered_group(parent, name))
+      : body_(std::move(body)), states_(states), group_(h5::create_ordered_group(parent, name))
   {
-    h5::write_attribute(m_group, "Version", std::array{2, 2});
-    h5::write_fixed_attribute(m_group, "Type", "ImageData");
-    h5::write_attribute(m_group, "Index", index);
-    h5::write_attribute(m_group, "Direction", std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
+    h5::write_attribute(group_, "Version", std::array{2, 2});
+    h5::write_fixed_attribute(group_, "Type", "ImageData");
+    h5::write_attribute(group_, "Index", index);
+    h5::write_attribute(group_, "Direction", std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
     if (states.size() > 1)
-      write_steps(h5::create_group(m_group, "Steps"));
+      write_steps(h5::create_group(group_, "Steps"));
   }
 
   void place(const std::array<int, 3>& last, const std::array<double, 3>& origin, const std::array<double, 3>& spacing)
   {
-    h5::write_attribute(m_group, "WholeExtent", std::array{0, last[0], 0, last[1], 0, last[2]});
-    h5::write_attribute(m_group, "Origin", origin);
-    h5::write_attribute(m_group, "Spacing", spacing);
+    h5::write_attribute(group_, "WholeExtent", std::array{0, last[0], 0, last[1], 0, last[2]});
+    h5::write_attribute(group_, "Origin", origin);
+    h5::write_attribute(group_, "Spacing", spacing);
   }
 
   /// @param data  "CellData" or "PointData"
-  void begin(const char* data) { m_data.emplace(h5::create_group(m_group, data)); }
+  void begin(const char* data) { data_.emplace(h5::create_group(group_, data)); }
 
   /// A part of the array at one state: where it is in the array, and which box of which dataset.
   struct Part
@@ -92,14 +92,14 @@ public:
   void add(const char* name, const Shape& shape, double fill, const Parts& parts_of)
   {
     std::vector<h5::VirtualPart> parts;
-    for (std::size_t step = 0; step < m_states.size(); ++step)
-      for (Part& part : parts_of(m_states[step].layout))
-        parts.push_back({at(part.target, step), m_states[step].file, m_states[step].group + "/" + part.dataset,
+    for (std::size_t step = 0; step < states_.size(); ++step)
+      for (Part& part : parts_of(states_[step].layout))
+        parts.push_back({at(part.target, step), states_[step].file, states_[step].group + "/" + part.dataset,
                          std::move(part.shape), std::move(part.source)});
     Shape all = shape;
-    if (m_states.size() > 1)
-      all.insert(all.begin(), m_states.size());
-    h5::write_virtual_dataset(*m_data, name, all, fill, parts);
+    if (states_.size() > 1)
+      all.insert(all.begin(), states_.size());
+    h5::write_virtual_dataset(*data_, name, all, fill, parts);
   }
 
   using Body = BodyLayout StateLayout::*;
@@ -118,19 +118,19 @@ public:
   template <typename ShapeOf>
   void add_field(const char* name, Body body, double beyond, const ShapeOf& shape_of)
   {
-    const BodyLayout& all = m_states.back().layout.*body;
+    const BodyLayout& all = states_.back().layout.*body;
     add(name, shape_of(all), beyond,
         [&](const StateLayout& l)
         {
           const Shape shape = shape_of(l.*body);
           return std::vector{
-              Part{fmt::format("{}/{}", m_body, name), shape, whole(shape), place_of(shape, all, l.*body)}};
+              Part{fmt::format("{}/{}", body_, name), shape, whole(shape), place_of(shape, all, l.*body)}};
         });
   }
 
   void add_tensor(const char* name, Body body, double beyond)
   {
-    const BodyLayout& all = m_states.back().layout.*body;
+    const BodyLayout& all = states_.back().layout.*body;
     Shape with_components = cells(all.grid);
     with_components.push_back(components.size());
     add(name, with_components, beyond,
@@ -143,7 +143,7 @@ public:
             h5::Box target = place_of(shape, all, l.*body);
             target.start.push_back(c);
             target.count.push_back(1);
-            parts.push_back({fmt::format("{}/{}/{}", m_body, name, components[c]), shape, whole(shape), target});
+            parts.push_back({fmt::format("{}/{}/{}", body_, name, components[c]), shape, whole(shape), target});
           }
           return parts;
         });
@@ -154,14 +154,14 @@ public:
   void imitate_steps()
   {
     place({-1, -1, -1}, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
-    write_steps(m_group);
+    write_steps(group_);
   }
 
 private:
   void write_steps(const h5::Handle& group) const
   {
     std::vector<double> times;
-    for (const StoredState& state : m_states)
+    for (const StoredState& state : states_)
       times.push_back(state.time);
     h5::write_attribute(group, "NSteps", static_cast<int>(times.size()));
     h5::write_numbers(group, "Values", times);
@@ -169,7 +169,7 @@ private:
 
   [[nodiscard]] h5::Box at(h5::Box box, std::size_t step) const
   {
-    if (m_states.size() > 1)
+    if (states_.size() > 1)
     {
       box.start.insert(box.start.begin(), step);
       box.count.insert(box.count.begin(), 1);
@@ -177,10 +177,10 @@ private:
     return box;
   }
 
-  std::string m_body;
-  const std::vector<StoredState>& m_states;
-  h5::Handle m_group;
-  std::optional<h5::Handle> m_data;
+  std::string body_;
+  const std::vector<StoredState>& states_;
+  h5::Handle group_;
+  std::optional<h5::Handle> data_;
 };
 
 using Body = BodyLayout StateLayout::*;

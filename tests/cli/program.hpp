@@ -39,12 +39,12 @@ public:
   /// @param beyond        what the program finds to be done by a signal when a file grows beyond that
   Process(const fs::path& folder, const std::vector<std::string>& arguments, rlim_t largest_file = 0,
           void (*beyond)(int) = SIG_IGN)
-      : m_out(folder / "stdout"), m_err(folder / "stderr")
+      : out_(folder / "stdout"), err_(folder / "stderr")
   {
-    m_pid = fork();
-    if (m_pid != 0)
+    pid_ = fork();
+    if (pid_ != 0)
       return;
-    if (!freopen(m_out.c_str(), "w", stdout) || !freopen(m_err.c_str(), "w", stderr) || chdir(folder.c_str()) != 0)
+    if (!freopen(out_.c_str(), "w", stdout) || !freopen(err_.c_str(), "w", stderr) || chdir(folder.c_str()) != 0)
       _exit(127);
     if (largest_file > 0)
     {
@@ -60,29 +60,29 @@ public:
     _exit(127);
   }
 
-  void signal(int number) const { kill(m_pid, number); }
+  void signal(int number) const { kill(pid_, number); }
 
   [[nodiscard]] bool running()
   {
-    if (!m_ended)
-      m_ended = waitpid(m_pid, &m_status, WNOHANG) == m_pid;
-    return !m_ended;
+    if (!ended_)
+      ended_ = waitpid(pid_, &status_, WNOHANG) == pid_;
+    return !ended_;
   }
 
   [[nodiscard]] Outcome wait()
   {
-    if (!m_ended)
-      waitpid(m_pid, &m_status, 0);
-    m_ended = true;
-    const int code = WIFEXITED(m_status) ? WEXITSTATUS(m_status) : 128 + WTERMSIG(m_status);
-    return {code, file_text(m_out), file_text(m_err)};
+    if (!ended_)
+      waitpid(pid_, &status_, 0);
+    ended_ = true;
+    const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
+    return {code, file_text(out_), file_text(err_)};
   }
 
 private:
-  fs::path m_out, m_err;
-  pid_t m_pid = -1;
-  int m_status = 0;
-  bool m_ended = false;
+  fs::path out_, err_;
+  pid_t pid_ = -1;
+  int status_ = 0;
+  bool ended_ = false;
 };
 
 /// Each test works in a new folder, which goes with it.
@@ -91,28 +91,28 @@ class Program : public testing::Test
 protected:
   void SetUp() override
   {
-    m_folder = fs::temp_directory_path() / (std::string("brinell-cli-") + std::to_string(getpid()));
-    fs::remove_all(m_folder);
-    fs::create_directories(m_folder);
+    folder_ = fs::temp_directory_path() / (std::string("brinell-cli-") + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
   }
   void TearDown() override
   {
     std::error_code ignored;
-    fs::remove_all(m_folder, ignored);
+    fs::remove_all(folder_, ignored);
   }
 
-  [[nodiscard]] const fs::path& folder() const { return m_folder; }
-  [[nodiscard]] Process start(const std::vector<std::string>& arguments) const { return {m_folder, arguments}; }
+  [[nodiscard]] const fs::path& folder() const { return folder_; }
+  [[nodiscard]] Process start(const std::vector<std::string>& arguments) const { return {folder_, arguments}; }
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const { return start(arguments).wait(); }
 
   void write(const fs::path& name, const std::string& text) const
   {
-    fs::create_directories((m_folder / name).parent_path());
-    std::ofstream(m_folder / name) << text;
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
   }
 
 private:
-  fs::path m_folder;
+  fs::path folder_;
 };
 
 /// Elastic bodies and large cells: done in a moment.

@@ -47,21 +47,21 @@ protected:
       arguments.emplace_back("--set");
       arguments.push_back(std::move(option));
     }
-    m_outcome = run(arguments);
-    EXPECT_EQ(m_outcome.exit_code, 0) << m_outcome.err;
+    outcome_ = run(arguments);
+    EXPECT_EQ(outcome_.exit_code, 0) << outcome_.err;
     std::vector<std::string> keys;
     const Json read = summary();
     for (const Json& warning : read.at("warnings"))
     {
       keys.push_back(warning.at("key"));
-      EXPECT_NE(m_outcome.err.find(warning.at("text").get<std::string>()), std::string::npos) << m_outcome.err;
+      EXPECT_NE(outcome_.err.find(warning.at("text").get<std::string>()), std::string::npos) << outcome_.err;
     }
     return keys;
   }
-  [[nodiscard]] const Outcome& outcome() const { return m_outcome; }
+  [[nodiscard]] const Outcome& outcome() const { return outcome_; }
 
 private:
-  Outcome m_outcome;
+  Outcome outcome_;
 };
 
 using Keys = std::vector<std::string>;

@@ -41,12 +41,12 @@ class Cases : public testing::TestWithParam<std::string>
 protected:
   void SetUp() override
   {
-    m_results = fs::temp_directory_path() / ("brinell-case-" + GetParam() + "-" + std::to_string(getpid()));
+    results_ = fs::temp_directory_path() / ("brinell-case-" + GetParam() + "-" + std::to_string(getpid()));
   }
   void TearDown() override
   {
     std::error_code ignored;
-    fs::remove_all(m_results, ignored);
+    fs::remove_all(results_, ignored);
   }
 
   [[nodiscard]] static fs::path folder() { return fs::path(BRINELL_SOURCE_DIR) / "cases" / GetParam(); }
@@ -55,14 +55,14 @@ protected:
   [[nodiscard]] nlohmann::json summary() const
   {
     const std::string command = std::string("'") + BRINELL_PROGRAM + "' run --quiet '" +
-                                (folder() / "case.toml").string() + "' -o '" + m_results.string() + "'";
+                                (folder() / "case.toml").string() + "' -o '" + results_.string() + "'";
     if (std::system(command.c_str()) != 0)
       throw std::runtime_error("failed: " + command);
-    return nlohmann::json::parse(file_text(m_results / "summary.json"));
+    return nlohmann::json::parse(file_text(results_ / "summary.json"));
   }
 
 private:
-  fs::path m_results;
+  fs::path results_;
 };
 
 TEST_P(Cases, IsExampleAndPage)

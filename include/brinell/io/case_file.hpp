@@ -19,7 +19,7 @@ namespace brinell::io
 class CaseValues
 {
 public:
-  void set(std::string_view key, Value value) { m_values.emplace_back(key, std::move(value)); }
+  void set(std::string_view key, Value value) { values_.emplace_back(key, std::move(value)); }
   /// Puts other keys of the same table where `key` stands: the resolved case needs those of a table together.
   void replace(std::string_view key, std::vector<std::pair<std::string, Value>> by);
 
@@ -30,10 +30,10 @@ public:
   template <class T>
   [[nodiscard]] const T& get(std::string_view key) const;
 
-  [[nodiscard]] const std::vector<std::pair<std::string, Value>>& all() const { return m_values; }
+  [[nodiscard]] const std::vector<std::pair<std::string, Value>>& all() const { return values_; }
 
 private:
-  std::vector<std::pair<std::string, Value>> m_values;
+  std::vector<std::pair<std::string, Value>> values_;
 };
 
 /// Which body yields first in their normal contact: the one with the smaller C(nu) S_y.

@@ -56,7 +56,7 @@ public:
   void add(const std::vector<NamedNumber>& row);
 
   /// All rows that are in the file.
-  [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return m_columns; }
+  [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return columns_; }
   /// Of the file as it is now.
   [[nodiscard]] std::string checksum() const;
 
@@ -67,10 +67,10 @@ private:
   };
   void keep_rows(const std::string& header, int count, std::string_view sum);
 
-  std::filesystem::path m_path;
-  std::vector<HistoryColumn> m_columns;
-  std::unique_ptr<Checksum> m_sum;
-  std::unique_ptr<std::FILE, Closer> m_file;
+  std::filesystem::path path_;
+  std::vector<HistoryColumn> columns_;
+  std::unique_ptr<Checksum> sum_;
+  std::unique_ptr<std::FILE, Closer> file_;
 };
 
 } // namespace brinell::io

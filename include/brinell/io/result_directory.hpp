@@ -60,7 +60,7 @@ public:
 
 private:
   struct State;
-  std::unique_ptr<State> m_state;
+  std::unique_ptr<State> state_;
 };
 
 } // namespace brinell::io

@@ -20,28 +20,28 @@ public:
   void exchange(Archive& archive);
 
 private:
-  int m_pass = -1;          ///< of the step before
-  double m_x = 0.0;         ///< and its position
-  bool m_is_stored = false; ///< in this pass
+  int pass_ = -1;          ///< of the step before
+  double x_ = 0.0;         ///< and its position
+  bool is_stored_ = false; ///< in this pass
 };
 
 /// Says after each step whether its fields are to be stored. Asked once per step, in order.
 class SnapshotChoice
 {
 public:
-  explicit SnapshotChoice(SnapshotRule rule) : m_rule(std::move(rule)) {}
+  explicit SnapshotChoice(SnapshotRule rule) : rule_(std::move(rule)) {}
 
   [[nodiscard]] bool operator()(const simulation::TuggingCase& c, const simulation::TuggingRecord& record);
   [[nodiscard]] bool operator()(const simulation::IndentationCase& c, const simulation::IndentationRecord& record);
   [[nodiscard]] bool operator()(const simulation::RollingCase& c, const simulation::RollingRecord& record);
 
-  void exchange(Archive& archive) { m_middle.exchange(archive); }
+  void exchange(Archive& archive) { middle_.exchange(archive); }
 
 private:
   [[nodiscard]] bool chosen(int step, bool is_key_step) const;
 
-  SnapshotRule m_rule;
-  NearestToMiddle m_middle;
+  SnapshotRule rule_;
+  NearestToMiddle middle_;
 };
 
 } // namespace brinell::io

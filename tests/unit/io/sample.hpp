@@ -51,21 +51,21 @@ public:
     std::string name =
         std::string("brinell-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(getpid());
     std::replace(name.begin(), name.end(), '/', '-'); // of parameterised tests
-    m_path = std::filesystem::temp_directory_path() / name;
-    std::filesystem::remove_all(m_path);
-    std::filesystem::create_directories(m_path);
+    path_ = std::filesystem::temp_directory_path() / name;
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   ~TemporaryFolder()
   {
     std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
+    std::filesystem::remove_all(path_, ignored);
   }
-  [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
 private:
-  std::filesystem::path m_path;
+  std::filesystem::path path_;
 };
 
 inline std::string file_text(const std::filesystem::path& path)
