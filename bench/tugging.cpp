@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What does the paper's case cost, all in all, and how many evaluations of the elastic-plastic operator a step?
-#include "brinell/simulation/tugging.hpp"
 #include "brinell/io/case_file.hpp"
+#include "brinell/simulation/run.hpp"
 
 #include <benchmark/benchmark.h>
 

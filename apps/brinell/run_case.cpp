@@ -6,6 +6,7 @@
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/snapshot_choice.hpp"
 #include "brinell/io/summary_json.hpp"
+#include "brinell/simulation/run.hpp"
 #include "scenario_text.hpp"
 
 #include <chrono>

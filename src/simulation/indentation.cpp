@@ -4,13 +4,11 @@
 #include "brinell/foundation/error.hpp"
 #include "footprint.hpp"
 #include "indent.hpp"
-#include "records.hpp"
-#include "stepper.hpp"
+#include "run_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 
 namespace brinell::simulation
@@ -33,92 +31,76 @@ Drive largest_drive(const IndentationCase& indentation)
   return largest;
 }
 
+/// Loading and unloading, place after place.
 class Indentation
 {
 public:
-  Indentation(const IndentationCase& indentation, const Observer<IndentationRecord>& observer)
-      : case_(indentation), observer_(observer), plan_(plan(indentation)),
-        stepper_(plan_, {indentation.lower.material,
-                         indentation.upper.material,
-                         [&indentation](double x, double y)
-                         { return height(indentation.lower.shape, x, y) + height(indentation.upper.shape, x, y); },
-                         indentation.solver,
-                         {indentation.places.front(), 0.0},
-                         indentation.lower.texture,
-                         indentation.upper.texture,
-                         observer.wants_stop,
-                         observer.on_grid_change,
-                         observer.available_memory})
-  {
-  }
+  Indentation(const IndentationCase& indentation, const IndentationPlan& plan) : case_(indentation), steps_(plan.steps) {}
 
-  IndentationSummary run(const Archive::Fields* checkpoint)
+  [[nodiscard]] Stepper::Setup setup() const
   {
-    resume(*this, checkpoint);
-    while (done_ < plan_.steps)
-      step();
-    IndentationSummary result;
-    result.steps = done_;
-    result.iterations = iterations_;
-    stepper_.fill(result);
-    take_totals(last_, largest_work_, result);
-    result.indents = indents_;
-    result.last = last_;
-    result.final_state = snapshot();
-    return result;
+    return shaped_setup(case_.lower, case_.upper, case_.solver, {case_.places.front(), 0.0});
   }
+  [[nodiscard]] Centre centre() const { return {x(std::max(done_ - 1, 0)), 0.0}; }
+  [[nodiscard]] bool is_done() const { return done_ == steps_; }
+  [[nodiscard]] int step_count() const { return steps_; }
 
-  /// Everything that the rest of the run depends on.
-  void exchange(Archive& archive)
+  [[nodiscard]] Move next(Stepper& stepper)
   {
-    archive("stepper", stepper_);
-    archive("last", last_);
-    archive("current", current_);
-    archive.list("indents", indents_);
-    archive("largest_work", largest_work_);
-    archive("iterations", iterations_, 0, std::numeric_limits<long>::max());
-    archive("from", from_);
-    archive("to", to_);
-    archive("done", done_, 0, plan_.steps);
-  }
-
-private:
-  [[nodiscard]] int steps_per_indent() const { return case_.steps * static_cast<int>(case_.sequence.size()); }
-  [[nodiscard]] double x() const
-  {
-    return case_.places[static_cast<std::size_t>(std::min(done_, plan_.steps - 1) / steps_per_indent() / case_.cycles)];
-  }
-  [[nodiscard]] Centre centre() const { return {x(), 0.0}; }
-  [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(centre()); }
-
-  void step()
-  {
-    const int indent = done_ / steps_per_indent();
+    const Centre here{x(done_), 0.0};
     const int in_indent = done_ % steps_per_indent();
     const int in_entry = in_indent % case_.steps;
-    const Centre here = centre();
-    const double touch = stepper_.clearance(here);
+    const double touch = stepper.clearance(here);
     if (in_indent == 0)
-      current_ = IndentReader(x(), indent / case_.cycles, indent % case_.cycles, touch);
+      current_ = IndentReader(here.lower, indent() / case_.cycles, indent() % case_.cycles, touch);
     if (in_entry == 0)
       begin_entry(in_indent, touch);
     if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
       to_ = std::min(to_, lifted(touch));
-    const auto path = [&](double t) {
+    const auto path = [this, here, in_entry](double t) {
       return Target{here, {case_.sequence.front().kind, imposed((in_entry + t) / case_.steps)}};
     };
     constexpr double finest = 1.0 / 64;
-    const Target target = path(1.0);
-    const std::string where = fmt::format("step {}, {} = {:g} {}", done_, by_load() ? "load" : "approach",
-                                          target.drive.value, by_load() ? "N" : "m");
-    const int evaluations = stepper_.advance(path, finest, where);
-    record(indent, evaluations, here);
-    if (in_indent + 1 == steps_per_indent())
+    return {path, finest,
+            fmt::format("step {}, {} = {:g} {}", done_, by_load() ? "load" : "approach", path(1.0).drive.value,
+                        by_load() ? "N" : "m")};
+  }
+
+  void read(Stepper& stepper, const IndentationRecord& /*before*/, IndentationRecord& r)
+  {
+    const Centre here{x(done_), 0.0};
+    r.pass = indent();
+    r.place = indent() / case_.cycles;
+    r.x = here.lower;
+    r.approach = stepper.pair().approach();
+    r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
+    r.mean_pressure = r.contact_area > 0.0 ? r.F_n / r.contact_area : 0.0;
+    const auto [highest, deepest] = stepper.residual_range(here);
+    r.residual_depth = deepest;
+    r.pile_up = -highest;
+    r.work += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.clearance(here));
+    if (++done_ % steps_per_indent() == 0)
       indents_.push_back(current_.result());
-    // The snapshot of this step lies where the step was.
-    const auto snap = [this, here] { return stepper_.snapshot(here); };
-    ++done_;
-    report(observer_, last_, plan_.steps, *this, snap);
+  }
+
+  void summarise(IndentationSummary& summary) const { summary.indents = indents_; }
+
+  void exchange(Archive& archive)
+  {
+    archive("current", current_);
+    archive.list("indents", indents_);
+    archive("from", from_);
+    archive("to", to_);
+    archive("done", done_, 0, steps_);
+  }
+
+private:
+  [[nodiscard]] int steps_per_indent() const { return case_.steps * static_cast<int>(case_.sequence.size()); }
+  /// Of the present step.
+  [[nodiscard]] int indent() const { return done_ / steps_per_indent(); }
+  [[nodiscard]] double x(int step) const
+  {
+    return case_.places[static_cast<std::size_t>(step / steps_per_indent() / case_.cycles)];
   }
 
   /// An imposed approach of zero means no contact, dents and bumps included.
@@ -143,38 +125,12 @@ private:
 
   [[nodiscard]] bool by_load() const { return case_.sequence.front().kind == Drive::Kind::load; }
 
-  void record(int indent, int evaluations, const Centre& here)
-  {
-    IndentationRecord r;
-    stepper_.fill(r);
-    r.step = done_;
-    r.pass = indent;
-    r.place = indent / case_.cycles;
-    r.x = x();
-    r.approach = stepper_.pair().approach();
-    r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
-    r.mean_pressure = r.contact_area > 0.0 ? r.F_n / r.contact_area : 0.0;
-    const auto [highest, deepest] = stepper_.residual_range(here);
-    r.residual_depth = deepest;
-    r.pile_up = -highest;
-    r.iterations = evaluations;
-    r.work = last_.work + current_.add(r, r.F_n > 0.0 ? 0.0 : stepper_.clearance(here));
-    largest_work_ = std::max(largest_work_, r.work);
-    iterations_ += evaluations;
-    last_ = r;
-  }
-
   const IndentationCase& case_;
-  const Observer<IndentationRecord>& observer_;
-  IndentationPlan plan_;
-  Stepper stepper_;
-  IndentationRecord last_;
+  int steps_; ///< of the run
   IndentReader current_;
   std::vector<Indent> indents_;
   double from_ = 0.0, to_ = 0.0; ///< load or approach at the ends of the present entry of the sequence
-  double largest_work_ = 0.0;
-  long iterations_ = 0;
-  int done_ = 0; ///< steps
+  int done_ = 0;                 ///< steps
 };
 
 /// Whether both bodies always have the same history.
@@ -204,10 +160,12 @@ IndentationPlan plan(const IndentationCase& indentation)
   return plan;
 }
 
-IndentationSummary run(const IndentationCase& indentation, const Observer<IndentationRecord>& observer,
-                       const Archive::Fields* checkpoint)
+template <>
+struct MotionOf<IndentationCase>
 {
-  return Indentation(indentation, observer).run(checkpoint);
-}
+  using Type = Indentation;
+};
+
+template class Run<IndentationCase>;
 
 } // namespace brinell::simulation

@@ -4,14 +4,12 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
 #include "footprint.hpp"
-#include "records.hpp"
-#include "stepper.hpp"
+#include "run_state.hpp"
 #include "track.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace brinell::simulation
 {
@@ -21,57 +19,82 @@ namespace
 
 using contact::Drive;
 
+/// Press, roll, lift, pass after pass.
 class Rolling
 {
 public:
-  Rolling(const RollingCase& rolling, const Observer<RollingRecord>& observer)
-      : case_(rolling), observer_(observer), plan_(plan(rolling)), share_(upper_share(rolling)),
-        start_(-0.5 * plan_.rolling_steps * plan_.shift),
-        stepper_(plan_, {rolling.lower.material,
-                         rolling.upper.material,
-                         [&rolling](double x, double y)
-                         { return height(rolling.lower.shape, x, y) + height(rolling.upper.shape, x, y); },
-                         rolling.solver,
-                         {start_, share_ * start_},
-                         rolling.lower.texture,
-                         rolling.upper.texture,
-                         observer.wants_stop,
-                         observer.on_grid_change,
-                         observer.available_memory}),
-        track_(rolling.distance, plan_.shift)
+  Rolling(const RollingCase& rolling, const RollingPlan& plan)
+      : case_(rolling), plan_(plan), share_(upper_share(rolling)), track_(rolling.distance, plan.shift)
   {
+    at_.x = moment(0.0).x;
   }
 
-  RollingSummary run(const Archive::Fields* checkpoint)
+  [[nodiscard]] Stepper::Setup setup() const
   {
-    resume(*this, checkpoint);
-    while (pass_ < case_.passes)
-      step();
-    RollingSummary result;
-    result.steps = steps_;
-    result.iterations = iterations_;
-    stepper_.fill(result);
-    take_totals(last_, largest_work_, result);
-    result.passes = passes_;
-    result.last = last_;
-    result.final_state = snapshot(last_.x);
-    result.profile = track_profile(result.final_state.lower);
-    return result;
+    return shaped_setup(case_.lower, case_.upper, case_.solver, centre(moment(0.0).x));
+  }
+  [[nodiscard]] Centre centre() const { return centre(at_.x); }
+  [[nodiscard]] bool is_done() const { return pass_ == case_.passes; }
+  [[nodiscard]] int step_count() const { return plan_.steps; }
+
+  [[nodiscard]] Move next(Stepper& stepper)
+  {
+    const Centre from = centre(moment(step_in_pass_).x);
+    if (step_in_pass_ == 0)
+    {
+      track_.begin_pass(stepper.pair().lower(), dissipation(stepper));
+      at_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0};
+    }
+    if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
+      touch_ = by_load() ? 0.0 : std::min(stepper.clearance(from), case_.drive.value);
+    const double to = moment(step_in_pass_ + 1).x;
+    if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
+      touch_ = by_load() ? 0.0 : std::min(touch_, stepper.clearance(centre(to)));
+    const auto path = [this](double t)
+    {
+      const Moment m = moment(step_in_pass_ + t);
+      return Target{centre(m.x), drive(m.drive)};
+    };
+    const double cells = plan_.shift / plan_.contact.dx;
+    const bool moves = step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
+    const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
+    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to)};
   }
 
-  /// Everything that the rest of the run depends on.
+  void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)
+  {
+    r.pass = pass_;
+    r.x = moment(step_in_pass_ + 1).x;
+    const Centre here = centre(r.x);
+    const Stepper::Depths& depths = stepper.depths(here);
+    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance(here);
+    r.F_X = rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
+    r.work += 0.5 * (r.F_n + at_.F_n) * (r.approach - at_.approach) + 0.5 * (r.F_X + at_.F_X) * (r.x - at_.x);
+    at_ = {r.x, r.approach, r.F_n, r.F_X};
+    track_.add(r);
+    if (++step_in_pass_ < steps_per_pass())
+      return;
+    passes_.push_back(track_.end_pass(stepper.pair(), dissipation(stepper)));
+    step_in_pass_ = 0;
+    ++pass_;
+  }
+
+  void summarise(RollingSummary& summary) const
+  {
+    summary.passes = passes_;
+    summary.profile = track_profile(summary.final_state.lower);
+  }
+
   void exchange(Archive& archive)
   {
-    archive("stepper", stepper_);
-    archive("last", last_);
+    archive("at", at_);
     archive("track", track_);
     archive.list("passes", passes_);
-    archive("largest_work", largest_work_);
     archive("touch", touch_);
-    archive("iterations", iterations_, 0, std::numeric_limits<long>::max());
-    archive("steps", steps_, 0, plan_.steps);
     archive("pass", pass_, 0, case_.passes);
     archive("step_in_pass", step_in_pass_, 0, steps_per_pass() - 1);
+    if (archive.gives() && !(std::abs(at_.x) <= case_.distance))
+      throw InputError("the stored state has a place that is not on the track");
   }
 
 private:
@@ -92,85 +115,40 @@ private:
   }
   [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
   [[nodiscard]] Centre centre(double x) const { return {x, share_ * x}; }
-  [[nodiscard]] Snapshot snapshot(double x) const { return stepper_.snapshot(centre(x)); }
-
+  [[nodiscard]] bool by_load() const { return case_.drive.kind == Drive::Kind::load; }
   /// An imposed approach begins and ends where the surfaces touch, dents and bumps included.
   [[nodiscard]] Drive drive(double share) const
   {
     return {case_.drive.kind, touch_ + (case_.drive.value - touch_) * share};
   }
 
-  void step()
+  [[nodiscard]] static double dissipation(const Stepper& stepper)
   {
-    const Centre before = centre(moment(step_in_pass_).x);
-    if (step_in_pass_ == 0)
-    {
-      track_.begin_pass(stepper_.pair().lower(), dissipation());
-      last_.approach = stepper_.clearance(before);
-      last_.F_n = last_.F_X = 0.0;
-      last_.x = start_;
-    }
-    if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
-      touch_ = case_.drive.kind == Drive::Kind::load ? 0.0 : std::min(stepper_.clearance(before), case_.drive.value);
-    const Moment to = moment(step_in_pass_ + 1);
-    if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
-      touch_ = case_.drive.kind == Drive::Kind::load ? 0.0 : std::min(touch_, stepper_.clearance(centre(to.x)));
-    const auto path = [&](double t)
-    {
-      const Moment m = moment(step_in_pass_ + t);
-      return Target{centre(m.x), drive(m.drive)};
-    };
-    const double cells = plan_.shift / plan_.contact.dx;
-    const bool moves = step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
-    const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
-    record(stepper_.advance(path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to.x)), to.x);
-    if (++step_in_pass_ == steps_per_pass())
-    {
-      passes_.push_back(track_.end_pass(stepper_.pair(), dissipation()));
-      step_in_pass_ = 0;
-      ++pass_;
-    }
-    report(observer_, last_, plan_.steps, *this, [this, x = to.x] { return snapshot(x); });
+    return stepper.pair().lower().state().dissipation + stepper.pair().upper().state().dissipation;
   }
 
-  [[nodiscard]] double dissipation() const
+  /// Where the drive has worked so far.
+  struct WorkedTo
   {
-    return stepper_.pair().lower().state().dissipation + stepper_.pair().upper().state().dissipation;
-  }
+    double x = 0.0, approach = 0.0, F_n = 0.0, F_X = 0.0;
 
-  void record(int evaluations, double x)
-  {
-    RollingRecord r;
-    stepper_.fill(r);
-    const Centre here = centre(x);
-    const Stepper::Depths& depths = stepper_.depths(here);
-    r.step = steps_++;
-    r.pass = pass_;
-    r.x = x;
-    r.approach = r.F_n > 0.0 ? stepper_.pair().approach() : stepper_.clearance(here);
-    r.F_X = rolling_resistance(stepper_.pair().grid(), stepper_.pair().pressure(), depths.lower, depths.upper, share_);
-    r.iterations = evaluations;
-    r.work = last_.work + 0.5 * (r.F_n + last_.F_n) * (r.approach - last_.approach) +
-             0.5 * (r.F_X + last_.F_X) * (r.x - last_.x);
-    largest_work_ = std::max(largest_work_, r.work);
-    iterations_ += evaluations;
-    track_.add(r);
-    last_ = r;
-  }
+    void exchange(Archive& archive)
+    {
+      archive("x", x);
+      archive("approach", approach);
+      archive("F_n", F_n);
+      archive("F_X", F_X);
+    }
+  };
 
   const RollingCase& case_;
-  const Observer<RollingRecord>& observer_;
-  RollingPlan plan_;
+  const RollingPlan& plan_;
   double share_; ///< distance on the upper body per distance on the lower one
-  double start_; ///< of the track [m]
-  Stepper stepper_;
   TrackReader track_;
-  RollingRecord last_;
+  WorkedTo at_;
   std::vector<RollingPass> passes_;
-  double largest_work_ = 0.0;
   double touch_ = 0.0; ///< where an imposed approach comes from and goes back to: the surfaces touch [m]
-  long iterations_ = 0;
-  int steps_ = 0, pass_ = 0, step_in_pass_ = 0;
+  int pass_ = 0, step_in_pass_ = 0;
 };
 
 /// Whether both bodies always have the same history: then one is solved and its residual displacement counts twice.
@@ -210,10 +188,12 @@ RollingPlan plan(const RollingCase& rolling)
   return plan;
 }
 
-RollingSummary run(const RollingCase& rolling, const Observer<RollingRecord>& observer,
-                   const Archive::Fields* checkpoint)
+template <>
+struct MotionOf<RollingCase>
 {
-  return Rolling(rolling, observer).run(checkpoint);
-}
+  using Type = Rolling;
+};
+
+template class Run<RollingCase>;
 
 } // namespace brinell::simulation

@@ -92,6 +92,19 @@ void Lattice::grow(int contact, int lower, int upper)
   upper_columns_ += upper;
 }
 
+Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper, const elastoplastic::Settings& solver,
+                            const Centre& start)
+{
+  return {lower.material,
+          upper.material,
+          [&lower, &upper](double x, double y) { return height(lower.shape, x, y) + height(upper.shape, x, y); },
+          solver,
+          start,
+          lower.texture,
+          upper.texture,
+          {}};
+}
+
 Stepper::Stepper(const Plan& plan, Setup setup)
     : setup_(std::move(setup)), plan_(plan), lattice_(plan, setup_.start), pair_(make_pair()),
       distance_(plan.contact.size()),
@@ -123,9 +136,9 @@ void Stepper::exchange(Archive& archive)
     stored.lower.surface.ny = stored.upper.surface.ny = stored.contact.ny;
     require_same_middles(plan_, stored);
     stored.memory_bytes = memory_of(stored);
-    if (!(stored.memory_bytes <= setup_.available_memory))
+    if (!(stored.memory_bytes <= setup_.watch.available_memory))
       throw InputError(fmt::format("the stored state needs {:.3g} GB; available are {:.3g} GB",
-                                   1e-9 * stored.memory_bytes, 1e-9 * setup_.available_memory));
+                                   1e-9 * stored.memory_bytes, 1e-9 * setup_.watch.available_memory));
     move_to(stored);
   }
   archive("pair", *pair_);
@@ -180,7 +193,7 @@ bool Stepper::attempt(const Target& target)
   for (const double share : {0.6, 1.0})
   {
     const IncrementReport report =
-        solved(target, {s.integration, s.max_iterations, s.anderson_depth, share, false, true, setup_.wants_stop});
+        solved(target, {s.integration, s.max_iterations, s.anderson_depth, share, false, true, setup_.watch.wants_stop});
     if (report.converged)
       return true;
   }
@@ -196,7 +209,7 @@ void Stepper::guard(const Target& target)
   for (const double share : {1.0, 2.0, 4.0})
   {
     report = solved(target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, true,
-                             setup_.wants_stop});
+                             setup_.watch.wants_stop});
     if (report.converged)
       return;
     if (has_energy && !report.energy_rose)
@@ -240,12 +253,12 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
     larger.upper = larger.lower;
   // While the history moves, the smaller grids are gone but for the state.
   larger.memory_bytes = memory_of(larger);
-  if (!(larger.memory_bytes <= setup_.available_memory))
+  if (!(larger.memory_bytes <= setup_.watch.available_memory))
     throw GridError(
         fmt::format("{}: contact or plastic zone has reached an edge of its grid, and larger grids would need "
                     "{:.3g} GB; available are {:.3g} GB. All steps so far are kept. Larger cells "
                     "(grid.resolution, grid.spacing) need less",
-                    where_, 1e-9 * larger.memory_bytes, 1e-9 * setup_.available_memory));
+                    where_, 1e-9 * larger.memory_bytes, 1e-9 * setup_.watch.available_memory));
   announce(larger);
   elastoplastic::History history = std::move(*pair_).take_history();
   move_to(larger);
@@ -271,8 +284,8 @@ void Stepper::announce(const Plan& larger)
     if (change.before != change.after)
     {
       grid_changes_.push_back(change);
-      if (setup_.on_grid_change)
-        setup_.on_grid_change(change);
+      if (setup_.watch.on_grid_change)
+        setup_.watch.on_grid_change(change);
     }
 }
 

@@ -69,9 +69,7 @@ public:
     const elastoplastic::Settings& solver;
     Centre start; ///< a moment when the columns of both bodies coincide
     Texture lower_texture{}, upper_texture{};
-    std::function<bool()> wants_stop{};                      ///< see Observer
-    std::function<void(const GridChange&)> on_grid_change{}; ///< see Observer
-    double available_memory = 0.0;                           ///< see Observer
+    Watch watch{};
   };
   Stepper(const Plan& plan, Setup setup);
 
@@ -130,6 +128,10 @@ private:
   std::vector<GridChange> grid_changes_;
   Coverage coverage_;
 };
+
+/// Of two bodies that have shapes and textures; `start` as in the setup.
+[[nodiscard]] Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper,
+                                          const elastoplastic::Settings& solver, const Centre& start);
 
 /// Depths of a texture on a grid of a body; empty if it is smooth.
 [[nodiscard]] std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/accuracy.hpp"
 #include "brinell/io/summary_json.hpp"
+#include "brinell/simulation/run.hpp"
 #include "record.hpp"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/rolling.hpp"
+#include "brinell/simulation/run.hpp"
 #include "tugging_runs.hpp"
 
 #include <string>

@@ -3,6 +3,7 @@
 
 #include "brinell/reference/critical.hpp"
 #include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/run.hpp"
 
 #include <algorithm>
 #include <cmath>

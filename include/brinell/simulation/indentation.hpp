@@ -8,11 +8,15 @@
 namespace brinell::simulation
 {
 
+struct IndentationPlan;
 struct IndentationRecord;
+struct IndentationSummary;
 
 struct IndentationCase : Numerics
 {
+  using Plan = IndentationPlan;
   using Record = IndentationRecord; ///< row of its history
+  using Summary = IndentationSummary;
 
   ShapedBody lower; ///< is indented
   ShapedBody upper; ///< the indenter
@@ -72,11 +76,5 @@ struct IndentationSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] IndentationPlan plan(const IndentationCase& indentation);
-
-/// Runs a case, or goes on from a checkpoint of it.
-/// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).
-[[nodiscard]] IndentationSummary run(const IndentationCase& indentation,
-                                     const Observer<IndentationRecord>& observer = {},
-                                     const Archive::Fields* checkpoint = nullptr);
 
 } // namespace brinell::simulation

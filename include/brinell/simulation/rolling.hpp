@@ -8,11 +8,15 @@
 namespace brinell::simulation
 {
 
+struct RollingPlan;
 struct RollingRecord;
+struct RollingSummary;
 
 struct RollingCase : Numerics
 {
+  using Plan = RollingPlan;
   using Record = RollingRecord; ///< row of its history
+  using Summary = RollingSummary;
 
   ShapedBody lower;
   ShapedBody upper;
@@ -86,10 +90,5 @@ struct RollingSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] RollingPlan plan(const RollingCase& rolling);
-
-/// Runs a case, or goes on from a checkpoint of it.
-/// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).
-[[nodiscard]] RollingSummary run(const RollingCase& rolling, const Observer<RollingRecord>& observer = {},
-                                 const Archive::Fields* checkpoint = nullptr);
 
 } // namespace brinell::simulation

@@ -139,9 +139,20 @@ struct RunTotals
   Snapshot final_state; ///< has the grids of the end
 };
 
-/// How a caller watches a run. Empty functions are skipped; after each step they are called in this order, but for the last.
+/// What a caller is told and asked in the midst of a step. Empty functions are skipped.
+struct Watch
+{
+  /// A grid grows: before the step that needs it is reported.
+  std::function<void(const GridChange&)> on_grid_change{};
+  /// Up to which grids may grow [bytes].
+  double available_memory = std::numeric_limits<double>::infinity();
+  /// Asked between two evaluations of a step; then the run ends with `Interrupted`, without a checkpoint of its own.
+  std::function<bool()> wants_stop{};
+};
+
+/// How a caller watches a whole run. Empty functions are skipped; after each step they are called in this order.
 template <typename Record>
-struct Observer
+struct Observer : Watch
 {
   std::function<void(const Record&, int step_count_estimate)> on_step;
   std::function<bool(const Record&)> wants_snapshot;
@@ -149,12 +160,6 @@ struct Observer
   std::function<bool(const Record&)> wants_checkpoint;
   /// Everything that the rest of the run depends on: to be given to `run` later.
   std::function<void(const Record&, Archive::Fields)> on_checkpoint;
-  /// A grid grows: before the step that needs it is reported.
-  std::function<void(const GridChange&)> on_grid_change;
-  /// Up to which grids may grow [bytes].
-  double available_memory = std::numeric_limits<double>::infinity();
-  /// Asked between two evaluations of a step; then the run ends with `Interrupted`, without a checkpoint of its own.
-  std::function<bool()> wants_stop;
 };
 
 } // namespace brinell::simulation

@@ -19,12 +19,16 @@ struct Asperity
   bool operator==(const Asperity&) const = default;
 };
 
+struct TuggingPlan;
 struct TuggingRecord;
+struct TuggingSummary;
 
 /// Everything that defines a tugging run. SI units.
 struct TuggingCase : Numerics
 {
+  using Plan = TuggingPlan;
   using Record = TuggingRecord; ///< row of its history
+  using Summary = TuggingSummary;
 
   /// Forces within 1 % and energies within 2 % up to nine times the interference of first yield: docs/verification.md.
   TuggingCase() { resolution = 14.0; }
@@ -61,8 +65,8 @@ struct TuggingRecord : StepRecord
   void exchange(Archive& archive);
 };
 
-/// Key results of a whole run.
-struct TuggingSummary : RunTotals
+/// Key numbers of the history. Ratios and work at alignment are those of the first pass.
+struct TuggingPeaks
 {
   double peak_F_X = 0.0, X_at_peak_F_X = 0.0;  ///< largest resistance [N], where [m]
   double min_F_X = 0.0;                        ///< largest push forward (negative) [N]
@@ -70,17 +74,18 @@ struct TuggingSummary : RunTotals
   double F_X_aligned = 0.0, F_Z_aligned = 0.0; ///< at X = 0 [N]
   double load_ratio_aligned = 0.0;             ///< F_X / F_Z at X = 0
   double load_ratio_end = 0.0;                 ///< F_X / F_Z at the end of the contact
-  double work_to_alignment = 0.0;              ///< first pass, up to X = 0 [J]
+  double work_to_alignment = 0.0;              ///< up to X = 0 [J]
+
+  void exchange(Archive& archive);
+};
+
+struct TuggingSummary : RunTotals, TuggingPeaks
+{
   TuggingRecord last;
 };
 
 /// Grids, number of steps and memory of a case.
 /// @throws InputError if the case cannot be computed (for example a grid of absurd size).
 [[nodiscard]] TuggingPlan plan(const TuggingCase& tugging);
-
-/// Runs a case, or goes on from a checkpoint of it.
-/// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).
-[[nodiscard]] TuggingSummary run(const TuggingCase& tugging, const Observer<TuggingRecord>& observer = {},
-                                 const Archive::Fields* checkpoint = nullptr);
 
 } // namespace brinell::simulation

@@ -2,6 +2,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/simulation/run.hpp"
+#include "records.hpp"
+#include "stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace brinell::simulation
+{
+
+/// One step of a motion: the path from the present state (0) to the end of the step (1).
+struct Move
+{
+  std::function<Target(double)> path;
+  double finest; ///< shortest piece of the path into which a step may be split
+  std::string where; ///< for messages
+};
+
+/// The motion of a scenario and what its steps show: all that distinguishes one scenario from another.
+template <typename Case>
+struct MotionOf;
+
+template <typename M, typename Case>
+concept Motion = requires(M m, const M& fixed, Stepper& stepper, const typename Case::Record& before,
+                          typename Case::Record& record, typename Case::Summary& summary, Archive& archive) {
+  requires std::constructible_from<M, const Case&, const typename Case::Plan&>;
+  /// Materials, shapes and the place at which the run starts.
+  { fixed.setup() } -> std::same_as<Stepper::Setup>;
+  /// Of the contact after the last step.
+  { fixed.centre() } -> std::same_as<Centre>;
+  { fixed.is_done() } -> std::same_as<bool>;
+  /// Of the whole run, an estimate.
+  { fixed.step_count() } -> std::same_as<int>;
+  /// Where the contact goes next and what presses it.
+  { m.next(stepper) } -> std::same_as<Move>;
+  /// The step is solved: its own columns go into `record`, which has the common ones, and the work of the step is added to that
+  /// of `before`.
+  m.read(stepper, before, record);
+  /// Adds its own numbers to a summary that has the common ones and the final state.
+  fixed.summarise(summary);
+  /// Everything that the rest of the run depends on.
+  m.exchange(archive);
+};
+
+/// Owns once what every scenario needs: case, plan, bodies, counters, sums.
+template <typename Case>
+class Run<Case>::State
+{
+public:
+  State(Case scenario, Watch watch, const Archive::Fields* checkpoint)
+      : case_(std::move(scenario)), plan_(plan(case_)), motion_(case_, plan_), stepper_(plan_, setup(std::move(watch)))
+  {
+    if (checkpoint != nullptr)
+      take_up(*checkpoint);
+  }
+  State(const State&) = delete; // its parts refer to the case and the plan
+  State& operator=(const State&) = delete;
+
+  [[nodiscard]] bool is_done() const { return motion_.is_done(); }
+  [[nodiscard]] int step_count() const { return motion_.step_count(); }
+  [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(motion_.centre()); }
+
+  const Record& step()
+  {
+    if (is_done())
+      throw InternalError("Run::step: the run is done");
+    const Move move = motion_.next(stepper_);
+    Record record;
+    record.iterations = stepper_.advance(move.path, move.finest, move.where);
+    stepper_.fill(record);
+    record.step = steps_++;
+    record.work = last_.work;
+    motion_.read(stepper_, last_, record);
+    iterations_ += record.iterations;
+    largest_work_ = std::max(largest_work_, std::abs(record.work));
+    last_ = record;
+    return last_;
+  }
+
+  [[nodiscard]] Summary summary() const
+  {
+    Summary s;
+    s.steps = steps_;
+    s.iterations = iterations_;
+    stepper_.fill(s);
+    take_totals(last_, largest_work_, s);
+    s.last = last_;
+    s.final_state = snapshot();
+    motion_.summarise(s);
+    return s;
+  }
+
+  void exchange(Archive& archive)
+  {
+    archive("stepper", stepper_);
+    archive("motion", motion_);
+    archive("last", last_);
+    archive("largest_work", largest_work_);
+    archive("iterations", iterations_, 0, std::numeric_limits<long>::max());
+    archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
+  }
+
+private:
+  [[nodiscard]] Stepper::Setup setup(Watch watch) const
+  {
+    Stepper::Setup result = motion_.setup();
+    result.watch = std::move(watch);
+    return result;
+  }
+  void take_up(const Archive::Fields& checkpoint)
+  {
+    Archive archive(checkpoint);
+    try
+    {
+      exchange(archive);
+    }
+    catch (const InputError& error)
+    {
+      throw InputError(std::string("checkpoint.h5: ") + error.what() + "; run without --resume");
+    }
+  }
+
+  using M = typename MotionOf<Case>::Type;
+  static_assert(Motion<M, Case>);
+
+  Case case_;
+  typename Case::Plan plan_;
+  M motion_;
+  Stepper stepper_;
+  Record last_;
+  double largest_work_ = 0.0; ///< [J]
+  long iterations_ = 0;
+  int steps_ = 0;
+};
+
+template <typename Case>
+Run<Case>::Run(Case scenario, Watch watch, const Archive::Fields* checkpoint)
+    : state_(std::make_unique<State>(std::move(scenario), std::move(watch), checkpoint))
+{
+}
+template <typename Case>
+Run<Case>::~Run() = default;
+template <typename Case>
+Run<Case>::Run(Run&&) noexcept = default;
+template <typename Case>
+Run<Case>& Run<Case>::operator=(Run&&) noexcept = default;
+
+template <typename Case>
+bool Run<Case>::is_done() const
+{
+  return state_->is_done();
+}
+template <typename Case>
+auto Run<Case>::step() -> const Record&
+{
+  return state_->step();
+}
+template <typename Case>
+int Run<Case>::step_count() const
+{
+  return state_->step_count();
+}
+template <typename Case>
+Snapshot Run<Case>::snapshot() const
+{
+  return state_->snapshot();
+}
+template <typename Case>
+Archive::Fields Run<Case>::checkpoint()
+{
+  Archive archive;
+  state_->exchange(archive);
+  return std::move(archive).fields();
+}
+template <typename Case>
+auto Run<Case>::summary() const -> Summary
+{
+  return state_->summary();
+}
+
+} // namespace brinell::simulation
