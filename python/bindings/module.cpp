@@ -59,6 +59,7 @@ NB_MODULE(_core, m)
 #endif
   nb::register_exception_translator(translate);
   brinell::python::bind_app(m);
+  brinell::python::bind_stepping(m);
   brinell::python::bind_reference(m);
   brinell::python::bind_green(m);
   brinell::python::bind_constitutive(m);

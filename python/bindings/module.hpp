@@ -8,6 +8,7 @@ namespace brinell::python
 {
 
 void bind_app(nanobind::module_& m);
+void bind_stepping(nanobind::module_& m);
 void bind_reference(nanobind::module_& m);
 void bind_green(nanobind::module_& m);
 void bind_constitutive(nanobind::module_& m);

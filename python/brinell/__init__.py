@@ -27,6 +27,7 @@ from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import Indentation, Rolling, Tugging
+from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
 
 if TYPE_CHECKING:
@@ -70,6 +71,7 @@ __all__ = [
     "RunError",
     "RunWarning",
     "Sphere",
+    "Stepping",
     "Swift",
     "Table",
     "Tugging",

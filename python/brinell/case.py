@@ -17,6 +17,7 @@ from tqdm.auto import tqdm
 from brinell import _core
 from brinell.errors import InputError
 from brinell.results import Run, RunWarning, open_run
+from brinell.stepping import Stepping
 
 __all__ = ["Case", "CaseWarning", "Progress", "ResolutionWarning"]
 
@@ -200,6 +201,17 @@ class Case:
             raise
         weakref.finalize(run, folder.cleanup)
         return self._told(run)
+
+    def steps(self) -> Stepping:
+        """Computes the case step by step: ``for record in case.steps(): ...``. Nothing is written.
+
+        Returns:
+            An iterator over the rows of the history, which can show the fields after each of them.
+
+        Raises:
+            InputError: the grid does not fit this machine.
+        """
+        return Stepping(self)
 
     def _told(self, run: Run) -> Run:
         """Warns of what the run has found; what the case itself is warned of has been told when it was read."""

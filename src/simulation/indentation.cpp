@@ -35,7 +35,10 @@ Drive largest_drive(const IndentationCase& indentation)
 class Indentation
 {
 public:
-  Indentation(const IndentationCase& indentation, const IndentationPlan& plan) : case_(indentation), steps_(plan.steps) {}
+  Indentation(const IndentationCase& indentation, const IndentationPlan& plan)
+      : case_(indentation), steps_(plan.steps), current_(x(0), 0, 0, 0.0)
+  {
+  }
 
   [[nodiscard]] Stepper::Setup setup() const
   {

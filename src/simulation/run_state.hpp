@@ -22,7 +22,7 @@ namespace brinell::simulation
 struct Move
 {
   std::function<Target(double)> path;
-  double finest; ///< shortest piece of the path into which a step may be split
+  double finest;     ///< shortest piece of the path into which a step may be split
   std::string where; ///< for messages
 };
 
@@ -32,17 +32,28 @@ struct MotionOf;
 
 template <typename M, typename Case>
 concept Motion = requires(M m, const M& fixed, Stepper& stepper, const typename Case::Record& before,
-                          typename Case::Record& record, typename Case::Summary& summary, Archive& archive) {
+                          typename Case::Record& record, typename Case::Summary& summary, Archive& archive)
+{
   requires std::constructible_from<M, const Case&, const typename Case::Plan&>;
   /// Materials, shapes and the place at which the run starts.
-  { fixed.setup() } -> std::same_as<Stepper::Setup>;
+  {
+    fixed.setup()
+    } -> std::same_as<Stepper::Setup>;
   /// Of the contact after the last step.
-  { fixed.centre() } -> std::same_as<Centre>;
-  { fixed.is_done() } -> std::same_as<bool>;
+  {
+    fixed.centre()
+    } -> std::same_as<Centre>;
+  {
+    fixed.is_done()
+    } -> std::same_as<bool>;
   /// Of the whole run, an estimate.
-  { fixed.step_count() } -> std::same_as<int>;
+  {
+    fixed.step_count()
+    } -> std::same_as<int>;
   /// Where the contact goes next and what presses it.
-  { m.next(stepper) } -> std::same_as<Move>;
+  {
+    m.next(stepper)
+    } -> std::same_as<Move>;
   /// The step is solved: its own columns go into `record`, which has the common ones, and the work of the step is added to that
   /// of `before`.
   m.read(stepper, before, record);

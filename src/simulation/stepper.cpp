@@ -192,8 +192,8 @@ bool Stepper::attempt(const Target& target)
   const elastoplastic::Settings& s = setup_.solver;
   for (const double share : {0.6, 1.0})
   {
-    const IncrementReport report =
-        solved(target, {s.integration, s.max_iterations, s.anderson_depth, share, false, true, setup_.watch.wants_stop});
+    const IncrementReport report = solved(
+        target, {s.integration, s.max_iterations, s.anderson_depth, share, false, true, setup_.watch.wants_stop});
     if (report.converged)
       return true;
   }

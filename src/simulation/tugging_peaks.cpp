@@ -31,7 +31,8 @@ double work_between(const TuggingRecord& before, const TuggingRecord& now)
 {
   if (!continues(before, now))
     return 0.0;
-  return 0.5 * (now.F_X + before.F_X) * (now.X - before.X) - 0.5 * (now.F_Z + before.F_Z) * (now.height - before.height);
+  return 0.5 * (now.F_X + before.F_X) * (now.X - before.X) -
+         0.5 * (now.F_Z + before.F_Z) * (now.height - before.height);
 }
 
 void add(const TuggingRecord& before, const TuggingRecord& now, TuggingPeaks& peaks)

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "brinell/reference/critical.hpp"
-#include "brinell/simulation/tugging.hpp"
 #include "brinell/simulation/run.hpp"
+#include "brinell/simulation/tugging.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/tugging.hpp"
 #include "brinell/simulation/run.hpp"
+#include "brinell/simulation/tugging.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run that its owner steps: the same as a whole one, whenever it is stored, moved or looked at.
+#include "brinell/simulation/run.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+const constitutive::Material steel{{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
+
+TuggingCase tugging()
+{
+  TuggingCase c;
+  c.lower = {1e-3, steel};
+  c.upper = {1.5e-3, steel};
+  c.interference = 3e-7;
+  c.resolution = 3.0;
+  return c;
+}
+
+IndentationCase indentation()
+{
+  IndentationCase c;
+  c.lower = {Plane{}, steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.sequence = {{contact::Drive::Kind::load, 2.0}, {contact::Drive::Kind::load, 0.0}};
+  c.steps = 4;
+  c.places = {-20e-6, 20e-6};
+  c.resolution = 4.0;
+  return c;
+}
+
+RollingCase rolling()
+{
+  RollingCase c;
+  c.lower = {Plane{}, steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.drive = {contact::Drive::Kind::load, 2.0};
+  c.distance = 60e-6;
+  c.passes = 2;
+  c.load_steps = 2;
+  c.resolution = 3.0;
+  return c;
+}
+
+template <typename Case>
+struct Sample;
+template <>
+struct Sample<TuggingCase>
+{
+  static TuggingCase make() { return tugging(); }
+};
+template <>
+struct Sample<IndentationCase>
+{
+  static IndentationCase make() { return indentation(); }
+};
+template <>
+struct Sample<RollingCase>
+{
+  static RollingCase make() { return rolling(); }
+};
+
+template <typename Case>
+class RunTest : public testing::Test
+{
+protected:
+  Case scenario = Sample<Case>::make();
+
+  /// Goes on to the end.
+  static typename Case::Summary finish(simulation::Run<Case>& run)
+  {
+    while (!run.is_done())
+      run.step();
+    return run.summary();
+  }
+  static void expect_same(const typename Case::Summary& a, const typename Case::Summary& b)
+  {
+    EXPECT_EQ(a.steps, b.steps);
+    EXPECT_EQ(a.iterations, b.iterations);
+    EXPECT_EQ(a.work, b.work);
+    EXPECT_EQ(a.energy_balance_error, b.energy_balance_error);
+    EXPECT_EQ(a.last.F_n, b.last.F_n);
+    EXPECT_EQ(a.final_state.lower.equivalent_plastic_strain, b.final_state.lower.equivalent_plastic_strain);
+    EXPECT_EQ(a.final_state.lower.contact_x, b.final_state.lower.contact_x);
+  }
+};
+
+using Cases = testing::Types<TuggingCase, IndentationCase, RollingCase>;
+TYPED_TEST_SUITE(RunTest, Cases);
+
+TYPED_TEST(RunTest, SteppedIsTheSameAsWhole)
+{
+  simulation::Run<TypeParam> stepped(this->scenario);
+  int steps = 0;
+  double dissipation = 0.0;
+  while (!stepped.is_done())
+  {
+    const auto& record = stepped.step();
+    EXPECT_EQ(record.step, steps++);
+    dissipation = record.dissipation_lower;
+  }
+  EXPECT_GT(dissipation, 0.0); // it yields: there is a history to be told
+  EXPECT_EQ(steps, stepped.step_count());
+  this->expect_same(stepped.summary(), run(this->scenario));
+}
+
+TYPED_TEST(RunTest, GoesOnFromEveryCheckpointToTheSameEnd)
+{
+  simulation::Run<TypeParam> first(this->scenario);
+  std::vector<Archive::Fields> stored{first.checkpoint()};
+  while (!first.is_done())
+  {
+    first.step();
+    stored.push_back(first.checkpoint());
+  }
+  const auto expected = first.summary();
+  for (std::size_t i = 0; i < stored.size(); i += 5)
+  {
+    simulation::Run<TypeParam> second(this->scenario, {}, &stored[i]);
+    this->expect_same(this->finish(second), expected);
+  }
+}
+
+TYPED_TEST(RunTest, MayBeMovedBetweenSteps)
+{
+  simulation::Run<TypeParam> first(this->scenario);
+  first.step();
+  first.step();
+  simulation::Run<TypeParam> second(std::move(first));
+  first = std::move(second);
+  this->expect_same(this->finish(first), run(this->scenario));
+}
+
+TYPED_TEST(RunTest, SnapshotsShowTheStepAndChangeNothing)
+{
+  simulation::Run<TypeParam> watched(this->scenario);
+  while (!watched.is_done())
+  {
+    const auto record = watched.step();
+    const Snapshot s = watched.snapshot();
+    double force = 0.0;
+    for (const double p : s.pressure)
+      force += p * s.contact.dx * s.contact.dy;
+    EXPECT_NEAR(force, record.F_n, 1e-12 * std::abs(record.F_n));
+    static_cast<void>(watched.summary());
+  }
+  this->expect_same(watched.summary(), run(this->scenario));
+}
+
+TYPED_TEST(RunTest, RefusesStepsBeyondItsEndAndStatesOfAnotherCase)
+{
+  simulation::Run<TypeParam> whole(this->scenario);
+  this->finish(whole);
+  EXPECT_THROW(whole.step(), InternalError);
+
+  Archive::Fields state = simulation::Run<TypeParam>(this->scenario).checkpoint();
+  state.erase(state.begin());
+  EXPECT_THROW(simulation::Run<TypeParam>(this->scenario, {}, &state), InputError);
+}
+
+} // namespace
+} // namespace brinell::simulation
