@@ -94,12 +94,7 @@ inline std::vector<double> six_fields(std::span<const double> deviators, std::sp
   const std::size_t n = deviators.size() / Deviator::size;
   std::vector<double> fields(6 * n);
   for (std::size_t i = 0; i < n; ++i)
-  {
-    Deviator d;
-    for (int c = 0; c < Deviator::size; ++c)
-      d[c] = deviators[static_cast<std::size_t>(c) * n + i];
-    store(six(d, trace.empty() ? 0.0 : trace[i]), fields, n, i);
-  }
+    store(six(deviator_at(deviators, n, i), trace.empty() ? 0.0 : trace[i]), fields, n, i);
   return fields;
 }
 

@@ -2,7 +2,7 @@
 #include "arrays.hpp"
 #include "module.hpp"
 
-#include "brinell/constitutive/kinematic_return.hpp"
+#include "brinell/constitutive/flow.hpp"
 #include "brinell/constitutive/material.hpp"
 #include "brinell/io/case_file.hpp"
 
@@ -89,10 +89,9 @@ Increments increments(const Material& material, const Law& law, const Points& po
     const double e = points.equivalent[i];
     for (std::size_t term = 0; term < terms; ++term)
       back[term] = points.back(term, i);
-    const constitutive::PlasticIncrement increment =
-        terms > 0 ? constitutive::kinematic_return(s0, q, e, mu, law, path ? 0.5 : 1.0, material.kinematic, back)
-        : path    ? constitutive::path_return(s0, q, e, mu, law)
-                  : constitutive::radial_return(q, e, mu, law);
+    const constitutive::PlasticIncrement increment = constitutive::flow(
+        law, material.kinematic, path ? constitutive::Integration::path : constitutive::Integration::backward_euler, s0,
+        q, e, 2.0 * mu, back);
     store(six(increment.strain), result.strain, n, i);
     result.equivalent[i] = increment.equivalent;
     result.dissipation[i] = increment.dissipation;

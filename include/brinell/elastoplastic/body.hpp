@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/constitutive/material.hpp"
-#include "brinell/constitutive/return_mapping.hpp"
+#include "brinell/elastoplastic/active_cells.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/foundation/archive.hpp"
 #include "brinell/halfspace/half_space.hpp"
@@ -109,8 +109,8 @@ public:
   [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
-  [[nodiscard]] std::vector<double>& trial() { return q_; }             ///< q, unknowns() values
-  [[nodiscard]] const std::vector<double>& image() const { return g_; } ///< g(q)
+  [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }             ///< q, unknowns() values
+  [[nodiscard]] const std::vector<double>& image() const { return active_.images(); } ///< g(q)
   /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
   [[nodiscard]] double yield_error() const;
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
@@ -118,9 +118,13 @@ public:
   [[nodiscard]] double energy(std::span<const double> pressure) const;
 
 private:
+  void prepare_trial();
   void keep_active_layers();
   template <typename Law>
-  [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const;
+  [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const
+  {
+    return {law, yield_factor_[layer]};
+  }
   [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / grid().surface.size(); }
   [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
   [[nodiscard]] Deviator centre(std::size_t cell) const;
@@ -142,14 +146,10 @@ private:
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   double stiffness_ = 0.0;                            ///< c [Pa]
   bool shortcuts_;
-  int layers_;                      ///< layers whose stress is computed, from the surface
-  std::vector<std::size_t> active_; ///< cells that may yield
-  std::vector<char> is_active_;
-  std::vector<double> q_, g_;                    ///< trial deviator and its image, [active][component]
-  std::vector<double> q_field_;                  ///< q of the last increment on the whole grid (elsewhere the stress)
-  std::vector<double> equivalent_, dissipation_; ///< increments in the active cells
-  std::vector<Deviator> backstress_;             ///< trial back stresses, [active][term]
-  std::vector<double> strain_, stress_;          ///< trial fields
+  int layers_; ///< layers whose stress is computed, from the surface
+  ActiveCells active_;
+  std::vector<double> q_field_;         ///< q of the last increment on the whole grid (elsewhere the stress)
+  std::vector<double> strain_, stress_; ///< trial fields
   std::vector<double> displacement_;
 };
 

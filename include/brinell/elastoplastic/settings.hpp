@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/constitutive/flow.hpp"
+
 namespace brinell::elastoplastic
 {
 
-/// How the plastic strain of one increment is integrated at a point.
-enum class Integration
-{
-  path,          ///< along the straight path of the trial stress between two steps: second order in the step
-  backward_euler ///< one radial return at the end of the step, as in the paper: first order
-};
+using constitutive::Integration;
 
 /// Tolerances and choices of the coupled increment.
 struct Settings

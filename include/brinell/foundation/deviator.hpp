@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace brinell
 {
@@ -49,6 +51,20 @@ struct Deviator
   for (int i = 0; i < Deviator::size; ++i)
     c[i] = f * a[i];
   return c;
+}
+
+/// The deviator of one cell of a field of `cells` cells.
+[[nodiscard]] inline Deviator deviator_at(std::span<const double> field, std::size_t cells, std::size_t cell)
+{
+  Deviator d;
+  for (int c = 0; c < Deviator::size; ++c)
+    d[c] = field[static_cast<std::size_t>(c) * cells + cell];
+  return d;
+}
+inline void store(const Deviator& d, std::span<double> field, std::size_t cells, std::size_t cell)
+{
+  for (int c = 0; c < Deviator::size; ++c)
+    field[static_cast<std::size_t>(c) * cells + cell] = d[c];
 }
 
 /// Double contraction a : b of two deviators.

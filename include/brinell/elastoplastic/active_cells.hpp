@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/constitutive/return_mapping.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace brinell::elastoplastic
+{
+
+/// The cells of a body that may yield in the increment at hand, with the unknowns of the fixed point, the trial deviators q
+/// and their images g(q), and with the plastic flow that follows from them. All is packed, in the order in which the cells
+/// have become active.
+class ActiveCells
+{
+public:
+  ActiveCells() = default;
+  /// @param cells  of the body's grid
+  /// @param terms  of kinematic hardening
+  ActiveCells(std::size_t cells, std::size_t terms) : is_active_(cells, 0), terms_(terms) {}
+
+  void clear();
+  /// A cell joins; its image is its trial deviator.
+  void add(std::size_t cell, const Deviator& q);
+
+  [[nodiscard]] std::size_t size() const { return cells_.size(); }
+  [[nodiscard]] bool empty() const { return cells_.empty(); }
+  [[nodiscard]] bool contains(std::size_t cell) const { return is_active_[cell] != 0; }
+  /// In the grid of the body.
+  [[nodiscard]] std::size_t cell(std::size_t a) const { return cells_[a]; }
+  /// The last cell in the order of the grid, which is a deepest one. There must be cells.
+  [[nodiscard]] std::size_t deepest() const;
+
+  [[nodiscard]] Deviator trial(std::size_t a) const { return at(q_, a); }
+  [[nodiscard]] Deviator image(std::size_t a) const { return at(g_, a); }
+  void set_trial(std::size_t a, const Deviator& q) { set(q_, a, q); }
+  void set_image(std::size_t a, const Deviator& g) { set(g_, a, g); }
+  /// All of them, [active][component].
+  [[nodiscard]] std::vector<double>& trials() { return q_; }
+  [[nodiscard]] const std::vector<double>& images() const { return g_; }
+
+  /// Equivalent plastic strain [-] and plastic work [J/m^3] of the increment.
+  [[nodiscard]] double equivalent(std::size_t a) const { return equivalent_[a]; }
+  [[nodiscard]] double dissipation(std::size_t a) const { return dissipation_[a]; }
+  void set_flow(std::size_t a, const constitutive::PlasticIncrement& increment);
+  /// Trial back stresses of a cell, one per term [Pa].
+  [[nodiscard]] std::span<Deviator> backstress(std::size_t a) { return {backstress_.data() + a * terms_, terms_}; }
+
+private:
+  [[nodiscard]] static Deviator at(const std::vector<double>& packed, std::size_t a)
+  {
+    Deviator d;
+    std::copy_n(packed.begin() + static_cast<std::ptrdiff_t>(a * Deviator::size), Deviator::size, d.v.begin());
+    return d;
+  }
+  static void set(std::vector<double>& packed, std::size_t a, const Deviator& d)
+  {
+    std::copy(d.v.begin(), d.v.end(), packed.begin() + static_cast<std::ptrdiff_t>(a * Deviator::size));
+  }
+
+  std::vector<std::size_t> cells_;
+  std::vector<char> is_active_; ///< one value per cell of the grid
+  std::vector<double> q_, g_;
+  std::vector<double> equivalent_, dissipation_;
+  std::vector<Deviator> backstress_;
+  std::size_t terms_ = 0;
+};
+
+} // namespace brinell::elastoplastic

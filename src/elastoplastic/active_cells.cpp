@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/active_cells.hpp"
+
+#include <algorithm>
+
+namespace brinell::elastoplastic
+{
+
+void ActiveCells::clear()
+{
+  for (const std::size_t cell : cells_)
+    is_active_[cell] = 0;
+  cells_.clear();
+  q_.clear();
+  g_.clear();
+  equivalent_.clear();
+  dissipation_.clear();
+  backstress_.clear();
+}
+
+void ActiveCells::add(std::size_t cell, const Deviator& q)
+{
+  is_active_[cell] = 1;
+  cells_.push_back(cell);
+  q_.insert(q_.end(), q.v.begin(), q.v.end());
+  g_.insert(g_.end(), q.v.begin(), q.v.end());
+  equivalent_.push_back(0.0);
+  dissipation_.push_back(0.0);
+  backstress_.resize(backstress_.size() + terms_);
+}
+
+std::size_t ActiveCells::deepest() const
+{
+  return *std::max_element(cells_.begin(), cells_.end());
+}
+
+void ActiveCells::set_flow(std::size_t a, const constitutive::PlasticIncrement& increment)
+{
+  equivalent_[a] = increment.equivalent;
+  dissipation_[a] = increment.dissipation;
+}
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/body.hpp"
+
+#include <algorithm>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// Beneath the deepest active cell: cells that become active there do so at the next evaluation, not in the closing one.
+constexpr int spare_layers = 1;
+
+} // namespace
+
+void Body::keep_active_layers()
+{
+  const int deepest = active_.empty() ? 0 : static_cast<int>(layer_of(active_.deepest()));
+  layers_ = shortcuts_ ? std::min(grid().nz, deepest + 1 + spare_layers) : grid().nz;
+}
+
+namespace
+{
+
+/// Squares of the von Mises norms of `cells` cells of a deviator field, 3/2 s : s.
+void von_mises_squares(const double* field, std::size_t stride, std::size_t cells, double* squares)
+{
+  using D = Deviator;
+  const double* xx = field + D::xx * stride;
+  const double* yy = field + D::yy * stride;
+  const double* yz = field + D::yz * stride;
+  const double* xz = field + D::xz * stride;
+  const double* xy = field + D::xy * stride;
+#pragma omp simd
+  for (std::size_t i = 0; i < cells; ++i)
+    squares[i] = 3.0 * (xx[i] * xx[i] + yy[i] * yy[i] + xx[i] * yy[i] + yz[i] * yz[i] + xz[i] * xz[i] + xy[i] * xy[i]);
+}
+
+} // namespace
+
+/// Cells of one layer, not yet active, whose q lies outside the yield surface shrunk to `fraction`.
+template <typename Law>
+void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
+                       double fraction, std::vector<std::size_t>& found) const
+{
+  const SurfaceGrid& s = grid().surface;
+  const std::size_t n = grid().size();
+  const auto first = static_cast<std::size_t>(std::max(0, shift));
+  const auto last = static_cast<std::size_t>(std::max(0, std::min(s.nx, s.nx + shift)));
+  if (last <= first)
+    return;
+  const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };
+  // No law softens: what lies within the first yield surface needs no look at its own, unless that has moved.
+  const double initial = square(fraction * law.yield_stress_at(0.0));
+  std::vector<double> squares(last - first);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(s.ny); ++j)
+  {
+    const std::size_t row = layer * s.size() + j * static_cast<std::size_t>(s.nx);
+    const std::ptrdiff_t carried = static_cast<std::ptrdiff_t>(row + first) - shift;
+    von_mises_squares(q_field.data() + carried, n, last - first, squares.data());
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const std::size_t cell = row + i;
+      const double e = state_.equivalent[cell];
+      const bool has_moved = e > 0.0 && !material_.kinematic.empty();
+      if (active_.contains(cell) || (!has_moved && squares[i - first] <= initial))
+        continue;
+      double size = squares[i - first];
+      if (has_moved)
+      {
+        const Deviator from_centre =
+            deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift)) - centre(cell);
+        size = 1.5 * contract(from_centre, from_centre);
+      }
+      if (size > square(fraction * law.yield_stress_at(e)))
+        found.push_back(cell);
+    }
+  }
+}
+
+/// @param q_field   on the whole grid, to be read `shift` columns to the left of a cell; cells without a value there stay out
+/// @param fraction  of the yield stress from which on a cell is active; negative: every cell
+void Body::collect_active(const std::vector<double>& q_field, int shift, double fraction)
+{
+  const std::size_t n = grid().size();
+  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(layers_));
+  std::visit(
+      [&](const auto& law)
+      {
+#pragma omp parallel for schedule(dynamic)
+        for (std::size_t layer = 0; layer < found.size(); ++layer)
+          find_beyond(law_of(law, layer), layer, q_field, shift, fraction, found[layer]);
+      },
+      *material_.hardening);
+  for (const std::vector<std::size_t>& cells : found) // in an order that does not depend on the threads
+    for (const std::size_t cell : cells)
+    {
+      const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
+      active_.add(cell, q);
+    }
+}
+
+} // namespace brinell::elastoplastic

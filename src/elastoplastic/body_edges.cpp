@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::elastoplastic
+{
+
+Edges Body::reached_edges() const
+{
+  // Less than this plastic strain at an edge, over the largest one, goes on beyond it for a cell or two at most; and strains
+  // far below that of yield change nothing.
+  constexpr double tolerated = 0.01;
+  constexpr double negligible = 1e-3;
+  Edges edges;
+  if (!is_plastic())
+    return edges;
+  double largest = *std::max_element(state_.equivalent.begin(), state_.equivalent.end());
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    largest = std::max(largest, state_.equivalent[active_.cell(a)] + active_.equivalent(a));
+  const double limit =
+      std::max(tolerated * largest,
+               negligible * constitutive::initial_yield_stress(*material_.hardening) / material_.elastic.young_modulus);
+  const SurfaceGrid& s = grid().surface;
+  for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    const std::size_t cell = active_.cell(a);
+    if (active_.equivalent(a) <= 0.0 || state_.equivalent[cell] + active_.equivalent(a) <= limit)
+      continue;
+    const std::size_t in_layer = cell % s.size();
+    const int i = static_cast<int>(in_layer % static_cast<std::size_t>(s.nx));
+    const int j = static_cast<int>(in_layer / static_cast<std::size_t>(s.nx));
+    edges.ends = edges.ends || i == 0 || i == s.nx - 1;
+    edges.sides = edges.sides || j == 0 || j == s.ny - 1;
+    edges.bottom = edges.bottom || static_cast<int>(layer_of(cell)) == grid().nz - 1;
+  }
+  edges.bottom = edges.bottom || may_yield_beneath();
+  return edges;
+}
+
+/// Whether a layer beneath the grid is so weak that it would yield under the stress of the last one. Beneath the grid, which
+/// is deeper than the place of the largest shear, the stress of the contact falls with depth.
+bool Body::may_yield_beneath() const
+{
+  const std::size_t n = grid().size();
+  const auto last = static_cast<std::size_t>(grid().nz - 1);
+  double weakest = yield_factor_[last];
+  double added = 0.0; // initial stress beneath, beyond that in the last layer [Pa]
+  const double bottom = grid().nz * grid().dz;
+  for (const double z : material_.yield_factor.depth())
+    if (z > bottom)
+      weakest = std::min(weakest, material_.yield_factor.at(z, 1.0));
+  for (const double z : material_.initial_stress.depth())
+    if (z > bottom)
+      added = std::max(added, std::abs(material_.initial_stress.at(z, 0.0) - initial_stress_[last]));
+  if (weakest >= yield_factor_[last] && added == 0.0)
+    return false; // the last layer is the first to yield
+  const double limit = weakest * constitutive::initial_yield_stress(*material_.hardening) - added;
+  for (std::size_t cell = last * grid().surface.size(); cell < n; ++cell)
+    if (von_mises(deviator_at(stress_, n, cell) - centre(cell)) > limit)
+      return true;
+  return false;
+}
+
+} // namespace brinell::elastoplastic

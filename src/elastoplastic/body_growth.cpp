@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/body.hpp"
+
+#include <algorithm>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// Copies fields of a grid into the middle of larger ones, from the surface down.
+void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector<double>& to, const VolumeGrid& large)
+{
+  const SurfaceGrid& s = small.surface;
+  const SurfaceGrid& l = large.surface;
+  const int columns = (l.nx - s.nx) / 2;
+  const int rows = (l.ny - s.ny) / 2;
+  const std::size_t fields = from.size() / small.size();
+  for (std::size_t field = 0; field < fields; ++field)
+    for (int k = 0; k < small.nz; ++k)
+      for (int j = 0; j < s.ny; ++j)
+      {
+        const double* row = from.data() + field * small.size() +
+                            static_cast<std::size_t>(s.nx) * static_cast<std::size_t>(j + s.ny * k);
+        const std::size_t at = field * large.size() +
+                               static_cast<std::size_t>(l.nx) * static_cast<std::size_t>(j + rows + l.ny * k) +
+                               static_cast<std::size_t>(columns);
+        std::copy_n(row, s.nx, to.begin() + static_cast<std::ptrdiff_t>(at));
+      }
+}
+
+} // namespace
+
+void Body::continue_from(const BodyState& history, const VolumeGrid& from, std::span<const double> pressure)
+{
+  if (!is_plastic())
+    return;
+  embed(history.plastic_strain, from, state_.plastic_strain, grid());
+  embed(history.equivalent, from, state_.equivalent, grid());
+  embed(history.backstress, from, state_.backstress, grid());
+  state_.dissipation = history.dissipation;
+  prepare_trial();
+  strain_ = state_.plastic_strain;
+  work_ = half_space_->make_work();
+  half_space_->load_strain(strain_, grid().nz, work_, displacement_);
+  half_space_->deviatoric_stress(pressure, strain_, work_, stress_);
+  add_initial_stress(grid().nz, stress_);
+  state_.stress = stress_;
+  state_.residual_displacement = displacement_;
+  state_.locked_in_energy = locked_in_energy(pressure);
+  q_field_ = stress_;
+}
+
+} // namespace brinell::elastoplastic
