@@ -3,7 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
-#include "brinell/foundation/sharing.hpp"
+#include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <cmath>

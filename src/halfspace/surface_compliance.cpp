@@ -5,7 +5,7 @@
 #include "brinell/foundation/fft.hpp"
 #include "brinell/green/rectangle.hpp"
 #include "foundation/require_size.hpp"
-#include "brinell/foundation/sharing.hpp"
+#include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
