@@ -50,3 +50,13 @@ brinell_add_tests(cli 600 ${cli_tests})
 
 add_test(NAME unit.layers COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 set_tests_properties(unit.layers PROPERTIES LABELS unit)
+
+# The library as somebody else finds it once it is installed.
+if(BRINELL_SANITIZE)
+  add_test(NAME package.consumer COMMAND bash -c
+    "echo 'Skipped: with sanitizers every program that links the library must be built with them too'; exit 77")
+else()
+  add_test(NAME package.consumer COMMAND ${PROJECT_SOURCE_DIR}/tests/consumer/check.sh
+    ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} $<CONFIG> ${CMAKE_CXX_COMPILER} ${CMAKE_GENERATOR})
+endif()
+set_tests_properties(package.consumer PROPERTIES LABELS package TIMEOUT 600 SKIP_RETURN_CODE 77 ENVIRONMENT OMP_NUM_THREADS=1)

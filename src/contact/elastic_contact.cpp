@@ -2,7 +2,8 @@
 #include "brinell/contact/elastic_contact.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/sharing.hpp"
+#include "foundation/require_size.hpp"
+#include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -281,6 +282,10 @@ ElasticContact::Step ElasticContact::advance(double step, double relaxation, std
 Report ElasticContact::solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap, const std::function<bool()>& wants_stop)
 {
+  const std::size_t cells = compliance_.grid().size();
+  require_size("ElasticContact::solve: the distance", distance, cells);
+  require_size("ElasticContact::solve: the pressure", pressure, cells);
+  require_size("ElasticContact::solve: the gap", gap, cells);
   const bool load_given = drive.kind == Drive::Kind::load;
   if (load_given && !(drive.value > 0.0))
     return touching(distance, pressure, gap);

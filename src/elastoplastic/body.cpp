@@ -2,6 +2,7 @@
 #include "brinell/elastoplastic/body.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/require_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,8 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
     : grid_(grid), material_(material), half_space_(std::move(half_space)), texture_(std::move(texture)),
       shortcuts_(shortcuts), layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
 {
-  if (!texture_.empty() && texture_.size() != grid_.surface.size())
-    throw InternalError("Body: a texture needs one value per cell of the surface");
+  if (!texture_.empty())
+    require_size("Body: the texture", texture_, grid_.surface.size());
   const std::size_t n = grid_.size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
   state_.equivalent.assign(n, 0.0);

@@ -3,6 +3,7 @@
 
 #include "brinell/elastoplastic/anderson.hpp"
 #include "brinell/foundation/error.hpp"
+#include "foundation/require_size.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,6 +101,7 @@ void CoupledContact::add_depth(const Body& body, const Place& place, std::span<c
 
 void CoupledContact::surface_depth(const Body& body, const Place& place, std::span<double> out) const
 {
+  require_size("CoupledContact::surface_depth: the depth", out, grid().size());
   std::fill(out.begin(), out.end(), 0.0);
   add_depth(body, place, body.state().residual_displacement, out);
 }
@@ -432,6 +434,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
 IncrementReport CoupledContact::advance(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy)
 {
+  require_size("CoupledContact::advance: the distance", distance, grid().size());
   Undo undo(pressure_, gap_, lower_, upper_);
   lower_.begin(placement.lower.column - placement_.lower.column, strategy.stiffness_share);
   if (twin_ != Twin::none)

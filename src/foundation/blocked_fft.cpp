@@ -2,6 +2,7 @@
 #include "brinell/foundation/blocked_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/lane_functions.hpp"
 #include "foundation/planner_lock.hpp"
 
 #include <algorithm>

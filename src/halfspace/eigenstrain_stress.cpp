@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/halfspace/eigenstrain_stress.hpp"
 
+#include "foundation/lane_functions.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

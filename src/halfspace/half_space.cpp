@@ -3,8 +3,10 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/fft.hpp"
+#include "foundation/require_size.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <omp.h>
 
 namespace brinell::halfspace
@@ -69,8 +71,10 @@ void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, 
 void HalfSpace::load_strain(std::span<const double> plastic_strain, int layers, Work& work,
                             std::span<double> displacement, Complex* trace) const
 {
-  if (plastic_strain.size() != Deviator::size * grid_.size())
-    throw InternalError("HalfSpace::load_strain: the strain does not have 5 values per cell");
+  require_size("HalfSpace::load_strain: the plastic strain", plastic_strain, Deviator::size * grid_.size());
+  require_size("HalfSpace::load_strain: the displacement", displacement, grid_.surface.size());
+  if (layers < 0 || layers > grid_.nz)
+    throw InternalError(fmt::format("HalfSpace::load_strain: {} layers are wanted, the grid has {}", layers, grid_.nz));
   const auto has_strain = [&](int layer)
   {
     for (int c = 0; c < Deviator::size; ++c)
@@ -145,6 +149,9 @@ void HalfSpace::load_pressure(std::span<const double> pressure, Work& work) cons
 void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
                                   std::span<double> stress) const
 {
+  require_size("HalfSpace::deviatoric_stress: the pressure", pressure, grid_.surface.size());
+  require_size("HalfSpace::deviatoric_stress: the plastic strain", plastic_strain, Deviator::size * grid_.size());
+  require_size("HalfSpace::deviatoric_stress: the stress", stress, Deviator::size * grid_.size());
   load_pressure(pressure, work);
   const int planes = Deviator::size * work.layers_;
   const auto threads = static_cast<int>(work.threads_.size());
@@ -188,6 +195,10 @@ void HalfSpace::finish(int component, int layer, std::span<const double> plastic
 void HalfSpace::full_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
                             std::span<double> deviator, std::span<double> trace) const
 {
+  require_size("HalfSpace::full_stress: the pressure", pressure, grid_.surface.size());
+  require_size("HalfSpace::full_stress: the plastic strain", plastic_strain, Deviator::size * grid_.size());
+  require_size("HalfSpace::full_stress: the deviator", deviator, Deviator::size * grid_.size());
+  require_size("HalfSpace::full_stress: the trace", trace, grid_.size());
   const BlockedFft& fft = trace_fft_;
   AlignedVector<Complex> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
   AlignedVector<Complex> rows(fft.rows_size());

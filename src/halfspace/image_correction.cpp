@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/green/eigenstrain_sheet.hpp"
+#include "foundation/lane_functions.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/green/rectangle.hpp"
+#include "foundation/lane_functions.hpp"
 
 #include <algorithm>
 #include <array>

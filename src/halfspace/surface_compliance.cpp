@@ -3,8 +3,9 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/fft.hpp"
-#include "brinell/foundation/sharing.hpp"
 #include "brinell/green/rectangle.hpp"
+#include "foundation/require_size.hpp"
+#include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,9 +86,10 @@ void SurfaceCompliance::apply_to_block(int block, Scratch& scratch, BlockedFft::
 
 void SurfaceCompliance::apply(std::span<const double> pressure, std::span<double> displacement, Scratch& scratch) const
 {
-  if (pressure.size() != grid().size() || displacement.size() != grid().size() || scratch.threads.empty() ||
-      scratch.rows.size() < fft_.rows_size())
-    throw InternalError("SurfaceCompliance::apply: fields do not have the size of the grid");
+  require_size("SurfaceCompliance::apply: the pressure", pressure, grid().size());
+  require_size("SurfaceCompliance::apply: the displacement", displacement, grid().size());
+  if (scratch.threads.empty() || scratch.rows.size() < fft_.rows_size())
+    throw InternalError("SurfaceCompliance::apply: the scratch is of another operator; make_scratch makes one");
   const auto work = [&](BlockedFft::Scratch& own)
   {
 #pragma omp for schedule(static)

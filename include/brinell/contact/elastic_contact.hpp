@@ -52,7 +52,7 @@ public:
   /// @param pressure   in: a guess (zeros are one); out: the pressure [Pa].
   /// @param gap        out: [m].
   /// @param wants_stop asked every few iterations.
-  /// @throws Interrupted if it says so.
+  /// @throws Interrupted if it says so; InternalError if a field does not have one value per cell.
   [[nodiscard]] Report solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap,
                              const std::function<bool()>& wants_stop = {});

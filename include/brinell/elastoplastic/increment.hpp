@@ -115,7 +115,7 @@ public:
   [[nodiscard]] const SurfaceGrid& grid() const { return compliance_.grid(); }
 
   /// Solves one increment from the present state; commits it only if it converged.
-  /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m].
+  /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m], one per cell.
   /// @param placement  of the contact grid on the material grids.
   /// @throws Interrupted between two evaluations or within a contact solution; GridError. Without convergence, or after these,
   /// everything is as it was before the increment.

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The linear operators of one body on one grid. Planned once from grid and constants; `const` when applied.
-/// All volume fields of deviators are 5 * grid.size() values, component by component (order of Deviator).
+/// Deviator fields are 5 * grid.size() values, component by component (order of Deviator); other sizes: InternalError.
 namespace brinell::halfspace
 {
 

@@ -5,6 +5,7 @@
 #include "brinell/reference/hertz.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -485,6 +486,20 @@ TEST(ThreadsTest, DoNotChangeADigit)
       EXPECT_EQ(s.gap, solutions.front().gap);
     }
   }
+}
+
+TEST(ContactDoorTest, RefusesFieldsOfAnotherSize)
+{
+  const SurfaceGrid grid{4, 3, 1.0, 1.0};
+  const halfspace::SurfaceCompliance compliance(grid, 1.0);
+  ElasticContact contact(compliance);
+  std::vector<double> field(12), other(12), short_field(11);
+  const auto solve = [&](const std::vector<double>& distance, std::vector<double>& pressure, std::vector<double>& gap) {
+    static_cast<void>(contact.solve(distance, {Drive::Kind::load, 0.0}, 1e-9, 10, pressure, gap));
+  };
+  test::expect_refused("ElasticContact::solve: the distance", 11, 12, [&] { solve(short_field, field, other); });
+  test::expect_refused("ElasticContact::solve: the pressure", 11, 12, [&] { solve(field, short_field, other); });
+  test::expect_refused("ElasticContact::solve: the gap", 11, 12, [&] { solve(field, other, short_field); });
 }
 
 } // namespace

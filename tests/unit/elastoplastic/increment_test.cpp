@@ -5,12 +5,15 @@
 
 #include "brinell/foundation/error.hpp"
 #include "order.hpp"
+#include "refusal.hpp"
 #include "volume_fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -102,27 +105,122 @@ TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)
   EXPECT_LT(std::abs(path.back()), 2e-3);
 }
 
-TEST(IncrementTest, FailedIncrementLeavesTheStateAndCanBeRepeated)
+/// Everything that a caller can see of the state, and what a checkpoint holds.
+struct Seen
 {
-  PressOptions options;
-  options.settings = tight_settings();
-  SpherePress press(options), other(options);
-  ASSERT_TRUE(press.press(3.0).converged && other.press(3.0).converged);
-  const BodyState before = press.contact().lower().state();
-  Strategy few;
-  few.max_evaluations = 3;
-  const IncrementReport report = press.press(6.0, few);
-  EXPECT_FALSE(report.converged);
-  EXPECT_EQ(report.evaluations, 3);
-  const BodyState& after = press.contact().lower().state();
-  EXPECT_EQ(after.plastic_strain, before.plastic_strain);
-  EXPECT_EQ(after.equivalent, before.equivalent);
-  EXPECT_EQ(after.stress, before.stress);
-  EXPECT_EQ(after.residual_displacement, before.residual_displacement);
-  EXPECT_EQ(after.dissipation, before.dissipation);
-  EXPECT_EQ(after.locked_in_energy, before.locked_in_energy);
-  ASSERT_TRUE(press.press(6.0).converged && other.press(6.0).converged);
-  expect_same_state(press.contact().lower().state(), other.contact().lower().state(), 1e-6); // as above
+  Archive::Fields stored;
+  std::vector<double> pressure, gap, lower_displacement, upper_displacement, lower_depth, upper_depth;
+  double approach = 0.0, load = 0.0, elastic_energy = 0.0;
+  bool reaches_edge = false;
+  bool operator==(const Seen&) const = default;
+};
+
+Seen seen(SpherePress& press)
+{
+  CoupledContact& c = press.contact();
+  Seen s{{},
+         copy(c.pressure()),
+         copy(c.gap()),
+         copy(c.lower().residual_displacement()),
+         copy(c.upper().residual_displacement()),
+         std::vector<double>(c.grid().size()),
+         std::vector<double>(c.grid().size()),
+         c.approach(),
+         c.load(),
+         c.elastic_energy(),
+         c.reaches_edge()};
+  c.surface_depth(c.lower(), {}, s.lower_depth);
+  c.surface_depth(c.upper(), {}, s.upper_depth);
+  Archive archive;
+  c.exchange(archive);
+  s.stored = std::move(archive).fields();
+  return s;
+}
+
+/// An increment that is not to succeed, and why.
+struct Failure
+{
+  const char* reason;
+  Strategy strategy;
+  double interference = 6.0;
+  int offset = 0; ///< columns by which the contact moves
+};
+
+/// @param questions_left  until `wants_stop` says so.
+std::vector<Failure> failures(int& questions_left)
+{
+  const Strategy few{.max_evaluations = 3};
+  const Strategy enough{.max_evaluations = 2000, .anderson_depth = 0, .stiffness_share = 1.0};
+  Strategy soft = enough;
+  soft.stiffness_share = 0.05; // steps so long that they go uphill
+  soft.integration = Integration::backward_euler;
+  soft.watch_energy = true;
+  Strategy stopped = enough;
+  stopped.wants_stop = [&] { return --questions_left < 0; };
+  Strategy within = enough;
+  within.stay_within_grids = true;
+  return {{"too few evaluations", few},
+          {"too few evaluations", few, 5.0, 2},
+          {"the energy rose", soft},
+          {"stopped", stopped},
+          {"the contact left the material", enough, 6.0, 9},
+          {"a grid is too small", within, 30.0},
+          {"no number", enough, std::numeric_limits<double>::quiet_NaN()}};
+}
+
+/// How the increment ended.
+std::string outcome(SpherePress& press, const Failure& failure)
+{
+  try
+  {
+    const IncrementReport report = press.press(failure.interference, failure.strategy, failure.offset);
+    if (report.converged)
+      return "converged";
+    if (report.energy_rose)
+      return "the energy rose";
+    if (report.outgrown.any())
+      return "a grid is too small";
+    return std::isfinite(report.gap_error) ? "too few evaluations" : "no number";
+  }
+  catch (const Interrupted&)
+  {
+    return "stopped";
+  }
+  catch (const GridError&)
+  {
+    return "the contact left the material";
+  }
+}
+
+TEST(IncrementTest, FailedIncrementLeavesEverythingAsItWas)
+{
+  // One pair fails in all these ways, the other never tries: to the last digit they are the same, also after the next
+  // increments.
+  for (const bool both : {true, false}) // bodies plastic, or only the lower one
+  {
+    PressOptions options;
+    options.upper_plastic = both;
+    options.spare_columns = 4;
+    options.hardening_modulus = 20e9;
+    options.settings.max_iterations = 400;
+    SpherePress press(options), other(options);
+    ASSERT_TRUE(press.press(3.0).converged && other.press(3.0).converged);
+    int questions_left = 0;
+    for (const Failure& failure : failures(questions_left))
+    {
+      SCOPED_TRACE(failure.reason);
+      questions_left = 4;
+      const Seen before = seen(press);
+      EXPECT_EQ(outcome(press, failure), failure.reason);
+      EXPECT_TRUE(seen(press) == before);
+    }
+    for (const double interference : {6.0, 4.0})
+    {
+      ASSERT_TRUE(press.press(interference).converged && other.press(interference).converged);
+      EXPECT_TRUE(seen(press) == seen(other));
+    }
+    EXPECT_GT(largest(press.contact().lower().state().equivalent), 1e-3);
+  }
 }
 
 TEST(IncrementTest, SameGapAgainChangesNothing)
@@ -195,6 +293,17 @@ TEST(IncrementDoorTest, RefusesGridsThatDoNotMatchAndAContactBeyondTheBody)
   CoupledContact contact(g, v, v, m, m, Scales{1.0, 1.0}, Settings{});
   const std::vector<double> gap(g.size(), -0.001);
   EXPECT_THROW(static_cast<void>(contact.advance(gap, {}, Placement{{3}, {0}}, Strategy{})), InputError);
+  for (const std::size_t size : {24, 26})
+    test::expect_refused("CoupledContact::advance: the distance", size, 25,
+                         [&]
+                         {
+                           const std::vector<double> wrong(size, -0.001);
+                           static_cast<void>(contact.advance(wrong, {}, Placement{}, Strategy{}));
+                         });
+  std::vector<double> depth(24);
+  test::expect_refused("CoupledContact::surface_depth: the depth", 24, 25,
+                       [&] { contact.surface_depth(contact.lower(), {}, depth); });
+  test::expect_refused("Body: the texture", 24, 25, [&] { Body(v, nullptr, m, true, depth); });
 }
 
 } // namespace

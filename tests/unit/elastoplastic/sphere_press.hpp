@@ -82,6 +82,7 @@ public:
   }
 
   [[nodiscard]] const CoupledContact& contact() const { return contact_; }
+  [[nodiscard]] CoupledContact& contact() { return contact_; }
   [[nodiscard]] VolumeGrid volume() const
   {
     VolumeGrid v{grid_, nz, 3e-3 / options_.unit};

@@ -5,6 +5,7 @@
 #include "brinell/foundation/error.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
+#include "refusal.hpp"
 #include "volume_fields.hpp"
 
 #include <gtest/gtest.h>
@@ -244,12 +245,41 @@ TEST(EigenstrainSizeTest, SpectraThatGoPastTheCachesGiveTheSameStress)
       ASSERT_NEAR(stress[2 * c * half + i], expected[c * half + i], 1e-6) << "component " << c << ", cell " << i;
 }
 
-TEST(EigenstrainDoorTest, RefusesAStrainOfAnotherSize)
+TEST(HalfSpaceDoorTest, RefusesFieldsOfAnotherSize)
 {
+  using Field = std::vector<double>;
   const HalfSpace half_space(VolumeGrid{{4, 3, 1.0, 1.0}, 2, 1.0}, elastic);
   HalfSpace::Work work = half_space.make_work();
-  std::vector<double> displacement(12);
-  EXPECT_THROW(half_space.load_strain(std::vector<double>(6 * 24), 2, work, displacement), InternalError);
+  Field surface(12), strain(120), stress(120), trace(24), displacement(12);
+  // One cell too few and one component too many: each would be read or written past an end.
+  Field short_surface(11), long_deviator(144), short_trace(23);
+
+  const auto load = [&](const Field& e, Field& u) { half_space.load_strain(e, 2, work, u); };
+  test::expect_refused("HalfSpace::load_strain: the plastic strain", 144, 120,
+                       [&] { load(long_deviator, displacement); });
+  test::expect_refused("HalfSpace::load_strain: the displacement", 11, 12, [&] { load(strain, short_surface); });
+  EXPECT_THROW(half_space.load_strain(strain, 3, work, displacement), InternalError); // of two layers
+
+  load(strain, displacement);
+  const auto deviatoric = [&](const Field& p, const Field& e, Field& s)
+  { half_space.deviatoric_stress(p, e, work, s); };
+  test::expect_refused("HalfSpace::deviatoric_stress: the pressure", 11, 12,
+                       [&] { deviatoric(short_surface, strain, stress); });
+  test::expect_refused("HalfSpace::deviatoric_stress: the plastic strain", 144, 120,
+                       [&] { deviatoric(surface, long_deviator, stress); });
+  test::expect_refused("HalfSpace::deviatoric_stress: the stress", 144, 120,
+                       [&] { deviatoric(surface, strain, long_deviator); });
+
+  const auto full = [&](const Field& p, const Field& e, Field& s, Field& t)
+  { half_space.full_stress(p, e, work, s, t); };
+  test::expect_refused("HalfSpace::full_stress: the pressure", 11, 12,
+                       [&] { full(short_surface, strain, stress, trace); });
+  test::expect_refused("HalfSpace::full_stress: the plastic strain", 144, 120,
+                       [&] { full(surface, long_deviator, stress, trace); });
+  test::expect_refused("HalfSpace::full_stress: the deviator", 144, 120,
+                       [&] { full(surface, strain, long_deviator, trace); });
+  test::expect_refused("HalfSpace::full_stress: the trace", 23, 24,
+                       [&] { full(surface, strain, stress, short_trace); });
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "direct/half_space_sums.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -113,7 +114,8 @@ TEST(SurfaceComplianceDoorTest, RefusesFieldsOfAnotherSize)
   const SurfaceCompliance compliance({4, 3, 1.0, 1.0}, 1.0);
   std::vector<double> p(12), u(11);
   SurfaceCompliance::Scratch scratch = compliance.make_scratch();
-  EXPECT_THROW(compliance.apply(p, u, scratch), InternalError);
+  test::expect_refused("SurfaceCompliance::apply: the displacement", 11, 12, [&] { compliance.apply(p, u, scratch); });
+  test::expect_refused("SurfaceCompliance::apply: the pressure", 11, 12, [&] { compliance.apply(u, p, scratch); });
 }
 
 } // namespace

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/lanes.hpp"
+
+#include <cstddef>
+#include <cstring>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/// Arithmetic, loads and stores of lanes.
+namespace brinell
+{
+
+inline ComplexLanes operator+(const ComplexLanes& a, const ComplexLanes& b)
+{
+  return {a.re + b.re, a.im + b.im};
+}
+inline ComplexLanes operator-(const ComplexLanes& a, const ComplexLanes& b)
+{
+  return {a.re - b.re, a.im - b.im};
+}
+inline ComplexLanes operator*(const Lanes& f, const ComplexLanes& a)
+{
+  return {f * a.re, f * a.im};
+}
+inline ComplexLanes operator*(double f, const ComplexLanes& a)
+{
+  return {f * a.re, f * a.im};
+}
+inline ComplexLanes times_i(const ComplexLanes& a)
+{
+  return {-a.im, a.re};
+}
+
+inline Lanes load_lanes(const double* from)
+{
+  Lanes value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+/// The first `count` values, zero in the other lanes.
+inline Lanes load_lanes(const double* from, std::size_t count)
+{
+  if (count == lane_count)
+    return load_lanes(from);
+  Lanes value{};
+  for (std::size_t lane = 0; lane < count; ++lane)
+    value[lane] = from[lane];
+  return value;
+}
+inline ComplexLanes load_lanes(const Complex* from)
+{
+  const Lanes low = load_lanes(reinterpret_cast<const double*>(from));
+  const Lanes high = load_lanes(reinterpret_cast<const double*>(from) + lane_count);
+  return {__builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14),
+          __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15)};
+}
+/// Stores that go past the caches, for arrays larger than `cached_bytes`: what such an array held before need not be read
+/// from memory first. `to` starts on a cache line. Other threads see the values after `end_streaming`.
+inline void stream_lanes(const Lanes& value, double* to)
+{
+#if defined(__AVX512F__)
+  _mm512_stream_pd(to, reinterpret_cast<const __m512d&>(value));
+#elif defined(__SSE2__)
+  const auto* part = reinterpret_cast<const __m128d*>(&value);
+  for (int i = 0; i < lane_count / 2; ++i)
+    _mm_stream_pd(to + 2 * i, part[i]);
+#else
+  std::memcpy(to, &value, sizeof value);
+#endif
+}
+inline void end_streaming()
+{
+#if defined(__SSE2__)
+  _mm_sfence();
+#endif
+}
+
+inline void store_lanes(const ComplexLanes& value, Complex* to, bool past_caches = false)
+{
+  const Lanes low = __builtin_shufflevector(value.re, value.im, 0, 8, 1, 9, 2, 10, 3, 11);
+  const Lanes high = __builtin_shufflevector(value.re, value.im, 4, 12, 5, 13, 6, 14, 7, 15);
+  auto* lanes = reinterpret_cast<double*>(to);
+  if (past_caches)
+  {
+    stream_lanes(low, lanes);
+    stream_lanes(high, lanes + lane_count);
+  }
+  else
+  {
+    std::memcpy(lanes, &low, sizeof low);
+    std::memcpy(lanes + lane_count, &high, sizeof high);
+  }
+}
+
+/// Copies one block of lanes.
+inline void copy_lanes(const Complex* from, Complex* to, bool past_caches)
+{
+  if (past_caches)
+  {
+    stream_lanes(load_lanes(reinterpret_cast<const double*>(from)), reinterpret_cast<double*>(to));
+    stream_lanes(load_lanes(reinterpret_cast<const double*>(from) + lane_count),
+                 reinterpret_cast<double*>(to) + lane_count);
+  }
+  else
+    std::memcpy(static_cast<void*>(to), from, lane_count * sizeof(Complex));
+}
+
+} // namespace brinell

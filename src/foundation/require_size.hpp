@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/error.hpp"
+
+#include <cstddef>
+#include <fmt/format.h>
+#include <span>
+
+namespace brinell
+{
+
+/// The check at the door of a public function: that `field` has the size that its grid asks for.
+/// @param field_name  "HalfSpace::deviatoric_stress: the stress"
+/// @throws InternalError with both sizes
+inline void require_size(const char* field_name, std::span<const double> field, std::size_t expected)
+{
+  if (field.size() != expected)
+    throw InternalError(fmt::format("{} has {} values, its grid asks for {}", field_name, field.size(), expected));
+}
+
+} // namespace brinell
