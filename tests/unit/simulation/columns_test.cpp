@@ -2,8 +2,10 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/columns.hpp"
 
+#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -63,6 +65,21 @@ TEST(Columns, EveryMemberHasOne)
   EXPECT_EQ(columns<RollingRecord>.size(), members_of_row<RollingRecord>);
   EXPECT_EQ(columns<Indent>.size(), arity<Indent>());
   EXPECT_EQ(columns<RollingPass>.size(), arity<RollingPass>());
+}
+
+// The name and the pointer to the member stand side by side in the tables, but only a reader could compare them.
+TEST(Columns, AreNamedAsTheirMembers)
+{
+  std::ifstream header(BRINELL_SOURCE_DIR "/include/brinell/simulation/columns.hpp");
+  const std::string text{std::istreambuf_iterator<char>(header), {}};
+  const std::regex line(R"re(\{"(\w+)",\s*"[^"]+",\s*&\w+::(\w+))re");
+  std::size_t lines = 0;
+  for (std::sregex_iterator found(text.begin(), text.end(), line); found != std::sregex_iterator(); ++found, ++lines)
+    EXPECT_EQ((*found)[1], (*found)[2]);
+  constexpr std::size_t shared = common::ending.size() + 5; // in all rows
+  EXPECT_EQ(lines + 2 * shared, columns<TuggingRecord>.size() + columns<IndentationRecord>.size() +
+                                    columns<RollingRecord>.size() + columns<Indent>.size() +
+                                    columns<RollingPass>.size());
 }
 
 TYPED_TEST(ColumnsOf, NoTwoAreOfTheSameMember)
