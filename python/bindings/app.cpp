@@ -7,17 +7,21 @@
 #include "brinell/foundation/fork.hpp"
 #include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
+#include "brinell/io/history_csv.hpp"
 #include "brinell/io/schema.hpp"
 #include "brinell/io/versions.hpp"
 #include "brinell/options.hpp"
 #include "brinell/run_case.hpp"
 
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstdio>
+#include <map>
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -84,6 +88,25 @@ void bind_commands(nb::module_& m)
   m.def("command_line", &command_line, "arguments"_a);
 }
 
+/// The columns of the histories by scenario, and of the lists of the summary by their key.
+void bind_columns(nb::module_& m)
+{
+  using namespace simulation;
+  nb::class_<io::NamedNumber>(m, "Column")
+      .def_ro("name", &io::NamedNumber::name)
+      .def_ro("unit", &io::NamedNumber::unit)
+      .def_ro("text", &io::NamedNumber::text);
+  m.def("columns",
+        []
+        {
+          return std::map<std::string, std::vector<io::NamedNumber>>{{"tugging", io::columns(TuggingRecord{})},
+                                                                     {"indentation", io::columns(IndentationRecord{})},
+                                                                     {"rolling", io::columns(RollingRecord{})},
+                                                                     {"indents", io::columns(Indent{})},
+                                                                     {"passes", io::columns(RollingPass{})}};
+        });
+}
+
 std::vector<std::string> texts(const std::vector<io::Warning>& warnings)
 {
   std::vector<std::string> result;
@@ -106,6 +129,7 @@ std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::War
 void bind_app(nb::module_& m)
 {
   bind_commands(m);
+  bind_columns(m);
   nb::class_<io::Case>(m, "Case")
       .def_ro("name", &io::Case::name)
       .def_ro("title", &io::Case::title)

@@ -61,8 +61,8 @@ public:
     calls_.rethrow();
     is_failed_ = false;
     nb::dict result;
-    for (const auto& [name, value] : row)
-      std::visit([&, key = name](const auto& number) { result[key] = number; }, value);
+    for (const io::NamedNumber& number : row)
+      std::visit([&](auto value) { result[nb::str(number.name.data(), number.name.size())] = value; }, number.value);
     return result;
   }
 

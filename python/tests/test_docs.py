@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Links between the Markdown pages, and the pages and equations that comments name."""
 
+import dataclasses
 import re
 import subprocess
 import sys
@@ -8,6 +9,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+from brinell import _core
+from brinell.results import Indent, RollingPass
 
 ROOT = Path(__file__).resolve().parents[2]
 # docs/_*: what the build of the site writes.
@@ -88,6 +92,36 @@ def test_equations_named_in_comments_exist() -> None:
 def test_labels_of_equations_are_unique() -> None:
     labels = [label for page in sorted((ROOT / "docs/theory").glob("*.md")) for label in TAG.findall(page.read_text())]
     assert sorted(labels) == sorted(set(labels))
+
+
+def columns_on_the_page() -> dict[str, list[tuple[str, str]]]:
+    """Names and units of the tables of history.csv, by the line before each table."""
+    page = (ROOT / "docs" / "reference" / "results-format.md").read_text(encoding="utf-8")
+    section = page.split("\n## `history.csv`\n")[1].split("\n## ")[0]
+    tables = re.findall(r"^([^|\n]+):\n\n((?:\|.*\n)+)", section, re.MULTILINE)
+    rows = {title: [row.split(" | ", 2) for row in table.splitlines()[2:]] for title, table in tables}
+    return {
+        title: [(name, unit.replace("-", "1")) for names, unit, _ in table for name in re.findall(r"`(\w+)`", names)]
+        for title, table in rows.items()
+    }
+
+
+@pytest.mark.parametrize("scenario", ["tugging", "indentation", "rolling"])
+def test_the_page_of_the_results_has_the_columns_of_the_history(scenario: str) -> None:
+    tables = columns_on_the_page()
+    shown = tables[scenario.capitalize()] + tables["All scenarios, after these"]
+    assert shown == [(column.name, column.unit) for column in _core.columns()[scenario]]
+
+
+@pytest.mark.parametrize(("part", "kind"), [("indents", Indent), ("passes", RollingPass)])
+def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind: type) -> None:
+    columns = {column.name: column.unit for column in _core.columns()[part]}
+    derived = {"steady"} if part == "passes" else set()
+    assert {field.name for field in dataclasses.fields(kind)} == columns.keys() | derived
+    endings = {name: "" if unit == "1" else "_" + unit for name, unit in columns.items()}
+    keys = {name + ending.replace("^", "").replace("/", "_per_") for name, ending in endings.items()}
+    page = (ROOT / "docs" / "reference" / "results-format.md").read_text(encoding="utf-8")
+    assert set(re.findall(rf"`{part}\[\]\.(\w+)`", page)) | derived == keys | derived
 
 
 def outline(page: str) -> list[tuple[str, list[str]]]:

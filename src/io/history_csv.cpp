@@ -39,92 +39,21 @@ std::vector<double> parsed_row(const std::string& line, std::size_t count, const
   return values;
 }
 
-void append(std::vector<NamedNumber>& columns, std::vector<NamedNumber> more)
-{
-  columns.insert(columns.end(), more.begin(), more.end());
-}
-
-/// Energies and strains, which end the rows of all scenarios.
-std::vector<NamedNumber> common_columns(const simulation::StepRecord& r)
-{
-  return {{"work", r.work},
-          {"dissipation_lower", r.dissipation_lower},
-          {"dissipation_upper", r.dissipation_upper},
-          {"energy_residual", r.energy_residual},
-          {"energy_elastic", r.energy_elastic},
-          {"max_residual_lower", r.max_residual_lower},
-          {"max_residual_upper", r.max_residual_upper},
-          {"max_equivalent_plastic_strain", r.max_equivalent_plastic_strain},
-          {"iterations", r.iterations}};
-}
-
 } // namespace
-
-std::vector<NamedNumber> columns(const simulation::TuggingRecord& r)
-{
-  std::vector<NamedNumber> result{{"step", r.step},
-                                  {"pass", r.pass},
-                                  {"X", r.X},
-                                  {"theta", r.theta},
-                                  {"interference", r.interference},
-                                  {"height", r.height},
-                                  {"contact_area", r.contact_area},
-                                  {"max_pressure", r.max_pressure},
-                                  {"F_n", r.F_n},
-                                  {"F_X", r.F_X},
-                                  {"F_Y", r.F_Y},
-                                  {"F_Z", r.F_Z},
-                                  {"F_X_macro", r.F_X_macro},
-                                  {"F_Z_macro", r.F_Z_macro}};
-  append(result, common_columns(r));
-  return result;
-}
-
-std::vector<NamedNumber> columns(const simulation::IndentationRecord& r)
-{
-  std::vector<NamedNumber> result{{"step", r.step},
-                                  {"pass", r.pass},
-                                  {"place", r.place},
-                                  {"x", r.x},
-                                  {"approach", r.approach},
-                                  {"F_n", r.F_n},
-                                  {"contact_area", r.contact_area},
-                                  {"contact_radius", r.contact_radius},
-                                  {"max_pressure", r.max_pressure},
-                                  {"mean_pressure", r.mean_pressure},
-                                  {"residual_depth", r.residual_depth},
-                                  {"pile_up", r.pile_up}};
-  append(result, common_columns(r));
-  return result;
-}
-
-std::vector<NamedNumber> columns(const simulation::RollingRecord& r)
-{
-  std::vector<NamedNumber> result{{"step", r.step},
-                                  {"pass", r.pass},
-                                  {"x", r.x},
-                                  {"approach", r.approach},
-                                  {"F_n", r.F_n},
-                                  {"F_X", r.F_X},
-                                  {"contact_area", r.contact_area},
-                                  {"max_pressure", r.max_pressure}};
-  append(result, common_columns(r));
-  return result;
-}
 
 std::string history_header(const std::vector<NamedNumber>& columns)
 {
   std::string text;
-  for (const auto& [name, value] : columns)
-    text += fmt::format("{}{}", text.empty() ? "" : ",", name);
+  for (const NamedNumber& column : columns)
+    text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
   return text;
 }
 
 std::string history_row(const std::vector<NamedNumber>& columns)
 {
   std::string text;
-  for (const auto& [name, value] : columns)
-    std::visit([&](auto number) { text += fmt::format("{}{}", text.empty() ? "" : ",", number); }, value);
+  for (const NamedNumber& column : columns)
+    std::visit([&](auto number) { text += fmt::format("{}{}", text.empty() ? "" : ",", number); }, column.value);
   return text;
 }
 
@@ -132,8 +61,8 @@ HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<Named
                              std::string_view sum)
     : path_(std::move(path)), sum_(std::make_unique<Checksum>())
 {
-  for (const auto& [name, value] : record)
-    columns_.push_back({name, std::holds_alternative<int>(value), {}});
+  for (const auto& [name, unit, text, value] : record)
+    columns_.push_back({name, unit, text, std::holds_alternative<int>(value), {}});
   const std::string header = history_header(record) + '\n';
   if (kept > 0)
     keep_rows(header, kept, sum);
@@ -185,7 +114,7 @@ void HistoryWriter::add(const std::vector<NamedNumber>& row)
     throw failure(path_, "cannot be written");
   sum_->add(line);
   for (std::size_t c = 0; c < columns_.size(); ++c)
-    columns_[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].second));
+    columns_[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].value));
 }
 
 } // namespace brinell::io

@@ -209,14 +209,8 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
 /// The columns that the history of a scenario has.
 std::vector<NamedNumber> columns_of(const Scenario& scenario)
 {
-  using namespace simulation;
-  struct Columns
-  {
-    std::vector<NamedNumber> operator()(const TuggingCase&) const { return columns(TuggingRecord{}); }
-    std::vector<NamedNumber> operator()(const IndentationCase&) const { return columns(IndentationRecord{}); }
-    std::vector<NamedNumber> operator()(const RollingCase&) const { return columns(RollingRecord{}); }
-  };
-  return std::visit(Columns{}, scenario);
+  return std::visit([]<typename ScenarioCase>(const ScenarioCase&) { return columns(typename ScenarioCase::Record{}); },
+                    scenario);
 }
 
 } // namespace
@@ -290,7 +284,7 @@ void ResultDirectory::add_checkpoint(int step, const Archive::Fields& fields)
 void ResultDirectory::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
                              const std::string& summary)
 {
-  state_->result.add_final(std::get<int>(last_columns.front().second), last_columns, final_state);
+  state_->result.add_final(std::get<int>(last_columns.front().value), last_columns, final_state);
   state_->result.merge(summary);
   replace_file(state_->path / "summary.json", summary);
   try

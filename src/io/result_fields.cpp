@@ -91,8 +91,9 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
 void write_snapshot(const h5::Handle& group, const std::vector<NamedNumber>& columns,
                     const simulation::Snapshot& snapshot)
 {
-  for (const auto& column : columns)
-    std::visit([&](auto number) { h5::write_attribute(group, column.first, number); }, column.second);
+  for (const NamedNumber& column : columns)
+    std::visit([&](auto number) { h5::write_attribute(group, std::string(column.name).c_str(), number); },
+               column.value);
   write_contact(group, snapshot);
   write_body(group, "lower", snapshot.lower);
   write_body(group, "upper", snapshot.upper);

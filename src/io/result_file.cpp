@@ -7,7 +7,6 @@
 #include "checksum.hpp"
 #include "earlier_result.hpp"
 #include "hdf5.hpp"
-#include "history_columns.hpp"
 #include "read_file.hpp"
 #include "replace_file.hpp"
 #include "result_fields.hpp"
@@ -77,13 +76,13 @@ void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& his
   {
     if (column.values.empty())
       continue; // no step is finished yet
-    const auto [units, long_name] = column_meaning(column.name);
+    const std::string name(column.name);
     const std::array shape{column.values.size()};
     if (column.is_integer)
-      h5::write_dataset(group, column.name.c_str(), std::vector<int>(column.values.begin(), column.values.end()), shape,
-                        units, long_name);
+      h5::write_dataset(group, name.c_str(), std::vector<int>(column.values.begin(), column.values.end()), shape,
+                        column.unit, column.text);
     else
-      h5::write_dataset(group, column.name.c_str(), column.values, shape, units, long_name);
+      h5::write_dataset(group, name.c_str(), column.values, shape, column.unit, column.text);
   }
 }
 

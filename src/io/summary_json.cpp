@@ -2,6 +2,7 @@
 #include "brinell/io/summary_json.hpp"
 
 #include "brinell/io/versions.hpp"
+#include "brinell/simulation/columns.hpp"
 #include "value_text.hpp"
 
 #include <limits>
@@ -223,21 +224,34 @@ std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json indent_json(const simulation::Indent& i)
+/// "hardness_Pa", "loading_stiffness_N_per_m": a name and, unless the number is pure, its unit.
+template <typename Record>
+std::string key_of(const simulation::Column<Record>& column)
 {
-  return {{"place", i.place},
-          {"cycle", i.cycle},
-          {"x_m", i.x},
-          {"max_load_N", i.max_load},
-          {"max_approach_m", i.max_approach},
-          {"contact_area_m2", i.contact_area},
-          {"hardness_Pa", i.hardness},
-          {"loading_stiffness_N_per_m", i.loading_stiffness},
-          {"unloading_stiffness_N_per_m", i.unloading_stiffness},
-          {"final_approach_m", i.final_approach},
-          {"residual_depth_m", i.residual_depth},
-          {"pile_up_m", i.pile_up},
-          {"work_J", i.work}};
+  std::string key(column.name);
+  if (column.unit == "1")
+    return key;
+  key += '_';
+  for (const char c : column.unit)
+    if (c == '/')
+      key += "_per_";
+    else if (c != '^')
+      key += c;
+  return key;
+}
+
+template <typename Record>
+void put(Json& json, const simulation::Column<Record>& column, const Record& record)
+{
+  std::visit([&](auto number) { json[key_of(column)] = number; }, column.value(record));
+}
+
+Json indent_json(const simulation::Indent& indent)
+{
+  Json json;
+  for (const auto& column : simulation::columns<simulation::Indent>)
+    put(json, column, indent);
+  return json;
 }
 
 Json normalised_indent_json(const Case& c, const simulation::Indent& i)
@@ -252,19 +266,16 @@ Json normalised_indent_json(const Case& c, const simulation::Indent& i)
           {"work", i.work / scale.energy}};
 }
 
-Json pass_json(const simulation::RollingPass& p)
+Json pass_json(const simulation::RollingPass& pass)
 {
-  return {{"rut_depth_m", p.rut_depth},
-          {"shoulder_height_m", p.shoulder_height},
-          {"max_equivalent_plastic_strain", p.max_equivalent_plastic_strain},
-          {"track_plastic_strain", p.track_plastic_strain},
-          {"track_plastic_increment", p.track_plastic_increment},
-          {"dissipation_J", p.dissipation},
-          {"resistance_N", p.resistance},
-          {"steady", p.is_steady()},
-          {"unsteadiness", p.unsteadiness},
-          {"mean_F_X_N", p.mean_F_X},
-          {"max_pressure_Pa", p.max_pressure}};
+  Json json;
+  for (const auto& column : simulation::columns<simulation::RollingPass>)
+  {
+    if (column.name == "unsteadiness")
+      json["steady"] = pass.is_steady(); // beside what it follows from
+    put(json, column, pass);
+  }
+  return json;
 }
 
 } // namespace

@@ -2,32 +2,24 @@
 #include "records.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/rolling.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/columns.hpp"
 
 #include <array>
 #include <fmt/format.h>
 #include <limits>
+#include <string>
+#include <variant>
 
 namespace brinell::simulation
 {
 
 void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
 {
-  totals.work = last.work;
-  totals.dissipation_lower = last.dissipation_lower;
-  totals.dissipation_upper = last.dissipation_upper;
-  totals.energy_residual = last.energy_residual;
-  totals.energy_elastic = last.energy_elastic;
+  static_cast<RunningTotals&>(totals) = last;
   if (largest_work > 0.0)
     totals.energy_balance_error =
         (last.work - last.dissipation_lower - last.dissipation_upper - last.energy_residual - last.energy_elastic) /
         largest_work;
-  totals.max_residual_lower = last.max_residual_lower;
-  totals.max_residual_upper = last.max_residual_upper;
-  totals.max_equivalent_plastic_strain = last.max_equivalent_plastic_strain;
-  totals.coverage = last.coverage;
 }
 
 void Coverage::exchange(Archive& archive)
@@ -37,24 +29,28 @@ void Coverage::exchange(Archive& archive)
   archive("plastic_layers", plastic_layers);
 }
 
-void StepRecord::exchange(Archive& archive)
+namespace
 {
-  archive("step", step, 0, std::numeric_limits<int>::max() - 1);
-  archive("pass", pass, 0, std::numeric_limits<int>::max() - 1);
-  archive("contact_area", contact_area);
-  archive("max_pressure", max_pressure);
-  archive("F_n", F_n);
-  archive("work", work);
-  archive("dissipation_lower", dissipation_lower);
-  archive("dissipation_upper", dissipation_upper);
-  archive("energy_residual", energy_residual);
-  archive("energy_elastic", energy_elastic);
-  archive("max_residual_lower", max_residual_lower);
-  archive("max_residual_upper", max_residual_upper);
-  archive("max_equivalent_plastic_strain", max_equivalent_plastic_strain);
-  archive("iterations", iterations);
-  archive("coverage", coverage);
+
+/// Whole numbers of a record count something, from 0; one more must be possible.
+template <typename Record>
+void exchange_columns(Record& record, Archive& archive)
+{
+  for (const Column<Record>& column : columns<Record>)
+    if (const auto* member = std::get_if<int Record::*>(&column.member))
+      archive(std::string(column.name), record.**member, 0, std::numeric_limits<int>::max() - 1);
+    else
+      archive(std::string(column.name), record.*std::get<double Record::*>(column.member));
 }
+
+template <typename Record>
+void exchange_row(Record& record, Archive& archive)
+{
+  exchange_columns(record, archive);
+  archive("coverage", record.coverage);
+}
+
+} // namespace
 
 void GridChange::exchange(Archive& archive)
 {
@@ -99,17 +95,8 @@ std::string text(const GridChange& change)
 
 void TuggingRecord::exchange(Archive& archive)
 {
-  StepRecord::exchange(archive);
-  archive("X", X);
-  archive("theta", theta);
-  archive("interference", interference);
-  archive("height", height);
-  archive("F_X", F_X);
-  archive("F_Y", F_Y);
-  archive("F_Z", F_Z);
-  archive("F_X_macro", F_X_macro);
-  archive("F_Z_macro", F_Z_macro);
-  archive("F_X_lower", F_X_lower);
+  exchange_row(*this, archive);
+  archive("F_X_lower", F_X_lower); // no column of the history
   archive("F_X_upper", F_X_upper);
 }
 
@@ -128,53 +115,22 @@ void TuggingPeaks::exchange(Archive& archive)
 
 void IndentationRecord::exchange(Archive& archive)
 {
-  StepRecord::exchange(archive);
-  archive("place", place);
-  archive("x", x);
-  archive("approach", approach);
-  archive("contact_radius", contact_radius);
-  archive("mean_pressure", mean_pressure);
-  archive("residual_depth", residual_depth);
-  archive("pile_up", pile_up);
-}
-
-void Indent::exchange(Archive& archive)
-{
-  archive("place", place);
-  archive("cycle", cycle);
-  archive("x", x);
-  archive("max_load", max_load);
-  archive("max_approach", max_approach);
-  archive("contact_area", contact_area);
-  archive("hardness", hardness);
-  archive("loading_stiffness", loading_stiffness);
-  archive("unloading_stiffness", unloading_stiffness);
-  archive("final_approach", final_approach);
-  archive("residual_depth", residual_depth);
-  archive("pile_up", pile_up);
-  archive("work", work);
+  exchange_row(*this, archive);
 }
 
 void RollingRecord::exchange(Archive& archive)
 {
-  StepRecord::exchange(archive);
-  archive("x", x);
-  archive("approach", approach);
-  archive("F_X", F_X);
+  exchange_row(*this, archive);
+}
+
+void Indent::exchange(Archive& archive)
+{
+  exchange_columns(*this, archive);
 }
 
 void RollingPass::exchange(Archive& archive)
 {
-  archive("rut_depth", rut_depth);
-  archive("shoulder_height", shoulder_height);
-  archive("max_equivalent_plastic_strain", max_equivalent_plastic_strain);
-  archive("track_plastic_strain", track_plastic_strain);
-  archive("track_plastic_increment", track_plastic_increment);
-  archive("dissipation", dissipation);
-  archive("resistance", resistance);
-  archive("unsteadiness", unsteadiness);
-  archive("mean_F_X", mean_F_X);
-  archive("max_pressure", max_pressure);
+  exchange_columns(*this, archive);
 }
 
 } // namespace brinell::simulation

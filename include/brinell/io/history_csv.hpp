@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/rolling.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/columns.hpp"
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -18,13 +16,22 @@ namespace brinell::io
 
 class Checksum;
 
-/// A number of a history by its name.
-using NamedNumber = std::pair<const char*, std::variant<int, double>>;
+/// A number of a history with what files tell of its column.
+struct NamedNumber
+{
+  std::string_view name, unit, text; ///< from static storage
+  std::variant<int, double> value;
+};
 
 /// The columns of history.csv, in order, with the values of one step. The same for each record of a scenario.
-[[nodiscard]] std::vector<NamedNumber> columns(const simulation::TuggingRecord& record);
-[[nodiscard]] std::vector<NamedNumber> columns(const simulation::IndentationRecord& record);
-[[nodiscard]] std::vector<NamedNumber> columns(const simulation::RollingRecord& record);
+template <typename Record>
+[[nodiscard]] std::vector<NamedNumber> columns(const Record& record)
+{
+  std::vector<NamedNumber> row;
+  for (const auto& column : simulation::columns<Record>)
+    row.push_back({column.name, column.unit, column.text, column.value(record)});
+  return row;
+}
 
 /// Header line of history.csv, without the end of line.
 [[nodiscard]] std::string history_header(const std::vector<NamedNumber>& columns);
@@ -34,7 +41,7 @@ using NamedNumber = std::pair<const char*, std::variant<int, double>>;
 /// A column of the history with its values so far.
 struct HistoryColumn
 {
-  std::string name;
+  std::string_view name, unit, text; ///< from static storage
   bool is_integer;
   std::vector<double> values;
 };

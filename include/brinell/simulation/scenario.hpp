@@ -56,23 +56,27 @@ struct Coverage
   void exchange(Archive& archive);
 };
 
-/// What every row of a history tells.
-struct StepRecord
+/// What a run has come to since its start: every row of a history tells it, and every summary of the last row.
+struct RunningTotals
 {
-  int step = 0; ///< counts from 0
-  int pass = 0; ///< counts from 0
-  double contact_area = 0.0, max_pressure = 0.0;
-  double F_n = 0.0;                                        ///< sum of the pressure [N]
   double work = 0.0;                                       ///< of the drive since the start [J]
   double dissipation_lower = 0.0, dissipation_upper = 0.0; ///< plastic work since the start [J]
   double energy_residual = 0.0; ///< elastic energy locked in by the plastic strain of both bodies [J]
   double energy_elastic = 0.0;  ///< recoverable energy of the contact pressure [J]
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
   double max_equivalent_plastic_strain = 0.0;
-  int iterations = 0; ///< evaluations of the elastic-plastic operator in this step
-  Coverage coverage;  ///< until this step
+  Coverage coverage;
+};
 
-  void exchange(Archive& archive);
+/// What every row of a history tells. Files have its numbers by the names and units in simulation/columns.hpp.
+struct StepRecord : RunningTotals
+{
+  int step = 0;              ///< counts from 0
+  int pass = 0;              ///< counts from 0
+  double contact_area = 0.0; ///< [m^2]
+  double max_pressure = 0.0; ///< [Pa]
+  double F_n = 0.0;          ///< sum of the pressure [N]
+  int iterations = 0;        ///< evaluations of the elastic-plastic operator in this step
 };
 
 /// A grid was enlarged, because pressure or plastic strain had reached its edge.
@@ -124,19 +128,15 @@ struct Snapshot
 };
 
 /// What every summary tells.
-struct RunTotals
+struct RunTotals : RunningTotals
 {
   int steps = 0;
   long iterations = 0;
-  int split_increments = 0; ///< increments that had to be split or redone with the guarded scheme
-  double work = 0.0, dissipation_lower = 0.0, dissipation_upper = 0.0, energy_residual = 0.0, energy_elastic = 0.0; // J
-  double energy_balance_error = 0.0; ///< (work - dissipation - stored energy) / largest work reached
-  double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< at the end [m]
-  double max_equivalent_plastic_strain = 0.0;
+  int split_increments = 0;             ///< increments that had to be split or redone with the guarded scheme
+  double energy_balance_error = 0.0;    ///< (work - dissipation - stored energy) / largest work reached
   std::vector<GridChange> grid_changes; ///< in the course of the run
   double memory_bytes = 0.0;            ///< of the grids at the end, estimate
-  Coverage coverage;
-  Snapshot final_state; ///< has the grids of the end
+  Snapshot final_state;                 ///< has the grids of the end
 };
 
 /// What a caller is told and asked in the midst of a step. Empty functions are skipped.

@@ -15,6 +15,7 @@ from typing import Any, Literal, TypeVar, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell import _core
 from brinell.results.errors import RunError
 
 __all__ = [
@@ -33,19 +34,13 @@ FloatArray = NDArray[np.float64]
 Scenario = Literal["tugging", "indentation", "rolling"]
 """Names of the scenarios, as in the case file."""
 
-_CONTACT_OF_SPHERES = ("X", "theta", "interference", "contact_area", "max_pressure")
-_FORCES_OF_TUGGING = ("F_n", "F_X", "F_Y", "F_Z", "F_X_macro", "F_Z_macro")
-_INDENT = ("place", "x", "approach", "F_n", "contact_area", "contact_radius")
-_HARDNESS = ("max_pressure", "mean_pressure", "residual_depth", "pile_up")
-_ROLLING = ("x", "approach", "F_n", "F_X", "contact_area", "max_pressure")
-_ENERGIES = ("work", "dissipation_lower", "dissipation_upper", "energy_residual", "energy_elastic")
-_DEFORMATION = ("max_residual_lower", "max_residual_upper", "max_equivalent_plastic_strain", "iterations")
+_ADDED_LATER = ("height",)
+"""Columns that the histories of older versions do not have."""
 
 HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(
     {
-        "tugging": ("step", "pass", *_CONTACT_OF_SPHERES, *_FORCES_OF_TUGGING, *_ENERGIES, *_DEFORMATION),
-        "indentation": ("step", "pass", *_INDENT, *_HARDNESS, *_ENERGIES, *_DEFORMATION),
-        "rolling": ("step", "pass", *_ROLLING, *_ENERGIES, *_DEFORMATION),
+        scenario: tuple(column.name for column in _core.columns()[scenario] if column.name not in _ADDED_LATER)
+        for scenario in get_args(Scenario)
     }
 )
 """Columns that history.csv must have in each scenario, in order; a file may have more."""

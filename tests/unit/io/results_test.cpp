@@ -433,7 +433,7 @@ TEST(Results, OneFileHoldsAll)
   EXPECT_EQ(dataset(file, "/history/step"), (std::vector{0.0, 1.0}));
   EXPECT_EQ(dataset(file, "/history/X"), (std::vector{sample::record(0).X, sample::record(1).X}));
   for (const auto& column : sample::columns(0))
-    EXPECT_TRUE(exists(file, std::string("/history/") + column.first)) << column.first;
+    EXPECT_TRUE(exists(file, std::string("/history/").append(column.name))) << column.name;
   EXPECT_EQ(text_attribute(file, "/history/F_X", "units"), "N");
   EXPECT_EQ(text_attribute(file, "/history/theta", "units"), "rad");
   EXPECT_FALSE(dataset(file, "/final/contact/gap").empty());
