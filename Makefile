@@ -86,11 +86,10 @@ sanitize: build/sanitize/build.ninja
 	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
 
-# The floors one by one, files and messages; minutes where the whole suite takes hours.
+# The floors one by one; a quarter of an hour where the whole suite takes hours.
 sanitize-fast: build/sanitize/build.ninja
-	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS) \
-	  --target brinell_unit_tests brinell_cli_tests
-	ctest --preset sanitize --parallel $(JOBS) --timeout 120 -R '^unit\.|^cli\.(Errors|Refusals|Cite)'
+	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS) --target brinell_unit_tests
+	ctest --preset sanitize --parallel $(JOBS) --timeout 300 -R '^unit\.'
 
 package: build/.setup-packages .venv/.setup-done
 	tools/package.sh
