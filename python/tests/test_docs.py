@@ -121,7 +121,7 @@ def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind:
     endings = {name: "" if unit == "1" else "_" + unit for name, unit in columns.items()}
     keys = {name + ending.replace("^", "").replace("/", "_per_") for name, ending in endings.items()}
     page = (ROOT / "docs" / "reference" / "results-format.md").read_text(encoding="utf-8")
-    assert set(re.findall(rf"`{part}\[\]\.(\w+)`", page)) | derived == keys | derived
+    assert set(re.findall(rf"`{part}\[\]\.(\w+)`", page)) == keys | derived
 
 
 def outline(page: str) -> list[tuple[str, list[str]]]:
