@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program of somebody else: a hard ball is pressed into steel and lifted off. It sees installed headers only.
-#include <brinell/simulation/indentation.hpp>
+#include <brinell/simulation/run.hpp>
 #include <brinell/version.hpp>
 
 #include <algorithm>
