@@ -4,9 +4,9 @@
 #include "brinell/elastoplastic/anderson.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
+#include "unknowns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -20,14 +20,6 @@ namespace
 std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, const Elastic& elastic)
 {
   return elastic.is_rigid() ? nullptr : std::make_shared<const halfspace::HalfSpace>(grid, elastic);
-}
-
-/// Cubic interpolation between the columns -1, 0, 1, 2 at `fraction` of the way from 0 to 1 (Lagrange): exact for a parabola
-/// that falls on cells, and its transpose carries the pressure back, so that no work is lost in between.
-std::array<double, 4> interpolation_weights(double f)
-{
-  return {-f * (f - 1.0) * (f - 2.0) / 6.0, (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0, -(f + 1.0) * f * (f - 2.0) / 2.0,
-          (f + 1.0) * f * (f - 1.0) / 6.0};
 }
 
 } // namespace
@@ -72,67 +64,16 @@ void CoupledContact::exchange(Archive& archive)
   archive("gap", gap_);
 }
 
-/// Adds the depth of a body's surface to `out`.
-void CoupledContact::add_depth(const Body& body, const Place& place, std::span<const double> displacement,
-                               std::span<double> out) const
-{
-  const std::vector<double>& texture = body.texture();
-  const SurfaceGrid& from = body.grid().surface;
-  const auto depth = [&](int column, int j)
-  {
-    if (column < 0 || column >= from.nx)
-      return 0.0;
-    const auto n = static_cast<std::size_t>(column + from.nx * j);
-    return displacement[n] + (texture.empty() ? 0.0 : texture[n]);
-  };
-  const std::array<double, 4> weights = interpolation_weights(place.fraction);
-  for (int j = 0; j < grid().ny; ++j)
-    for (int i = 0; i < grid().nx; ++i)
-    {
-      double& value = out[static_cast<std::size_t>(i + grid().nx * j)];
-      const int column = i + place.column;
-      if (place.fraction == 0.0)
-        value += depth(column, j);
-      else
-        for (int m = 0; m < 4; ++m)
-          value += weights[static_cast<std::size_t>(m)] * depth(column + m - 1, j);
-    }
-}
-
 void CoupledContact::surface_depth(const Body& body, const Place& place, std::span<double> out) const
 {
   require_size("CoupledContact::surface_depth: the depth", out, grid().size());
   std::fill(out.begin(), out.end(), 0.0);
-  add_depth(body, place, body.state().residual_displacement, out);
+  add_depth(body.grid().surface, body.state().residual_displacement, body.texture(), place, grid(), out);
 }
 
 bool CoupledContact::spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const
 {
-  const SurfaceGrid& to = body.grid().surface;
-  out.assign(to.size(), 0.0);
-  bool all = true;
-  const std::array<double, 4> weights = interpolation_weights(place.fraction);
-  for (int j = 0; j < grid().ny; ++j)
-    for (int i = 0; i < grid().nx; ++i)
-    {
-      const double p = pressure_[static_cast<std::size_t>(i + grid().nx * j)];
-      const int column = i + place.column;
-      if (p <= 0.0)
-        continue;
-      const bool between = place.fraction != 0.0;
-      if (column < (between ? 1 : 0) || column >= to.nx - (between ? 2 : 0))
-      {
-        all = false;
-        continue;
-      }
-      double* cell = out.data() + column + static_cast<std::ptrdiff_t>(to.nx) * j;
-      if (between)
-        for (int m = 0; m < 4; ++m)
-          cell[m - 1] += weights[static_cast<std::size_t>(m)] * p;
-      else
-        *cell += p;
-    }
-  return all;
+  return elastoplastic::spread_pressure(grid(), pressure_, place, body.grid().surface, out);
 }
 
 Outgrown CoupledContact::outgrown() const
@@ -215,44 +156,6 @@ double CoupledContact::elastic_energy() const
 namespace
 {
 
-/// The trial deviators of both bodies as one vector, in which cells that become active later come at the end.
-class Unknowns
-{
-public:
-  /// Appends what the bodies have gained since the last call.
-  void grow(const Body& lower, const Body& upper)
-  {
-    append(lower_, lower.unknowns());
-    append(upper_, upper.unknowns());
-  }
-  [[nodiscard]] std::size_t size() const { return size_; }
-  void pack(const std::vector<double>& lower, const std::vector<double>& upper, std::vector<double>& x) const
-  {
-    x.resize(size_);
-    for (std::size_t i = 0; i < lower.size(); ++i)
-      x[lower_[i]] = lower[i];
-    for (std::size_t i = 0; i < upper.size(); ++i)
-      x[upper_[i]] = upper[i];
-  }
-  void unpack(const std::vector<double>& x, std::vector<double>& lower, std::vector<double>& upper) const
-  {
-    for (std::size_t i = 0; i < lower.size(); ++i)
-      lower[i] = x[lower_[i]];
-    for (std::size_t i = 0; i < upper.size(); ++i)
-      upper[i] = x[upper_[i]];
-  }
-
-private:
-  void append(std::vector<std::size_t>& slots, std::size_t count)
-  {
-    while (slots.size() < count)
-      slots.push_back(size_++);
-  }
-
-  std::vector<std::size_t> lower_, upper_; ///< places in the common vector
-  std::size_t size_ = 0;
-};
-
 double largest_change(std::span<const double> a, const std::vector<double>& b)
 {
   double change = 0.0;
@@ -261,31 +164,6 @@ double largest_change(std::span<const double> a, const std::vector<double>& b)
   return change;
 }
 
-/// Notices when an accelerated iteration runs in circles.
-class Progress
-{
-public:
-  /// @returns whether the error has not halved within the last evaluations with the same active cells.
-  bool stalls(double error, bool grew)
-  {
-    if (grew)
-      *this = {};
-    else if (error < 0.5 * best_)
-    {
-      best_ = error;
-      since_ = 0;
-    }
-    else
-      ++since_;
-    return since_ > patience;
-  }
-
-private:
-  static constexpr int patience = 20;
-  double best_ = 1e300;
-  int since_ = 0;
-};
-
 } // namespace
 
 /// Contact of the deformed surfaces: gap and pressure for the residual displacements of the present trial.
@@ -293,8 +171,10 @@ void CoupledContact::touch(std::span<const double> distance, const contact::Driv
                            const Strategy& strategy, IncrementReport& report)
 {
   std::copy(distance.begin(), distance.end(), distance_.begin());
-  add_depth(lower_, placement.lower, lower_.residual_displacement(), distance_);
-  add_depth(upper_, placement.upper, upper_.residual_displacement(), distance_);
+  add_depth(lower_.grid().surface, lower_.residual_displacement(), lower_.texture(), placement.lower, grid(),
+            distance_);
+  add_depth(upper_.grid().surface, upper_.residual_displacement(), upper_.texture(), placement.upper, grid(),
+            distance_);
   constexpr int most_iterations = 2000;
   const contact::Report contact = contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap,
                                                  most_iterations, pressure_, gap_, strategy.wants_stop);
@@ -368,7 +248,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   const double imposed_approach = drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0;
   Anderson anderson(strategy.anderson_depth);
   Unknowns unknowns;
-  Progress progress;
+  StallRule stall_rule;
   std::vector<double> x;
   std::vector<double> g;
   std::vector<double> last_lower;
@@ -420,7 +300,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       if (report.energy_rose)
         break;
     }
-    else if (progress.stalls(report.yield_error, grew || report.evaluations == 1))
+    else if (stall_rule.stalls(report.yield_error, grew || report.evaluations == 1))
       break;
     unknowns.grow(lower_, upper_);
     unknowns.pack(lower_.trial(), upper_.trial(), x);

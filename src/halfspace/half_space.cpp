@@ -159,6 +159,7 @@ void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<co
   {
     Work::Scratch& scratch = work.threads_[static_cast<std::size_t>(omp_get_thread_num())];
     for (int block = 0; block < volume_fft_.blocks(); ++block)
+    {
 #pragma omp for schedule(static)
       for (int group = 0; group < BlockedFft::groups(planes); ++group)
       {
@@ -169,6 +170,7 @@ void HalfSpace::deviatoric_stress(std::span<const double> pressure, std::span<co
                                       scratch.fft.columns.data());
         volume_fft_.columns_inverse(scratch.fft, block, group, planes, work.rows_.data());
       }
+    }
 #pragma omp for schedule(static)
     for (int plane = 0; plane < planes; ++plane)
     {

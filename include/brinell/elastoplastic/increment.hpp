@@ -3,6 +3,7 @@
 
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/elastoplastic/body.hpp"
+#include "brinell/elastoplastic/placement.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 
 #include <functional>
@@ -40,18 +41,6 @@ struct IncrementReport
   double gap_error = 0.0;          ///< contact complementarity [m]
   double energy = 0.0;             ///< locked-in, elastic and dissipated energy: what backward Euler minimises [J]
   bool energy_rose = false;        ///< stopped by Strategy::watch_energy
-};
-
-/// Where the contact grid lies on a material grid: contact column i is at column i + column + fraction.
-struct Place
-{
-  int column = 0;
-  double fraction = 0.0; ///< [0, 1)
-};
-
-struct Placement
-{
-  Place lower, upper;
 };
 
 /// Reference lengths of the tolerances [m].
@@ -143,8 +132,6 @@ private:
              const Strategy& strategy, IncrementReport& report);
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
-  void add_depth(const Body& body, const Place& place, std::span<const double> displacement,
-                 std::span<double> out) const;
   [[nodiscard]] double energy(double approach) const;
   [[nodiscard]] Outgrown outgrown() const;
   [[nodiscard]] std::pair<bool, bool> pressed_edges() const;

@@ -28,6 +28,7 @@ template <typename Record>
 [[nodiscard]] std::vector<NamedNumber> columns(const Record& record)
 {
   std::vector<NamedNumber> row;
+  row.reserve(simulation::columns<Record>.size());
   for (const auto& column : simulation::columns<Record>)
     row.push_back({column.name, column.unit, column.text, column.value(record)});
   return row;

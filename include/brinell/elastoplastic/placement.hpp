@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/grid.hpp"
+
+#include <span>
+#include <vector>
+
+namespace brinell::elastoplastic
+{
+
+/// Where the contact grid lies on a material grid: contact column i is at column i + column + fraction.
+struct Place
+{
+  int column = 0;
+  double fraction = 0.0; ///< [0, 1)
+};
+
+struct Placement
+{
+  Place lower, upper;
+};
+
+/// Adds the depth of a body's surface, displacement and texture, to the cells of the contact grid above it. Between the columns
+/// of the body it is interpolated (cubic, Lagrange); outside its grid it is zero.
+/// @param displacement  on the body's surface grid [m]
+/// @param texture       likewise, or empty
+/// @param out           on the contact grid, which has the same cells and rows [m]
+void add_depth(const SurfaceGrid& body, std::span<const double> displacement, std::span<const double> texture,
+               const Place& place, const SurfaceGrid& contact, std::span<double> out);
+
+/// The way back, transposed, so that no work is lost in between: pressure of the contact grid to the cells of a body.
+/// @param out  on the body's surface grid; overwritten
+/// @returns whether all of the pressure lies on the body's grid; what does not is left out.
+bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressure, const Place& place,
+                     const SurfaceGrid& body, std::vector<double>& out);
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/placement.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// Cubic interpolation between the columns -1, 0, 1, 2 at `fraction` of the way from 0 to 1 (Lagrange): exact for a parabola
+/// that falls on cells.
+std::array<double, 4> interpolation_weights(double f)
+{
+  return {-f * (f - 1.0) * (f - 2.0) / 6.0, (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0, -(f + 1.0) * f * (f - 2.0) / 2.0,
+          (f + 1.0) * f * (f - 1.0) / 6.0};
+}
+
+} // namespace
+
+void add_depth(const SurfaceGrid& body, std::span<const double> displacement, std::span<const double> texture,
+               const Place& place, const SurfaceGrid& contact, std::span<double> out)
+{
+  const auto depth = [&](int column, int j)
+  {
+    if (column < 0 || column >= body.nx)
+      return 0.0;
+    const auto n = static_cast<std::size_t>(column + body.nx * j);
+    return displacement[n] + (texture.empty() ? 0.0 : texture[n]);
+  };
+  const std::array<double, 4> weights = interpolation_weights(place.fraction);
+  for (int j = 0; j < contact.ny; ++j)
+    for (int i = 0; i < contact.nx; ++i)
+    {
+      double& value = out[static_cast<std::size_t>(i + contact.nx * j)];
+      const int column = i + place.column;
+      if (place.fraction == 0.0)
+        value += depth(column, j);
+      else
+        for (int m = 0; m < 4; ++m)
+          value += weights[static_cast<std::size_t>(m)] * depth(column + m - 1, j);
+    }
+}
+
+bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressure, const Place& place,
+                     const SurfaceGrid& body, std::vector<double>& out)
+{
+  out.assign(body.size(), 0.0);
+  bool all = true;
+  const std::array<double, 4> weights = interpolation_weights(place.fraction);
+  for (int j = 0; j < contact.ny; ++j)
+    for (int i = 0; i < contact.nx; ++i)
+    {
+      const double p = pressure[static_cast<std::size_t>(i + contact.nx * j)];
+      const int column = i + place.column;
+      if (p <= 0.0)
+        continue;
+      const bool between = place.fraction != 0.0;
+      if (column < (between ? 1 : 0) || column >= body.nx - (between ? 2 : 0))
+      {
+        all = false;
+        continue;
+      }
+      double* cell = out.data() + column + static_cast<std::ptrdiff_t>(body.nx) * j;
+      if (between)
+        for (int m = 0; m < 4; ++m)
+          cell[m - 1] += weights[static_cast<std::size_t>(m)] * p;
+      else
+        *cell += p;
+    }
+  return all;
+}
+
+} // namespace brinell::elastoplastic
