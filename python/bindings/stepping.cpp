@@ -47,9 +47,6 @@ public:
   /// @returns the row of the history by the names of its columns.
   nb::dict step()
   {
-    if (is_failed_)
-      throw InputError("this run has ended with an error; start another one");
-    is_failed_ = true;
     std::vector<io::NamedNumber> row;
     try
     {
@@ -59,7 +56,6 @@ public:
     {
     }
     calls_.rethrow();
-    is_failed_ = false;
     nb::dict result;
     for (const io::NamedNumber& number : row)
       std::visit([&](auto value) { result[nb::str(number.name.data(), number.name.size())] = value; }, number.value);
@@ -112,6 +108,7 @@ private:
             io::RunInfo info{.wall_time = 0.0,
                              .threads = omp_get_max_threads(),
                              .quality = simulation::quality(scenario, plan, summary)};
+            info.quality.warnings.insert(info.quality.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
             return io::summary_text(case_, plan, summary, info);
           }
           else
@@ -160,7 +157,6 @@ private:
 
   io::Case case_;
   PythonCalls calls_;
-  bool is_failed_ = false;
   AnyRun run_;
 };
 

@@ -85,6 +85,8 @@ public:
   {
     if (is_done())
       throw InternalError("Run::step: the run is done");
+    require_sound();
+    has_failed_ = true; // until the step is read: a motion that was left halfway must not go on
     const Move move = motion_.next(stepper_);
     Record record;
     record.iterations = stepper_.advance(move.path, move.finest, move.where);
@@ -95,6 +97,7 @@ public:
     iterations_ += record.iterations;
     largest_work_ = std::max(largest_work_, std::abs(record.work));
     last_ = record;
+    has_failed_ = false;
     return last_;
   }
 
@@ -113,6 +116,7 @@ public:
 
   void exchange(Archive& archive)
   {
+    require_sound();
     archive("stepper", stepper_);
     archive("motion", motion_);
     archive("last", last_);
@@ -122,6 +126,11 @@ public:
   }
 
 private:
+  void require_sound() const
+  {
+    if (has_failed_)
+      throw InputError("this run has ended with an error; start another one");
+  }
   [[nodiscard]] Stepper::Setup setup(Watch watch) const
   {
     Stepper::Setup result = motion_.setup();
@@ -152,6 +161,7 @@ private:
   double largest_work_ = 0.0; ///< [J]
   long iterations_ = 0;
   int steps_ = 0;
+  bool has_failed_ = false;
 };
 
 template <typename Case>

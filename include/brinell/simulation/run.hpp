@@ -34,7 +34,7 @@ public:
   [[nodiscard]] bool is_done() const;
   /// Solves the next step. Afterwards the run is where this step ended.
   /// @returns the row of the history, valid until the next step.
-  /// @throws ConvergenceError, GridError, Interrupted; the run cannot go on then.
+  /// @throws ConvergenceError, GridError, Interrupted: the run cannot go on then, nor be stored, and throws InputError.
   const Record& step();
   /// Of the whole run, an estimate.
   [[nodiscard]] int step_count() const;

@@ -164,5 +164,20 @@ TYPED_TEST(RunTest, RefusesStepsBeyondItsEndAndStatesOfAnotherCase)
   EXPECT_THROW(simulation::Run<TypeParam>(this->scenario, {}, &state), InputError);
 }
 
+TYPED_TEST(RunTest, GoesNoFurtherAfterAStepThatFailed)
+{
+  // Left halfway, a motion would go on from another place than the bodies.
+  bool stops = false;
+  Watch watch;
+  watch.wants_stop = [&stops] { return stops; };
+  simulation::Run<TypeParam> run(this->scenario, watch);
+  run.step();
+  stops = true;
+  EXPECT_THROW(run.step(), Interrupted);
+  stops = false;
+  EXPECT_THROW(run.step(), InputError);
+  EXPECT_THROW(static_cast<void>(run.checkpoint()), InputError);
+}
+
 } // namespace
 } // namespace brinell::simulation
