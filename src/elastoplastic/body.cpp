@@ -167,7 +167,8 @@ void Body::integrate(Integration integration)
         }
       },
       *material_.hardening);
-  half_space_->load_strain(strain_, layers_, work_, displacement_);
+  loaded_.emplace(half_space_->load(strain_, layers_, work_));
+  loaded_->displacement({.z = displacement_});
 }
 
 bool Body::update(std::span<const double> pressure)
@@ -175,7 +176,7 @@ bool Body::update(std::span<const double> pressure)
   if (!is_plastic())
     return false;
   const std::size_t n = grid().size();
-  half_space_->deviatoric_stress(pressure, strain_, work_, stress_);
+  loaded_->stress({.pressure = pressure}, stress_);
   add_initial_stress(layers_, stress_);
   std::visit(
       [&](const auto& law)

@@ -146,7 +146,7 @@ double CoupledContact::elastic_energy() const
 {
   std::vector<double> displacement(pressure_.size());
   halfspace::SurfaceCompliance::Scratch scratch = compliance_.make_scratch();
-  compliance_.apply(pressure_, displacement, scratch);
+  compliance_.apply({.pressure = pressure_}, {.z = displacement}, scratch);
   double sum = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     sum += pressure_[i] * displacement[i];

@@ -2,9 +2,9 @@
 #include "footprint.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/fft.hpp"
 #include "brinell/reference/critical.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "foundation/fft.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "brinell/halfspace/half_space.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -142,6 +143,7 @@ private:
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
   std::vector<double> texture_;
   halfspace::HalfSpace::Work work_;
+  std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain of the present trial
   BodyState state_;
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   double stiffness_ = 0.0;                            ///< c [Pa]

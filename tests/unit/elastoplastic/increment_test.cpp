@@ -50,7 +50,7 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
         }
         halfspace::HalfSpace::Work work = half_space.make_work();
         std::vector<double> u(gap.size());
-        half_space.load_strain(state.plastic_strain, body->grid().nz, work, u);
+        half_space.load(state.plastic_strain, body->grid().nz, work).displacement({.z = u});
         expect_near(u, state.residual_displacement, 1e-10, "residual displacement"); // round-off
         for (std::size_t i = 0; i < gap.size(); ++i)
           gap[i] += u[i];
@@ -61,7 +61,7 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
           contact_modulus(press.contact().lower().material().elastic, press.contact().upper().material().elastic));
       std::vector<double> u(gap.size());
       halfspace::SurfaceCompliance::Scratch scratch = compliance.make_scratch();
-      compliance.apply(pressure, u, scratch);
+      compliance.apply({.pressure = pressure}, {.z = u}, scratch);
       const double tolerance = 1.001 * options.settings.contact_tolerance * 6.0 * SpherePress::alpha_c;
       for (std::size_t i = 0; i < gap.size(); ++i)
       {
