@@ -213,10 +213,10 @@ private:
     return text;
   }
 
-  /// Tugging is for smooth spheres.
+  /// The template of tugging counts the interference in units of first yield, which only round bodies have.
   [[nodiscard]] bool is_offered(std::string_view table, std::string_view choice) const
   {
-    return scenario_ != "tugging" || (table.ends_with(".shape") ? choice == "sphere" : !table.ends_with(".texture"));
+    return scenario_ != "tugging" || !table.ends_with(".shape") || choice == "sphere";
   }
 
   void inline_table(const std::string& table, std::span<const Entry> entries)

@@ -58,15 +58,9 @@ void add_scenario(const RollingCase& rolling, Sources& sources)
 /// Whether a body is a cone or a pyramid.
 bool has_tip(const Case& c)
 {
-  return std::visit(
-      [](const auto& scenario)
-      {
-        if constexpr (requires { scenario.lower.shape; })
-          return !relative_curvature(scenario.lower.shape, scenario.upper.shape).has_value();
-        else // asperities are spheres
-          return false;
-      },
-      c.scenario);
+  return std::visit([](const auto& scenario)
+                    { return !relative_curvature(scenario.lower.shape, scenario.upper.shape).has_value(); },
+                    c.scenario);
 }
 
 void add_contact(const Case& c, Sources& sources)
@@ -151,10 +145,9 @@ void add_bodies(const ScenarioCase& scenario, const Case& c, Sources& sources)
     const Value* name = c.values.find(fmt::format("{}.material.hardening.law", body));
     return name ? std::get<std::string>(*name) : std::string();
   };
-  if constexpr (!std::is_same_v<ScenarioCase, TuggingCase>)
-    for (const auto* body : {&scenario.lower, &scenario.upper})
-      if (std::holds_alternative<simulation::Dent>(body->texture))
-        sources.add(references::ville_1999(), "shape of dents and bumps");
+  for (const auto* body : {&scenario.lower, &scenario.upper})
+    if (std::holds_alternative<simulation::Dent>(body->texture))
+      sources.add(references::ville_1999(), "shape of dents and bumps");
   add_material(scenario.lower.material, law("lower"), sources);
   add_material(scenario.upper.material, law("upper"), sources);
   if (scenario.lower.material.is_plastic() || scenario.upper.material.is_plastic())
