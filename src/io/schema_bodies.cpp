@@ -33,53 +33,46 @@ std::vector<Entry> hardening_entries(const std::string& body)
        .required = true,
        .text = "Yield stress S_y in uniaxial tension, before any plastic strain.",
        .hint = "law = \"none\" keeps the body elastic",
-       .when = {law, {"perfect", "linear", "hollomon", "ludwik", "voce"}},
-       .example = R"("900 MPa")"},
+       .when = {law, {"perfect", "linear", "hollomon", "ludwik", "voce"}}},
       {.key = body + ".material.hardening.modulus",
        .type = Type::number,
        .dimension = dimension::pressure,
        .range = at_least(0.0),
        .required = true,
        .text = "Growth of the yield stress per unit of equivalent plastic strain.",
-       .when = {law, {"linear"}},
-       .example = R"("2 GPa")"},
+       .when = {law, {"linear"}}},
       {.key = body + ".material.hardening.coefficient",
        .type = Type::number,
        .dimension = dimension::pressure,
        .range = above(0.0),
        .required = true,
        .text = "Factor of the power law.",
-       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}},
-       .example = R"("2 GPa")"},
+       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}}},
       {.key = body + ".material.hardening.offset",
        .type = Type::number,
        .range = above(0.0),
        .required = true,
        .text = "Strain at which the power law begins; in millionths with swift_microstrain.",
-       .when = {law, {"swift", "swift_microstrain"}},
-       .example = "0.002"},
+       .when = {law, {"swift", "swift_microstrain"}}},
       {.key = body + ".material.hardening.exponent",
        .type = Type::number,
        .range = {.min = 0.0, .max = 1.0, .min_allowed = false},
        .required = true,
        .text = "Exponent of the power law.",
-       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}},
-       .example = "0.1"},
+       .when = {law, {"swift", "swift_microstrain", "hollomon", "ludwik"}}},
       {.key = body + ".material.hardening.saturation",
        .type = Type::number,
        .dimension = dimension::pressure,
        .range = at_least(0.0),
        .required = true,
        .text = "Largest rise of the yield stress.",
-       .when = {law, {"voce"}},
-       .example = R"("300 MPa")"},
+       .when = {law, {"voce"}}},
       {.key = body + ".material.hardening.rate",
        .type = Type::number,
        .range = above(0.0),
        .required = true,
        .text = "How fast the yield stress saturates with plastic strain.",
-       .when = {law, {"voce"}},
-       .example = "40"},
+       .when = {law, {"voce"}}},
       {.key = body + ".material.hardening.file",
        .type = Type::text,
        .unset = "plastic_strain and stress",
@@ -92,16 +85,14 @@ std::vector<Entry> hardening_entries(const std::string& body)
        .unset = "from file",
        .text = "Equivalent plastic strains of the points, ascending from 0.",
        .when = {law, {"table"}},
-       .excludes = body + ".material.hardening.file",
-       .example = "[0, 0.01, 0.05]"},
+       .excludes = body + ".material.hardening.file"},
       {.key = body + ".material.hardening.stress",
        .type = Type::numbers,
        .dimension = dimension::pressure,
        .range = above(0.0),
        .unset = "from file",
        .text = "Yield stresses of the points, as many; they must not fall.",
-       .when = {law, {"table"}},
-       .example = R"(["900 MPa", "1 GPa", "1.2 GPa"])"},
+       .when = {law, {"table"}}},
       {.key = body + ".material.hardening.kinematic_moduli",
        .type = Type::numbers,
        .dimension = dimension::pressure,
@@ -110,15 +101,13 @@ std::vector<Entry> hardening_entries(const std::string& body)
        .text =
            "Kinematic hardening beside any law: moduli C of the back stresses, d alpha = 2/3 C d eps - recall alpha "
            "d e (Armstrong and Frederick; several: Chaboche).",
-       .when = yields,
-       .example = R"(["90 GPa", "10 GPa"])"},
+       .when = yields},
       {.key = body + ".material.hardening.kinematic_recall",
        .type = Type::numbers,
        .range = at_least(0.0),
        .unset = "zeros: linear (Prager)",
        .text = "Recall of each back stress; it saturates at C / recall in uniaxial tension.",
-       .when = yields,
-       .example = "[600, 50]"},
+       .when = yields},
   };
 }
 
@@ -135,30 +124,26 @@ std::vector<Entry> depth_entries(const std::string& body)
        .text =
            "Depths at which yield_profile.factor is given, ascending; linear between, constant beyond. For nitrided or "
            "case-hardened layers. alpha_c, P_c and U_c stay those of S_y.",
-       .when = yields,
-       .example = R"(["0 um", "200 um"])"},
+       .when = yields},
       {.key = body + ".material.yield_profile.factor",
        .type = Type::numbers,
        .range = above(0.0),
        .unset = "1",
        .text = "Factors on the yield stress at these depths.",
-       .when = yields,
-       .example = "[1.3, 1]"},
+       .when = yields},
       {.key = body + ".material.initial_stress.depth",
        .type = Type::numbers,
        .dimension = dimension::length,
        .range = at_least(0.0),
        .unset = "none",
        .text = "Depths at which initial_stress.value is given, ascending; linear between, constant beyond.",
-       .when = yields,
-       .example = R"(["0 um", "200 um"])"},
+       .when = yields},
       {.key = body + ".material.initial_stress.value",
        .type = Type::numbers,
        .dimension = dimension::pressure,
        .unset = "none",
        .text = "Residual stress xx = yy before the first load, tension positive, below the yield stress.",
-       .when = yields,
-       .example = R"(["-300 MPa", 0])"},
+       .when = yields},
   };
 }
 
@@ -166,7 +151,7 @@ std::vector<Entry> depth_entries(const std::string& body)
 std::vector<Entry> shape_entries(const std::string& body)
 {
   const std::string type = body + ".shape.type";
-  const auto length = [&](const char* key, std::vector<std::string> types, const char* example, const char* text)
+  const auto length = [&](const char* key, std::vector<std::string> types, const char* text)
   {
     return Entry{.key = body + ".shape." + key,
                  .type = Type::number,
@@ -174,10 +159,9 @@ std::vector<Entry> shape_entries(const std::string& body)
                  .range = above(0.0),
                  .required = true,
                  .text = text,
-                 .when = {type, std::move(types)},
-                 .example = example};
+                 .when = {type, std::move(types)}};
   };
-  Entry tip = length("tip_radius", {"cone", "vickers", "berkovich"}, "",
+  Entry tip = length("tip_radius", {"cone", "vickers", "berkovich"},
                      "Radius of the ball that rounds the tip, and the edges of a pyramid.");
   tip.required = false;
   tip.range = at_least(0.0);
@@ -191,18 +175,17 @@ std::vector<Entry> shape_entries(const std::string& body)
            "Shape of the surface where it touches; near the apex, so a sphere is the paraboloid r^2/(2 R). cylinder: "
            "axis along y; vickers, berkovich: pyramids of four faces at 68 and three at 65.27 degrees to the axis, "
            "one of them facing x. Tugging takes spheres only."},
-      length("radius", {"sphere", "cylinder"}, R"("1 mm")", "Radius of the sphere or cylinder."),
-      length("radius_x", {"ellipsoid"}, R"("10 mm")", "Radius of curvature at the apex in the plane x z."),
-      length("radius_y", {"ellipsoid"}, R"("14 mm")", "Radius of curvature at the apex in the plane y z."),
-      length("length", {"cylinder"}, R"("10 mm")", "Length of the cylinder, which has plane ends."),
+      length("radius", {"sphere", "cylinder"}, "Radius of the sphere or cylinder."),
+      length("radius_x", {"ellipsoid"}, "Radius of curvature at the apex in the plane x z."),
+      length("radius_y", {"ellipsoid"}, "Radius of curvature at the apex in the plane y z."),
+      length("length", {"cylinder"}, "Length of the cylinder, which has plane ends."),
       {.key = body + ".shape.half_angle",
        .type = Type::number,
        .range = inside(0.0, 90.0),
        .required = true,
        .text = "Angle between axis and flank of the cone, in degrees.",
        .hint = "a blunt cone keeps strains small, as 70.3 of the same area as a Vickers pyramid",
-       .when = {type, {"cone"}},
-       .example = "70.3"},
+       .when = {type, {"cone"}}},
       tip,
   };
 }
@@ -211,7 +194,7 @@ std::vector<Entry> shape_entries(const std::string& body)
 std::vector<Entry> texture_entries(const std::string& body)
 {
   const std::string type = body + ".texture.type";
-  const auto length = [&](const char* key, std::vector<std::string> types, const char* example, const char* text)
+  const auto length = [&](const char* key, std::vector<std::string> types, const char* text)
   {
     return Entry{.key = body + ".texture." + key,
                  .type = Type::number,
@@ -219,8 +202,7 @@ std::vector<Entry> texture_entries(const std::string& body)
                  .range = above(0.0),
                  .required = true,
                  .text = text,
-                 .when = {type, std::move(types)},
-                 .example = example};
+                 .when = {type, std::move(types)}};
   };
   const auto centre = [&](const char* key, const char* text)
   {
@@ -238,18 +220,16 @@ std::vector<Entry> texture_entries(const std::string& body)
        .fallback = "smooth",
        .text = "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi r/radius), "
                "with its shoulder; bump: the same upwards; height_map: measured heights. Not in tugging."},
-      length("depth", {"dent"}, R"("3 um")", "Depth of the dent's centre."),
-      length("height", {"bump"}, R"("3 um")", "Height of the bump's centre."),
-      length("radius", {"dent", "bump"}, R"("200 um")",
-             "Wavelength of the profile: the surface is crossed at a quarter of it."),
+      length("depth", {"dent"}, "Depth of the dent's centre."),
+      length("height", {"bump"}, "Height of the bump's centre."),
+      length("radius", {"dent", "bump"}, "Wavelength of the profile: the surface is crossed at a quarter of it."),
       {.key = body + ".texture.file",
        .type = Type::text,
        .unset = "heights and columns",
        .text = "Text file of heights in m, outwards positive: a line per row along x, all of one length, one row "
                "after the other along y; from the folder of the case.",
        .when = {type, {"height_map"}},
-       .excludes = body + ".texture.heights",
-       .example = R"("heights.txt")"},
+       .excludes = body + ".texture.heights"},
       {.key = body + ".texture.heights",
        .type = Type::numbers,
        .dimension = dimension::length,
@@ -269,8 +249,7 @@ std::vector<Entry> texture_entries(const std::string& body)
        .range = above(0.0),
        .required = true,
        .text = "Distances [dx, dy] of the heights; linear between them, zero outside.",
-       .when = {type, {"height_map"}},
-       .example = R"(["5 um", "5 um"])"},
+       .when = {type, {"height_map"}}},
       centre("x", "Centre on the body's surface along x."),
       centre("y", "Centre on the body's surface along y."),
   };
@@ -290,16 +269,14 @@ std::vector<Entry> material_entries(const std::string& body)
        .required = true,
        .text = "Young's modulus E.",
        .hint = "a steel has about 200 GPa",
-       .when = deforms,
-       .example = R"("210 GPa")"},
+       .when = deforms},
       {.key = body + ".material.poisson_ratio",
        .type = Type::number,
        .range = inside(-1.0, 0.5),
        .required = true,
        .text = "Poisson's ratio nu.",
        .hint = "a steel has about 0.3",
-       .when = deforms,
-       .example = "0.3"},
+       .when = deforms},
       {.key = law,
        .type = Type::choice,
        .choices = law_names(),

@@ -32,8 +32,7 @@ std::vector<Entry> tugging_entries()
                "is constant.",
        .when = tugging,
        .excludes = "tugging.load",
-       .pure_if = "tugging.normalised",
-       .example = "4"},
+       .pure_if = "tugging.normalised"},
       {.key = "tugging.load",
        .type = Type::number,
        .dimension = dimension::force,
@@ -46,8 +45,7 @@ std::vector<Entry> tugging_entries()
                "kinematics only.",
        .when = tugging,
        .excludes = "tugging.interference",
-       .pure_if = "tugging.normalised",
-       .example = "8"},
+       .pure_if = "tugging.normalised"},
       {.key = "tugging.shift",
        .type = Type::number,
        .dimension = dimension::length,
@@ -56,8 +54,7 @@ std::vector<Entry> tugging_entries()
        .text = "Arc by which the contact moves on each body per step (mean of both bodies). Best a whole multiple of "
                "dx / 2: else "
                "the surfaces are interpolated between cells.",
-       .when = tugging,
-       .example = R"("10 um")"},
+       .when = tugging},
       {.key = "tugging.kinematics",
        .type = Type::choice,
        .choices = {"exact", "paper"},
@@ -94,8 +91,7 @@ std::vector<Entry> indentation_entries()
        .text = "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off.",
        .when = indentation,
        .excludes = "indentation.approach",
-       .pure_if = "indentation.normalised",
-       .example = R"(["200 N", 0])"},
+       .pure_if = "indentation.normalised"},
       {.key = "indentation.approach",
        .type = Type::numbers,
        .dimension = dimension::length,
@@ -104,8 +100,7 @@ std::vector<Entry> indentation_entries()
        .text = "The same, imposed as depth of the indenter from the touch of the undeformed bodies.",
        .when = indentation,
        .excludes = "indentation.load",
-       .pure_if = "indentation.normalised",
-       .example = R"(["5 um", 0])"},
+       .pure_if = "indentation.normalised"},
       {.key = "indentation.steps",
        .type = Type::integer,
        .range = between(1, 100000),
@@ -132,7 +127,7 @@ std::vector<Entry> rolling_entries()
 {
   const simulation::RollingCase defaults;
   const Condition rolling{"scenario", {"rolling"}};
-  const auto drive = [&](const char* key, Dimension dimension, const char* example, const char* text)
+  const auto drive = [&](const char* key, Dimension dimension, const char* text)
   {
     return Entry{.key = std::string("rolling.") + key,
                  .type = Type::number,
@@ -141,30 +136,27 @@ std::vector<Entry> rolling_entries()
                  .unset = "not imposed",
                  .text = text,
                  .hint = "one of rolling.load, rolling.hertz_pressure and rolling.approach",
-                 .when = rolling,
-                 .example = example};
+                 .when = rolling};
   };
   return {
-      drive("load", dimension::force, R"("10 N")", "Load kept while rolling."),
-      drive("hertz_pressure", dimension::pressure, R"("3 GPa")",
+      drive("load", dimension::force, "Load kept while rolling."),
+      drive("hertz_pressure", dimension::pressure,
             "The load instead by the peak pressure that it would have in elastic contact (Hertz)."),
-      drive("approach", dimension::length, R"("1 um")", "Approach kept while rolling, instead of a load."),
+      drive("approach", dimension::length, "Approach kept while rolling, instead of a load."),
       {.key = "rolling.distance",
        .type = Type::number,
        .dimension = dimension::length,
        .range = above(0.0),
        .required = true,
        .text = "Length of the track on the lower body, from -distance/2 to distance/2; in an even number of steps.",
-       .when = rolling,
-       .example = R"("0.5 mm")"},
+       .when = rolling},
       {.key = "rolling.shift",
        .type = Type::number,
        .dimension = dimension::length,
        .range = above(0.0),
        .unset = "one cell, dx",
        .text = "By which the contact moves on the lower body per step.",
-       .when = rolling,
-       .example = R"("5 um")"},
+       .when = rolling},
       {.key = "rolling.slide_to_roll",
        .type = Type::number,
        .range = {.min = -2.0, .max = 2.0, .min_allowed = false},

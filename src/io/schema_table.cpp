@@ -20,11 +20,7 @@ std::vector<Entry> root_entries()
        .text = "What is computed. tugging: the upper sphere is carried along x past the lower one at constant height "
                "or under a load; indentation: the upper body is pressed into the lower one; rolling: it rolls over "
                "it along x under load."},
-      {.key = "title",
-       .type = Type::text,
-       .unset = "no title",
-       .text = "Free text, copied into the results.",
-       .example = R"("What this run is to show")"},
+      {.key = "title", .type = Type::text, .unset = "no title", .text = "Free text, copied into the results."},
   };
 }
 
@@ -38,8 +34,7 @@ std::vector<Entry> grid_entries()
        .range = above(0.0),
        .unset = "from resolution",
        .text = "Size of the cells [dx, dy, dz]: along the motion, across it, in depth.",
-       .excludes = "grid.resolution",
-       .example = R"(["10 um", "10 um", "5 um"])"},
+       .excludes = "grid.resolution"},
       {.key = "grid.resolution",
        .type = Type::number,
        .range = between(1.0, 1000.0),
@@ -123,8 +118,7 @@ std::vector<Entry> accuracy_entries()
            "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then run with "
            "coarser cells first, up to those given and, if need be, with finer ones, until the estimate of the error "
            "by "
-           "the differences between them stays below it; summary.json tells each number's interval.",
-       .example = R"("2 %")"},
+           "the differences between them stays below it; summary.json tells each number's interval."},
   };
 }
 
@@ -141,8 +135,7 @@ std::vector<Entry> output_entries()
        .unset = "results/NAME",
        .text = "Folder of the results, from the current directory; -o on the command line wins. NAME is that of the "
                "case file, or of "
-               "its folder if the file is called case.toml.",
-       .example = R"("results/first")"},
+               "its folder if the file is called case.toml."},
       {.key = "output.checkpoint_interval",
        .type = Type::number,
        .dimension = {.time = 1},

@@ -90,7 +90,6 @@ struct Entry
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
   std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
-  std::string example{};  ///< a sensible value as TOML, where there is no default
 };
 
 /// The default of a key in a scenario.
