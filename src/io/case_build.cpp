@@ -4,7 +4,7 @@
 #include "case_material.hpp"
 #include "case_reader.hpp"
 #include "case_values.hpp"
-#include "read_file.hpp"
+#include "io/files.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "number_lines.hpp"
 
-#include "read_file.hpp"
+#include "io/files.hpp"
 
 #include <sstream>
 

@@ -4,7 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/schema.hpp"
 #include "io/embedded.hpp"
-#include "io/replace_file.hpp"
+#include "io/files.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
