@@ -17,20 +17,6 @@ namespace brinell::io
 namespace
 {
 
-elastoplastic::Settings solver(const CaseReader& reader)
-{
-  return {.yield_tolerance = reader.get<double>("solver.yield_tolerance"),
-          .displacement_tolerance = reader.get<double>("solver.displacement_tolerance"),
-          .contact_tolerance = reader.get<double>("solver.contact_tolerance"),
-          .max_iterations = reader.integer("solver.max_iterations"),
-          .anderson_depth = reader.integer("solver.anderson_depth"),
-          .integration = reader.get<std::string>("solver.integration") == "path"
-                             ? elastoplastic::Integration::path
-                             : elastoplastic::Integration::backward_euler,
-          .mirror = reader.get<bool>("solver.mirror"),
-          .shortcuts = reader.get<bool>("solver.shortcuts")};
-}
-
 /// C(nu) S_y: the peak pressure at which the body yields; infinite if it stays elastic.
 double yield_pressure(const constitutive::Material& body)
 {
@@ -78,16 +64,6 @@ template const std::string& CaseValues::get(std::string_view) const;
 template const std::vector<double>& CaseValues::get(std::string_view) const;
 template const Vector3& CaseValues::get(std::string_view) const;
 template const SnapshotRule& CaseValues::get(std::string_view) const;
-
-void read_numerics(const CaseReader& reader, simulation::Numerics& numerics)
-{
-  if (reader.has("grid.spacing"))
-    numerics.spacing = reader.get<Vector3>("grid.spacing");
-  else
-    numerics.resolution = reader.get<double>("grid.resolution");
-  numerics.extent = reader.get<double>("grid.extent");
-  numerics.solver = solver(reader);
-}
 
 void set_first_yield(const constitutive::Material& lower, const constitutive::Material& upper,
                      std::optional<double> radius, Case& c)
@@ -157,7 +133,8 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
 {
   Problems problems;
   const RawCase raw = read_raw_case(text, file, overrides, problems);
-  Case result;
+  Draft draft;
+  Case& result = draft.c;
   result.file = file;
   result.name = case_name(file);
   result.values = resolved_values(raw, problems);
@@ -170,25 +147,22 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   problems.throw_if_any();
 
   const CaseReader reader{result.values, raw, problems};
-  if (reader.has("title"))
-    result.title = reader.get<std::string>("title");
-  if (reader.has("output.directory"))
-    result.directory = reader.get<std::string>("output.directory");
-  result.snapshots = reader.get<SnapshotRule>("output.snapshots");
-  if (reader.has("solver.accuracy"))
-    result.accuracy = reader.get<double>("solver.accuracy");
-  result.checkpoint_interval = reader.get<double>("output.checkpoint_interval");
+  const auto& scenario = reader.get<std::string>("scenario");
+  if (scenario == "tugging")
+    draft.numerics = draft.tugging; // its default cells are finer
+  for (const auto& [key, value] : result.values.all())
+    if (const auto& fill = find_entry(key)->fill)
+      fill(draft, value);
   const std::string grid_key = reader.has("grid.spacing") ? "grid.spacing" : "grid.resolution";
   const Given* grid = raw.find(grid_key);
   result.grid_source = grid ? fmt::format("{}: {}", grid->place, reader.cited(grid_key))
                             : fmt::format("{}: {} (the default)", raw.file, reader.cited(grid_key));
-  const auto& scenario = reader.get<std::string>("scenario");
   if (scenario == "tugging")
-    read_tugging(reader, result);
+    read_tugging(reader, draft);
   else if (scenario == "indentation")
-    read_indentation(reader, result);
+    read_indentation(reader, draft);
   else
-    read_rolling(reader, result);
+    read_rolling(reader, draft);
   if (!problems.empty()) // a forgotten unit may be the reason
     for (const Warning& warning : result.warnings)
       problems.add(raw.file, "warning: " + warning.text);

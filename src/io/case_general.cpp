@@ -47,7 +47,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
 }
 
 /// Loads or approaches, whichever are given.
-std::vector<Drive> sequence(const CaseReader& reader, const Case& c)
+std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const simulation::IndentationCase& indentation)
 {
   const std::string key = reader.has("indentation.load") ? "indentation.load" : "indentation.approach";
   if (!reader.has(key))
@@ -75,8 +75,7 @@ std::vector<Drive> sequence(const CaseReader& reader, const Case& c)
     drives.push_back({by_load ? Drive::Kind::load : Drive::Kind::approach, value * unit});
   if (std::none_of(drives.begin(), drives.end(), [](const Drive& d) { return d.value > 0.0; }))
     reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
-  const bool repeats =
-      reader.integer("indentation.cycles") > 1 || reader.get<std::vector<double>>("indentation.places").size() > 1;
+  const bool repeats = indentation.cycles > 1 || indentation.places.size() > 1;
   if (repeats && drives.back().value != 0.0)
     reader.add(key, "must end with 0 if there are several cycles or places");
   return drives;
@@ -142,15 +141,13 @@ auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenar
 
 } // namespace
 
-void read_indentation(const CaseReader& reader, Case& c)
+void read_indentation(const CaseReader& reader, Draft& draft)
 {
-  simulation::IndentationCase i;
+  Case& c = draft.c;
+  simulation::IndentationCase& i = draft.indentation;
+  static_cast<simulation::Numerics&>(i) = draft.numerics;
   read_pair(reader, c, i.lower, i.upper);
-  read_numerics(reader, i);
-  i.sequence = sequence(reader, c);
-  i.steps = reader.integer("indentation.steps");
-  i.cycles = reader.integer("indentation.cycles");
-  i.places = reader.get<std::vector<double>>("indentation.places");
+  i.sequence = sequence(reader, c, i);
   if (reader.problems.empty())
     if (const auto plan = planned(reader, c, i, "indentation.steps"))
     {
@@ -160,18 +157,13 @@ void read_indentation(const CaseReader& reader, Case& c)
   c.scenario = i;
 }
 
-void read_rolling(const CaseReader& reader, Case& c)
+void read_rolling(const CaseReader& reader, Draft& draft)
 {
-  simulation::RollingCase r;
+  Case& c = draft.c;
+  simulation::RollingCase& r = draft.rolling;
+  static_cast<simulation::Numerics&>(r) = draft.numerics;
   read_pair(reader, c, r.lower, r.upper);
-  read_numerics(reader, r);
   r.drive = rolling_drive(reader, c, r);
-  r.distance = reader.get<double>("rolling.distance");
-  if (reader.has("rolling.shift"))
-    r.shift = reader.get<double>("rolling.shift");
-  r.slide_to_roll = reader.get<double>("rolling.slide_to_roll");
-  r.passes = reader.integer("rolling.passes");
-  r.load_steps = reader.integer("rolling.load_steps");
   if (reader.problems.empty())
     if (const auto plan = planned(reader, c, r, "rolling.distance"))
     {

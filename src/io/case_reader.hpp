@@ -3,6 +3,7 @@
 
 #include "brinell/io/case_file.hpp"
 #include "raw_case.hpp"
+#include "schema_parts.hpp"
 #include "value_text.hpp"
 
 #include <fmt/format.h>
@@ -44,19 +45,17 @@ struct CaseReader
   }
 };
 
-/// Cells and solver, common to all scenarios.
-void read_numerics(const CaseReader& reader, simulation::Numerics& numerics);
 /// A body of the general scenarios.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
 /// Puts the heights of texture.file in its place, so that the resolved case needs no other file.
 void load_texture_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
-/// Each scenario takes what it needs into `c`: its own case, equivalent radius, contact modulus, first yield, warnings.
+/// Each scenario completes its case: what takes judgement, equivalent radius, contact modulus, first yield, warnings.
 /// What is wrong goes into the reader's problems.
-void read_tugging(const CaseReader& reader, Case& c);
-void read_indentation(const CaseReader& reader, Case& c);
-void read_rolling(const CaseReader& reader, Case& c);
+void read_tugging(const CaseReader& reader, Draft& draft);
+void read_indentation(const CaseReader& reader, Draft& draft);
+void read_rolling(const CaseReader& reader, Draft& draft);
 
 /// Contact modulus and first yield, the latter if the bodies are round with that equivalent radius [m].
 void set_first_yield(const constitutive::Material& lower, const constitutive::Material& upper,

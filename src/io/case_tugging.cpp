@@ -67,18 +67,14 @@ void set_drive(const CaseReader& reader, Case& c, simulation::TuggingCase& tuggi
 
 } // namespace
 
-void read_tugging(const CaseReader& reader, Case& c)
+void read_tugging(const CaseReader& reader, Draft& draft)
 {
-  simulation::TuggingCase t;
+  Case& c = draft.c;
+  simulation::TuggingCase& t = draft.tugging;
   t.lower = asperity(reader, "lower");
   t.upper = asperity(reader, "upper");
   reader.problems.throw_if_any();
-  if (reader.has("tugging.shift"))
-    t.shift = reader.get<double>("tugging.shift");
-  t.kinematics = reader.get<std::string>("tugging.kinematics") == "paper" ? simulation::Kinematics::paper
-                                                                          : simulation::Kinematics::exact;
-  t.passes = reader.integer("tugging.passes");
-  read_numerics(reader, t);
+  static_cast<simulation::Numerics&>(t) = draft.numerics;
   warn_of_material("lower", t.lower.material, c);
   warn_of_material("upper", t.upper.material, c);
   if (t.lower.material.elastic.is_rigid() && t.upper.material.elastic.is_rigid())
