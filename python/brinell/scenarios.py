@@ -56,7 +56,7 @@ class _Scenario(Case):
 
 
 class Tugging(_Scenario):
-    """Two spherical asperities slide past each other and push each other aside."""
+    """Two asperities slide past each other and push each other aside."""
 
     _table = "tugging"
 
@@ -79,13 +79,13 @@ class Tugging(_Scenario):
         """Describes a tugging.
 
         Args:
-            lower: the body at rest; its shape is a `Sphere`.
-            upper: the body that passes over it; a `Sphere`.
-            interference: largest overlap of the undeformed spheres, when their centres are aligned; in critical
-                interferences alpha_c, or a length if not normalised.
+            lower: the body at rest; its shape is a `Sphere`, `Ellipsoid` or `Cylinder`.
+            upper: the body that passes over it, of such a shape.
+            interference: largest overlap of the undeformed bodies, without textures, when their centres are aligned; in
+                critical interferences alpha_c, or a length if not normalised.
             load: instead, a normal force that is kept; in critical loads P_c, or a force if not normalised.
             normalised: whether these are in their values at first yield.
-            passes: how often the upper sphere passes.
+            passes: how often the upper body passes.
             shift: arc by which the contact moves on each body per step.
             kinematics: "exact" or "paper".
             title: copied into the results.

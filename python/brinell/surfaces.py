@@ -10,7 +10,7 @@ Files of measuring instruments are read by SurfaceTopography (pip install "brine
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from brinell._arrays import require_unmasked
 from brinell.errors import InputError, IoError
 
-__all__ = ["HeightMap", "read", "write"]
+__all__ = ["HeightMap", "read", "sampled", "write"]
 
 FloatArray = NDArray[np.float64]
 
@@ -123,6 +123,47 @@ class HeightMap:
             "x": self.x,
             "y": self.y,
         }
+
+
+def sampled(
+    height: Callable[[float, float], float],
+    spacing: Sequence[float],
+    *,
+    x: tuple[float, float],
+    y: tuple[float, float],
+) -> HeightMap:
+    """A texture from a function of x and y.
+
+    The function itself could not be stored with a result or taken up by another process; its heights can.
+
+    Args:
+        height: of the surface at a place (x, y) on the body, out of it positive; all in m.
+        spacing: (dx, dy), distances of the points [m]: as fine as the cells, or finer; they are made a little smaller to
+            fit into the intervals.
+        x: from, to [m]; outside, the surface is smooth, so the heights should fade to zero towards the ends.
+        y: the same along y.
+
+    Raises:
+        InputError: the intervals are empty, or the function gives something that is no finite number.
+    """
+    distances = _pair(spacing)
+    axes, steps = [], []
+    for name, (start, end), distance in (("x", x, distances[0]), ("y", y, distances[1])):
+        if not (np.isfinite([start, end]).all() and start < end and distance > 0):
+            raise InputError(f"{name} = ({start}, {end}) with points every {distance} m; allowed: from < to, spacing > 0")
+        axes.append(np.linspace(start, end, 1 + int(np.ceil((end - start) / distance - 1e-9))))
+        steps.append(float(axes[-1][1] - axes[-1][0]))
+    heights = np.empty((len(axes[1]), len(axes[0])))
+    for j, at_y in enumerate(axes[1].tolist()):
+        for i, at_x in enumerate(axes[0].tolist()):
+            value = height(at_x, at_y)
+            try:
+                heights[j, i] = value
+            except (TypeError, ValueError) as error:
+                raise InputError(f"the height at x = {at_x} m, y = {at_y} m is {value!r}; allowed: a number") from error
+            if not np.isfinite(heights[j, i]):
+                raise InputError(f"the height at x = {at_x} m, y = {at_y} m is {value!r}; allowed: finite numbers")
+    return HeightMap(heights, (steps[0], steps[1]), 0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1]))
 
 
 def read(

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -208,3 +210,29 @@ def test_without_the_extra_the_error_tells_what_to_install(tmp_path: Path, monke
     (tmp_path / "map.xyz").write_text("0 0 0\n")
     with pytest.raises(ImportError, match=r'pip install "brinell\[surfaces\]"'):
         surfaces.read(tmp_path / "map.xyz", unit="um")
+
+
+def test_sampled_function() -> None:
+    def height(x: float, y: float) -> float:
+        return 1e-6 * math.cos(x / 1e-4) + 0.01 * y
+
+    texture = surfaces.sampled(height, (1e-5, 3e-5), x=(-1e-4, 3e-4), y=(0.0, 1e-4))
+    assert texture.heights.shape == (5, 41)  # dy is made smaller to fit
+    assert texture.spacing == pytest.approx((1e-5, 2.5e-5))
+    assert (texture.x_axis[0], texture.x_axis[-1]) == pytest.approx((-1e-4, 3e-4))
+    assert texture.heights[3, 7] == pytest.approx(height(texture.x_axis[7], texture.y_axis[3]))
+    case = Case(CASE).with_values({"lower.texture": texture.to_case()})
+    assert case.to_toml() == Case(case.to_toml()).to_toml()
+
+
+@pytest.mark.parametrize(
+    ("function", "intervals", "message"),
+    [
+        (lambda x, y: "high", {"x": (0, 1), "y": (0, 1)}, "'high'; allowed: a number"),
+        (lambda x, y: math.inf, {"x": (0, 1), "y": (0, 1)}, "x = 0.0 m, y = 0.0 m is inf; allowed: finite"),
+        (lambda x, y: x, {"x": (1, 0), "y": (0, 1)}, "from < to"),
+    ],
+)
+def test_sampled_refuses(function: Any, intervals: Any, message: str) -> None:
+    with pytest.raises(InputError, match=re.escape(message)):
+        surfaces.sampled(function, (0.5, 0.5), **intervals)

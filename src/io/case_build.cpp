@@ -17,15 +17,6 @@ namespace brinell::io
 namespace
 {
 
-/// C(nu) S_y: the peak pressure at which the body yields; infinite if it stays elastic.
-double yield_pressure(const constitutive::Material& body)
-{
-  if (!body.hardening)
-    return std::numeric_limits<double>::infinity();
-  return reference::critical_pressure_ratio(body.elastic.poisson_ratio) *
-         constitutive::initial_yield_stress(*body.hardening);
-}
-
 std::string case_name(const std::filesystem::path& file)
 {
   if (file.stem() != "case")
@@ -70,16 +61,12 @@ void set_first_yield(const constitutive::Material& lower, const constitutive::Ma
 {
   c.contact_modulus = contact_modulus(lower.elastic, upper.elastic);
   c.equivalent_radius = radius;
-  const double of_lower = yield_pressure(lower);
-  const double of_upper = yield_pressure(upper);
-  if (!radius || !std::isfinite(std::min(of_lower, of_upper)))
+  if (!radius)
     return;
-  const auto& weaker = of_lower <= of_upper ? lower : upper;
-  c.first_yield = FirstYield{
-      reference::critical_values(*radius, c.contact_modulus,
-                                 reference::critical_pressure_ratio(weaker.elastic.poisson_ratio),
-                                 constitutive::initial_yield_stress(*weaker.hardening)),
-      of_lower == of_upper ? YieldsFirst::both : (of_lower < of_upper ? YieldsFirst::lower : YieldsFirst::upper)};
+  if (const auto yield = simulation::nominal_yield(lower, upper))
+    c.first_yield =
+        FirstYield{reference::critical_values(*radius, c.contact_modulus, yield->pressure_ratio, yield->yield_stress),
+                   yield->body};
 }
 
 void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c)

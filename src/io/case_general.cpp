@@ -34,16 +34,8 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   warn_of_material("upper", upper.material, c);
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
-  if (!simulation::contact_is_finite(lower.shape, upper.shape))
-    reader.add("upper.shape.type",
-               "on this lower body touches neither in a point nor in a line of finite length; allowed: "
-               "a sum of curvatures > 0 along x and y, a tip, or a cylinder of finite length on a flat "
-               "or on another cylinder");
-  std::optional<double> radius;
-  if (const auto k = simulation::relative_curvature(lower.shape, upper.shape); k && (*k)[0] > 0.0)
-    if (std::abs((*k)[0] - (*k)[1]) < 1e-12 * (*k)[0])
-      radius = 1.0 / (*k)[0];
-  set_first_yield(lower.material, upper.material, radius, c);
+  require_finite_contact(reader, lower.shape, upper.shape);
+  set_first_yield(lower.material, upper.material, equivalent_radius(lower.shape, upper.shape), c);
 }
 
 /// Loads or approaches, whichever are given.
@@ -119,27 +111,16 @@ Drive rolling_drive(const CaseReader& reader, const Case& c, const simulation::R
   return {given[0] == "rolling.load" ? Drive::Kind::load : Drive::Kind::approach, reader.get<double>(given[0])};
 }
 
-/// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`.
-template <typename ScenarioCase>
-auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenario, const std::string& key)
-{
-  std::optional<decltype(simulation::plan(scenario))> plan;
-  try
-  {
-    plan = simulation::plan(scenario);
-  }
-  catch (const GridError& error)
-  {
-    reader.problems.add(c.grid_source, error.what());
-  }
-  catch (const InputError& error)
-  {
-    reader.add(key, fmt::format("does not fit: {}", error.what()));
-  }
-  return plan;
-}
-
 } // namespace
+
+void require_finite_contact(const CaseReader& reader, const simulation::Shape& lower, const simulation::Shape& upper)
+{
+  if (!simulation::contact_is_finite(lower, upper))
+    reader.add("upper.shape.type",
+               "on this lower body touches neither in a point nor in a line of finite length; allowed: "
+               "a sum of curvatures > 0 along x and y, a tip, or a cylinder of finite length on a flat "
+               "or on another cylinder");
+}
 
 void read_indentation(const CaseReader& reader, Draft& draft)
 {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
 #include "raw_case.hpp"
 #include "schema_parts.hpp"
 #include "value_text.hpp"
 
 #include <fmt/format.h>
+#include <optional>
 
 namespace brinell::io
 {
@@ -56,6 +58,28 @@ void load_texture_file(CaseValues& values, const RawCase& raw, const std::string
 void read_tugging(const CaseReader& reader, Draft& draft);
 void read_indentation(const CaseReader& reader, Draft& draft);
 void read_rolling(const CaseReader& reader, Draft& draft);
+
+/// The bodies must touch in a point or in a line that ends.
+void require_finite_contact(const CaseReader& reader, const simulation::Shape& lower, const simulation::Shape& upper);
+/// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`.
+template <typename ScenarioCase>
+auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenario, const std::string& key)
+{
+  std::optional<decltype(simulation::plan(scenario))> plan;
+  try
+  {
+    plan = simulation::plan(scenario);
+  }
+  catch (const GridError& error)
+  {
+    reader.problems.add(c.grid_source, error.what());
+  }
+  catch (const InputError& error)
+  {
+    reader.add(key, fmt::format("does not fit: {}", error.what()));
+  }
+  return plan;
+}
 
 /// Contact modulus and first yield, the latter if the bodies are round with that equivalent radius [m].
 void set_first_yield(const constitutive::Material& lower, const constitutive::Material& upper,

@@ -17,8 +17,6 @@ namespace brinell::io
 namespace
 {
 
-constexpr double most_cells = 2e9; ///< beyond it indices of a grid would overflow; far beyond any machine
-
 /// "1.5 GB", "12 MB"
 std::string size_text(double bytes)
 {
@@ -39,25 +37,6 @@ std::string duration_text(double seconds)
   if (seconds < 6000.0)
     return fmt::format("{:.0f} min", seconds / 60.0);
   return fmt::format("{:.0f} h", seconds / 3600.0);
-}
-
-/// Cells of one body's track, from the elastic contact: a lower bound, in doubles so that nothing overflows.
-double least_cells(const simulation::TuggingCase& t)
-{
-  const double radius = 1.0 / (1.0 / t.lower.radius + 1.0 / t.upper.radius);
-  const double a = std::sqrt(radius * t.interference);
-  const double separation = t.lower.radius + t.upper.radius - t.interference;
-  const double reach = std::sqrt(std::pow(t.lower.radius + t.upper.radius, 2) - separation * separation);
-  const double cell = a / t.resolution;
-  const Vector3 spacing = t.spacing.value_or(Vector3{cell, cell, cell});
-  return ((2.0 * a + reach) / spacing[0]) * (2.0 * a / spacing[1]) * (a / spacing[2]);
-}
-
-/// The other plans look at that themselves.
-template <typename ScenarioCase>
-double least_cells(const ScenarioCase&)
-{
-  return 0.0;
 }
 
 /// Seconds on one core, from measured runs: time per cell of the contact's box, per evaluation, growing as N log N.
@@ -152,8 +131,12 @@ std::string critical_report(const Case& c)
                 : fmt::format(", interference = {:.6e} m", tugging->interference);
   text += "\n";
   if (!c.first_yield)
-    return text + (c.equivalent_radius ? "# Both bodies stay elastic: there are no critical values.\n"
-                                       : "# The bodies are not round: there are no critical values.\n");
+  {
+    const bool yields = std::visit(
+        [](const auto& s) { return s.lower.material.is_plastic() || s.upper.material.is_plastic(); }, c.scenario);
+    return text + (yields ? "# The bodies are not round: there are no critical values.\n"
+                          : "# Both bodies stay elastic: there are no critical values.\n");
+  }
   const auto& critical = c.first_yield->critical;
   constexpr std::array bodies{"the lower body yields first", "the upper body yields first", "both bodies alike"};
   text += fmt::format("# First yield ({}): C = {:.6f}, alpha_c = {:.6e} m, P_c = {:.6e} N, U_c = {:.6e} J,\n"
@@ -173,9 +156,12 @@ const char* plural(int count)
 std::string motion_report(const simulation::TuggingCase& t, const simulation::TuggingPlan& plan)
 {
   return fmt::format("# Motion: from X = -{:.6e} m, {} steps per pass of {:.6e} m, {} pass{}\n"
-                     "# Contact: elastic contact radius {:.4e} m\n",
+                     "# Contact: elastic contact radius {:.4e} m{}\n",
                      plan.start_distance, plan.steps_per_pass, plan.shift, t.passes, plural(t.passes),
-                     plan.elastic_contact_radius);
+                     plan.elastic_contact_radius,
+                     plan.elastic_contact_radius == plan.elastic_contact_radius_y
+                         ? ""
+                         : fmt::format(" along x, {:.4e} m along y", plan.elastic_contact_radius_y));
 }
 
 std::string motion_report(const simulation::IndentationCase& i, const simulation::IndentationPlan& plan)
@@ -245,8 +231,6 @@ ScenarioPlan plan_case(const Case& c, double available_memory)
   return std::visit(
       [&](const auto& scenario) -> ScenarioPlan
       {
-        if (const double cells = least_cells(scenario); !(cells < most_cells))
-          throw InputError(fmt::format("{} makes at least {:.1e} cells; {}", c.grid_source, cells, advice));
         const auto plan = planned(scenario, c.grid_source);
         if (plan.memory_bytes > available_memory)
           throw InputError(fmt::format("{} needs {} of memory, this machine has {}; {}", c.grid_source,

@@ -174,7 +174,7 @@ std::vector<Entry> shape_entries(const std::string& body)
        .text =
            "Shape of the surface where it touches; near the apex, so a sphere is the paraboloid r^2/(2 R). cylinder: "
            "axis along y; vickers, berkovich: pyramids of four faces at 68 and three at 65.27 degrees to the axis, "
-           "one of them facing x. Tugging takes spheres only."},
+           "one of them facing x. Tugging takes those that can pass each other: sphere, ellipsoid, cylinder."},
       length("radius", {"sphere", "cylinder"}, "Radius of the sphere or cylinder."),
       length("radius_x", {"ellipsoid"}, "Radius of curvature at the apex in the plane x z."),
       length("radius_y", {"ellipsoid"}, "Radius of curvature at the apex in the plane y z."),
@@ -219,7 +219,8 @@ std::vector<Entry> texture_entries(const std::string& body)
        .choices = {"smooth", "dent", "bump", "height_map"},
        .fallback = "smooth",
        .text = "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi r/radius), "
-               "with its shoulder; bump: the same upwards; height_map: measured heights. Not in tugging."},
+               "with its shoulder; bump: the same upwards; height_map: measured heights, or those of a function of x "
+               "and y."},
       length("depth", {"dent"}, "Depth of the dent's centre."),
       length("height", {"bump"}, "Height of the bump's centre."),
       length("radius", {"dent", "bump"}, "Wavelength of the profile: the surface is crossed at a quarter of it."),

@@ -18,16 +18,15 @@ std::vector<Entry> tugging_entries()
        .type = Type::boolean,
        .fallback = true,
        .text = "Whether the interference is given in critical interferences alpha_c, at which the first point yields, "
-               "and the "
-               "load in critical loads P_c; needs a body that can yield."},
+               "and the load in critical loads P_c; needs a body that can yield, and bodies whose relative curvature "
+               "is the same along x and y."},
       {.key = "tugging.interference",
        .type = Type::number,
        .dimension = dimension::length,
        .range = above(0.0),
        .unset = "tugging.load",
-       .text = "Largest overlap of the undeformed spheres, reached when their centres are aligned; the height of the "
-               "centres "
-               "is constant.",
+       .text = "Largest overlap of the undeformed bodies without their textures, reached when their centres are "
+               "aligned; the height of the centres is constant.",
        .excludes = "tugging.load",
        .pure_if = "tugging.normalised"},
       {.key = "tugging.load",
@@ -35,11 +34,9 @@ std::vector<Entry> tugging_entries()
        .dimension = dimension::force,
        .range = above(0.0),
        .unset = "tugging.interference",
-       .text = "Instead of the interference: a normal force that is kept while the upper sphere rides over the lower "
-               "one; in "
-               "critical loads P_c if normalised. It comes up in the first eighth of a pass and goes down in the last. "
-               "Exact "
-               "kinematics only.",
+       .text = "Instead of the interference: a normal force that is kept while the upper body rides over the lower "
+               "one; in critical loads P_c if normalised. It comes up in the first eighth of a pass and goes down in "
+               "the last. Exact kinematics only.",
        .excludes = "tugging.interference",
        .pure_if = "tugging.normalised"},
       bound({.key = "tugging.shift",
@@ -58,11 +55,11 @@ std::vector<Entry> tugging_entries()
                "Relation of arc and sliding distance. exact: X = omega tan(theta); paper: Eqs. 9-13 of Boucly, Nelias, "
                "Green (2006)."},
           &Draft::tugging, &TuggingCase::kinematics),
-      bound({.key = "tugging.passes",
-             .range = between(1, 10000),
-             .text =
-                 "How often the upper sphere passes; after each pass it returns to the start, and both meet deformed."},
-            &Draft::tugging, &TuggingCase::passes),
+      bound(
+          {.key = "tugging.passes",
+           .range = between(1, 10000),
+           .text = "How often the upper body passes; after each pass it returns to the start, and both meet deformed."},
+          &Draft::tugging, &TuggingCase::passes),
   };
 }
 

@@ -17,7 +17,7 @@ std::vector<Entry> root_entries()
        .type = Type::choice,
        .choices = {"tugging", "indentation", "rolling"},
        .required = true,
-       .text = "What is computed. tugging: the upper sphere is carried along x past the lower one at constant height "
+       .text = "What is computed. tugging: the upper body is carried along x past the lower one at constant height "
                "or under a load; indentation: the upper body is pressed into the lower one; rolling: it rolls over "
                "it along x under load."},
       bound({.key = "title", .unset = "no title", .text = "Free text, copied into the results."}, &Draft::c,

@@ -2,9 +2,9 @@
 #include "footprint.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/fft.hpp"
-#include "brinell/reference/critical.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "brinell/simulation/first_yield.hpp"
+#include "grid_layout.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,20 +40,20 @@ Pair pair_of(const ShapedBody& lower, const ShapedBody& upper)
 {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Pair pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
+  if (const std::optional<PairYield> yield = earliest_yield(lower.material, upper.material))
+    pair.yield_pressure = yield->peak_pressure();
   for (const ShapedBody* body : {&lower, &upper})
     if (body->material.is_plastic())
     {
-      double softest = 1.0; // over depth
-      for (const double z : body->material.yield_factor.depth())
-        softest = std::min(softest, body->material.yield_factor.at(z, 1.0));
-      const double yield = softest * constitutive::initial_yield_stress(*body->material.hardening);
-      const double C = reference::critical_pressure_ratio(body->material.elastic.poisson_ratio);
-      pair.yield_pressure = std::min(pair.yield_pressure, C * yield);
-      pair.yield_stress = std::min(pair.yield_stress, yield);
-      pair.flow_stress =
-          std::min(pair.flow_stress,
-                   softest * std::visit([](const auto& law) { return law.yield_stress_at(representative_strain); },
-                                        *body->material.hardening));
+      const double softest = smallest_yield_factor(body->material);
+      const auto stress_at = [&](double strain)
+      {
+        return softest *
+               std::visit([&](const auto& law) { return law.yield_stress_at(strain); }, *body->material.hardening);
+      };
+      pair.yield_stress =
+          std::min(pair.yield_stress, softest * constitutive::initial_yield_stress(*body->material.hardening));
+      pair.flow_stress = std::min(pair.flow_stress, stress_at(representative_strain));
     }
   return pair;
 }
@@ -89,6 +89,8 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
   const double growth =
       by_load ? growth_under_load(pair, e.peak_pressure / 1.5) : growth_under_approach(pair, e.peak_pressure);
   Footprint f;
+  f.elastic_x = e.semi_axis_x;
+  f.elastic_y = e.semi_axis_y;
   f.half_x = e.semi_axis_x * growth;
   f.half_y = e.semi_axis_y * growth;
   f.approach = e.approach;
@@ -119,6 +121,8 @@ Footprint of_roller(const Pair& pair, double radius, double length, const Drive&
   const double peak = 2.0 * load / (pi * elastic * length);
   const double growth = growth_under_load(pair, peak * pi / 4.0);
   Footprint f;
+  f.elastic_x = elastic;
+  f.elastic_y = 0.5 * length;
   f.half_x = elastic * growth * growth; // only the width grows
   if (drive.kind == Drive::Kind::approach)
     f.half_x = std::min(f.half_x, 1.2 * std::sqrt(2.0 * radius * drive.value)); // geometry, with some pile-up
@@ -154,7 +158,7 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
     f.approach = std::max(f.approach, ball.approach);
     f.first_yield_approach = ball.first_yield_approach;
   }
-  f.half_x = f.half_y = reach * a;
+  f.half_x = f.half_y = f.elastic_x = f.elastic_y = reach * a;
   f.plastic_reach = plastic_reach(pair, a, slope);
   return f;
 }
@@ -179,49 +183,6 @@ Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, co
   return along_y == 0.0 ? of_roller(pair, 1.0 / along_x, roller_length(lower, upper), drive)
                         : of_paraboloids(pair, 1.0 / along_x, 1.0 / along_y, drive);
 }
-
-/// Real padded planes of all layers [bytes].
-double padded_bytes(const VolumeGrid& grid)
-{
-  return static_cast<double>(fast_length(2 * grid.surface.nx - 1)) * fast_length(2 * grid.surface.ny - 1) * grid.nz *
-         sizeof(double);
-}
-
-/// Spectra of the stress, and rows without their padding in y.
-double spectra_bytes(const VolumeGrid& grid, int components)
-{
-  return 1.5 * components * padded_bytes(grid);
-}
-
-/// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
-double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
-{
-  const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
-  const double cells = static_cast<double>(grid.size()) * sizeof(double);
-  const double fields = cells * (6 * 5 + 4);
-  const double active_share = 0.25;
-  const double accelerator = cells * active_share * 5 * (2 * anderson_depth + 4);
-  return kernels + fields + (solved ? spectra_bytes(grid, 5) + accelerator : 0.0);
-}
-
-/// The final state always is a snapshot: tensors of both bodies, and the operators' spectra for one of them at a time.
-double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
-{
-  const auto cells = static_cast<double>(lower.size() + upper.size());
-  const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
-  return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
-}
-
-/// A copy of the state, as numbers, as a file in memory, and as that file's image.
-double checkpoint_bytes(const VolumeGrid& grid, bool solved)
-{
-  return solved ? 3.0 * 16.0 * sizeof(double) * static_cast<double>(grid.size()) : 0.0;
-}
-
-} // namespace
-
-namespace
-{
 
 /// Where a texture is on its body, and over which length it rises and falls [m]; none if the body is smooth.
 struct Waviness
@@ -320,91 +281,49 @@ void add_textures(const ShapedBody& lower, const ShapedBody& upper, const Drive&
 
 } // namespace
 
-Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
+double stressed_depth(double half_x, double half_y)
 {
-  const Pair pair = pair_of(lower, upper);
-  Footprint f = of_shapes(pair, lower.shape, upper.shape, drive);
-  // Under a point contact the largest shear is at 0.48 a, under a line contact at 0.79 a.
-  const double narrow = std::min(f.half_x, f.half_y) / std::max(f.half_x, f.half_y);
-  f.depth = std::max((2.9 - 1.05 * narrow) * std::min(f.half_x, f.half_y), 1.3 * f.plastic_reach);
+  const double narrow = std::min(half_x, half_y) / std::max(half_x, half_y);
+  return (2.9 - 1.05 * narrow) * std::min(half_x, half_y);
+}
+
+Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
+{
+  Footprint f = of_shapes(pair_of(lower, upper), lower.shape, upper.shape, drive);
+  f.depth = std::max(stressed_depth(f.half_x, f.half_y), 1.3 * f.plastic_reach);
   f.over_x = f.half_x;
   f.over_y = f.half_y;
-  add_textures(lower, upper, drive, pair, f);
+  return f;
+}
+
+Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
+{
+  Footprint f = smooth_footprint(lower, upper, drive);
+  add_textures(lower, upper, drive, pair_of(lower, upper), f);
   return f;
 }
 
 bool alike(const ShapedBody& lower, const ShapedBody& upper)
 {
-  return lower.material == upper.material && lower.material.is_plastic() &&
-         std::holds_alternative<Smooth>(lower.texture) && std::holds_alternative<Smooth>(upper.texture);
+  return lower.material == upper.material && lower.material.is_plastic() && are_smooth(lower, upper);
 }
 
-std::array<double, 3> cell_sizes(const Numerics& numerics, const Footprint& f)
+bool are_smooth(const ShapedBody& lower, const ShapedBody& upper)
 {
-  const double dx = f.half_x / numerics.resolution;
-  double dy = dx * std::clamp(f.half_y / f.half_x, 0.25, 4.0);
-  if (f.straight_y) // the length is a whole number of cells, one of them in the middle
-    dy = 2.0 * f.half_y / (2.0 * std::round(f.half_y / dy - 0.5) + 1.0);
-  const std::array<double, 3> spacing = numerics.spacing.value_or(std::array{dx, dy, 0.5 * std::min(dx, dy)});
-  if (const double rows = 2.0 * f.half_y / spacing[1];
-      f.straight_y && std::abs(std::remainder(rows - 1.0, 2.0)) > 1e-6 * rows)
-    throw GridError(
-        fmt::format("grid: the cylinder is {:.6g} cells of dy long; allowed: an odd whole number, so that its "
-                    "ends are those of cells",
-                    rows));
-  constexpr double most_cells = 1e5;
-  const double finest = *std::min_element(spacing.begin(), spacing.end());
-  if (const double a = std::max(f.half_x, f.half_y); !(a / finest < most_cells))
-    throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, a));
-  return spacing;
-}
-
-int half_cells(double length, double cell)
-{
-  return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
-}
-
-int step_count(double steps)
-{
-  constexpr double most = 1e9;
-  if (!(steps <= most))
-    throw InputError(fmt::format("{:.1e} steps; allowed: up to {:.0e}", steps, most));
-  return static_cast<int>(steps);
-}
-
-double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth)
-{
-  const bool upper_is_solved = upper_is_plastic && plan.twin == elastoplastic::Twin::none;
-  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) +
-         body_bytes(plan.upper, anderson_depth, upper_is_solved) +
-         std::max(snapshot_bytes(plan.lower, plan.upper),
-                  checkpoint_bytes(plan.lower, lower_is_plastic) + checkpoint_bytes(plan.upper, upper_is_solved));
+  return std::holds_alternative<Smooth>(lower.texture) && std::holds_alternative<Smooth>(upper.texture);
 }
 
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
 {
-  const auto [dx, dy, dz] = cell_sizes(numerics, f);
   const double scale = numerics.extent;
   const double width = std::min(f.half_x, f.half_y); // of what surrounds the contact
-  const double half_y = scale * std::max(f.over_y + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
-  const double reach_x = scale * std::max(f.over_x + 0.5 * width, 0.3 * width + 0.85 * f.plastic_reach);
-  constexpr int margin = 4;          // cells: material pushed ahead
-  constexpr double most_cells = 2e9; // beyond it indices would overflow; far beyond any machine
-  const double cells =
-      4.0 * (std::max(track_lower, track_upper) + reach_x) / dx * (half_y / dy) * (scale * f.depth / dz);
-  if (!(cells < most_cells))
-    throw GridError(
-        fmt::format("grid: {:.1e} cells for a contact of {:.3g} x {:.3g} m with a plastic zone of {:.3g} m; "
-                    "allowed: fewer than {:.0e}, so larger cells or a shorter track",
-                    cells, 2.0 * f.half_x, 2.0 * f.half_y, f.plastic_reach, most_cells));
-  plan.contact = {2 * half_cells(scale * 1.6 * f.over_x, dx) + 1, 2 * half_cells(half_y, dy) + 1, dx, dy};
-  for (const auto& [grid, track] : {std::pair{&plan.lower, track_lower}, {&plan.upper, track_upper}})
-  {
-    grid->surface = plan.contact;
-    grid->surface.nx = std::max(plan.contact.nx, 2 * (half_cells(track + reach_x, dx) + margin) + 1);
-    grid->nz = std::max(2, static_cast<int>(std::ceil(scale * f.depth / dz - 1e-9)));
-    grid->dz = dz;
-  }
+  const double plastic = 0.3 * width + 0.85 * f.plastic_reach;
+  const double reach_x = std::max(f.over_x + 0.5 * width, plastic);
+  const double reach_y = std::max(f.over_y + 0.5 * width, plastic);
+  lay_out(cell_sizes(numerics, {f.half_x, f.half_y, f.straight_y}, 1.0),
+          {scale * 1.6 * f.over_x, scale * reach_y, track_lower + scale * reach_x, track_upper + scale * reach_x,
+           scale * f.depth},
+          plan);
   // Not so small a change of displacement that the tolerance of the contact hides it.
   plan.scales = {std::clamp(f.first_yield_approach, 1e-2 * f.approach, f.approach), f.approach};
 }

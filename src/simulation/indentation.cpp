@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "footprint.hpp"
+#include "grid_layout.hpp"
 #include "indent.hpp"
 #include "run_state.hpp"
 

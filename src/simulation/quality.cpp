@@ -2,7 +2,6 @@
 #include "brinell/simulation/quality.hpp"
 
 #include "footprint.hpp"
-#include "tugging_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,9 +71,11 @@ Facts common_facts(const ScenarioCase& c, const Plan& plan)
   f.can_yield = c.lower.material.is_plastic() || c.upper.material.is_plastic();
   const bool stressed =
       !c.lower.material.initial_stress.depth().empty() || !c.upper.material.initial_stress.depth().empty();
-  if (!stressed)
+  // On textures stand peaks of pressure.
+  if (!stressed && are_smooth(c.lower, c.upper))
     f.first_yield = plan.scales.displacement;
   f.solver = c.solver;
+  f.textures = {&c.lower.texture, &c.upper.texture};
   return f;
 }
 
@@ -85,9 +86,6 @@ Facts shaped_facts(const ScenarioCase& c, const Plan& plan, const contact::Drive
   const Footprint foot = footprint(c.lower, c.upper, drive);
   f.half_x = foot.half_x;
   f.half_y = foot.half_y;
-  f.textures = {&c.lower.texture, &c.upper.texture};
-  if (!std::holds_alternative<Smooth>(c.lower.texture) || !std::holds_alternative<Smooth>(c.upper.texture))
-    f.first_yield.reset(); // peaks of pressure stand on it
   return f;
 }
 
@@ -95,7 +93,8 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan)
 {
   Facts f = common_facts(c, plan);
   f.documented = of_tugging;
-  f.half_x = f.half_y = plan.elastic_contact_radius;
+  f.half_x = plan.elastic_contact_radius;
+  f.half_y = plan.elastic_contact_radius_y;
   f.moves = true;
   if (c.shift)
     f.shift = plan.shift;

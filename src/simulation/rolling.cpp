@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
 #include "footprint.hpp"
+#include "grid_layout.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
 
@@ -173,7 +174,7 @@ RollingPlan plan(const RollingCase& rolling)
   RollingPlan plan;
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;
-  plan.shift = rolling.shift.value_or(cell_sizes(rolling, f)[0]);
+  plan.shift = rolling.shift.value_or(cell_sizes(rolling, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
   if (!(plan.shift <= 0.5 * rolling.distance))
     throw InputError(
         fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/shape.hpp"
 
+#include "brinell/foundation/error.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <numbers>
 
@@ -137,6 +140,24 @@ std::array<int, 2> samples(const HeightMap& map, double dx, double dy)
   return samples_of(map.dx, map.dy, dx, dy);
 }
 
+TextureReach reach_of(const Smooth&)
+{
+  return {};
+}
+
+TextureReach reach_of(const Dent& d)
+{
+  constexpr double shoulder = 0.041; // highest of 10^(-10 r^2) (-cos(2 pi r)), at r = 0.31
+  constexpr double end = 0.5;        // of the radius: beyond, less than 4 % of the depth, and falling fast
+  return {d.depth > 0.0 ? shoulder * d.depth : -d.depth, std::abs(d.y) + end * d.radius};
+}
+
+TextureReach reach_of(const HeightMap& map)
+{
+  const auto highest = std::max_element(map.heights.begin(), map.heights.end());
+  return {highest == map.heights.end() ? 0.0 : std::max(0.0, *highest), std::abs(map.y) + 0.5 * (map.ny + 1) * map.dy};
+}
+
 } // namespace
 
 std::optional<std::array<double, 2>> curvature(const Shape& shape)
@@ -157,6 +178,15 @@ std::optional<std::array<double, 2>> relative_curvature(const Shape& lower, cons
   if (!a || !b)
     return std::nullopt;
   return std::array{(*a)[0] + (*b)[0], (*a)[1] + (*b)[1]};
+}
+
+std::optional<double> equivalent_radius(const Shape& lower, const Shape& upper)
+{
+  constexpr double rounding = 1e-12;
+  const auto k = relative_curvature(lower, upper);
+  if (!k || !((*k)[0] > 0.0) || !(std::abs((*k)[0] - (*k)[1]) < rounding * (*k)[0]))
+    return std::nullopt;
+  return 1.0 / (*k)[0];
 }
 
 bool contact_is_finite(const Shape& lower, const Shape& upper)
@@ -185,6 +215,34 @@ double height(const Shape& shape, double x, double y)
 double depth(const Texture& texture, double x, double y)
 {
   return std::visit([&](const auto& t) { return depth_of(t, x, y); }, texture);
+}
+
+TextureReach reach(const Texture& texture)
+{
+  return std::visit([](const auto& t) { return reach_of(t); }, texture);
+}
+
+HeightMap sampled(const std::function<double(double, double)>& height, int nx, int ny, double dx, double dy, double x,
+                  double y)
+{
+  if (nx < 1 || ny < 1 || !(dx > 0.0) || !(dy > 0.0))
+    throw InputError(fmt::format("sampled: {} x {} points at distances of {:g} x {:g} m; allowed: one point or more, "
+                                 "distances > 0",
+                                 nx, ny, dx, dy));
+  HeightMap map{nx, ny, dx, dy, x, y, {}};
+  map.heights.reserve(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i)
+    {
+      const double at_x = x + (i - 0.5 * (nx - 1)) * dx;
+      const double at_y = y + (j - 0.5 * (ny - 1)) * dy;
+      map.heights.push_back(height(at_x, at_y));
+      if (!std::isfinite(map.heights.back()))
+        throw InputError(
+            fmt::format("sampled: the height at x = {:g} m, y = {:g} m is {}; allowed: finite numbers, in m", at_x,
+                        at_y, map.heights.back()));
+    }
+  return map;
 }
 
 double cell_depth(const Texture& texture, double x, double y, double dx, double dy)

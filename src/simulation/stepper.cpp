@@ -4,7 +4,7 @@
 #include "brinell/contact/contact_area.hpp"
 #include "brinell/foundation/error.hpp"
 #include "coverage.hpp"
-#include "footprint.hpp"
+#include "grid_layout.hpp"
 #include "snapshot.hpp"
 
 #include <algorithm>
@@ -222,17 +222,6 @@ void Stepper::guard(const Target& target)
       where_, evaluations_, report.yield_error, s.yield_tolerance, report.displacement_error, report.gap_error));
 }
 
-namespace
-{
-
-/// An odd number of cells, at least a third larger.
-int grown(int cells)
-{
-  return 2 * static_cast<int>(std::ceil(cells / 6.0 + 1.0)) + cells;
-}
-
-} // namespace
-
 void Stepper::grow(const elastoplastic::Outgrown& outgrown)
 {
   Plan larger = plan_;
@@ -313,7 +302,7 @@ void Stepper::place(const Frame& frame)
   for (int j = 0; j < g.ny; ++j)
     for (int i = 0; i < g.nx; ++i)
       distance_[static_cast<std::size_t>(i + g.nx * j)] =
-          setup_.distance(frame.x0 + i * g.dx, (j - 0.5 * (g.ny - 1)) * g.dy);
+          setup_.distance(frame.x0 + i * g.dx, row_y(g, j));
 }
 
 double Stepper::clearance(const Centre& centre)
@@ -381,7 +370,7 @@ Snapshot Stepper::snapshot(const Centre& centre) const
   Snapshot s;
   s.contact = pair_->grid();
   s.x0 = frame.x0;
-  s.y0 = -0.5 * (s.contact.ny - 1) * s.contact.dy;
+  s.y0 = row_y(s.contact, 0);
   s.pressure.assign(pair_->pressure().begin(), pair_->pressure().end());
   s.gap.assign(pair_->gap().begin(), pair_->gap().end());
   s.lower = body_snapshot(*pair_, pair_->lower(), frame.placement.lower, lattice_.lower_origin(), centre.lower);
@@ -404,7 +393,7 @@ std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, do
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       depths[static_cast<std::size_t>(i + grid.nx * j)] =
-          cell_depth(texture, x0 + i * grid.dx, (j - 0.5 * (grid.ny - 1)) * grid.dy, grid.dx, grid.dy);
+          cell_depth(texture, x0 + i * grid.dx, row_y(grid, j), grid.dx, grid.dy);
   return depths;
 }
 

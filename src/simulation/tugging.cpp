@@ -23,23 +23,18 @@ class Tugging
 public:
   Tugging(const TuggingCase& tugging, const TuggingPlan& plan)
       : case_(tugging), plan_(plan), cells_(relative_cells(tugging, plan.contact.dx)),
-        passing_(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells_, plan.contact.dx,
-                 tugging.kinematics),
-        position_(passing_.start(0))
+        passing_(passing(tugging, plan.contact.dx)), sum_(passing_.radius_lower() + passing_.radius_upper()),
+        position_(passing_.start(0)), lead_(lead_steps())
   {
   }
 
   [[nodiscard]] Stepper::Setup setup() const
   {
-    const double curvature = 0.5 * (1.0 / case_.lower.radius + 1.0 / case_.upper.radius);
-    return {case_.lower.material,
-            case_.upper.material,
-            [curvature](double x, double y) { return curvature * (x * x + y * y); },
-            case_.solver,
-            centre(passing_.start(0)),
-            {},
-            {},
-            {}};
+    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
+    if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair is one paraboloid: fewer roundings
+      setup.distance = [curvature = 0.5 * (*relative_curvature(case_.lower.shape, case_.upper.shape))[0]](
+                           double x, double y) { return curvature * (x * x + y * y); };
+    return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(position_); }
   [[nodiscard]] bool is_done() const { return pass_ == case_.passes; }
@@ -69,7 +64,7 @@ public:
     record(stepper, r);
     r.work += work_between(before, r);
     add(before, r, peaks_);
-    if (step_in_pass_ >= steps_in_pass_ && !stepper.touching())
+    if (step_in_pass_ >= steps_in_pass_ && have_parted(stepper))
     {
       extra_steps_ = std::max(extra_steps_, position_.index - passing_.start(0).index - passing_.step_count());
       step_in_pass_ = 0;
@@ -99,9 +94,8 @@ private:
   /// A stored position must not lead off the grids, nor so far that columns could not be counted.
   void require_on_bodies(const Position& p) const
   {
-    const double sum = case_.lower.radius + case_.upper.radius;
     const double columns = 10.0 * (plan_.lower.surface.nx + plan_.upper.surface.nx) + 1000.0;
-    if (!(std::abs(p.X) <= sum && std::abs(p.columns) <= columns &&
+    if (!(std::abs(p.X) <= sum_ && std::abs(p.columns) <= columns &&
           std::max(std::abs(p.arc_lower), std::abs(p.arc_upper)) <= columns * plan_.contact.dx))
       throw InputError("the stored state has a position that is not on the bodies");
   }
@@ -117,30 +111,66 @@ private:
     return {centre(p), {contact::Drive::Kind::load, share * *case_.load}};
   }
 
-  /// Far enough back that the surfaces, with what earlier passes left on them, do not touch yet.
+  /// Steps by which bodies with textures may touch before the smooth ones do, and part after them.
+  [[nodiscard]] int lead_steps() const
+  {
+    const double height = plan_.texture_height;
+    if (case_.load || height == 0.0) // a load keeps them together from the first step
+      return 0;
+    int lead = 0;
+    while (passing_.start(lead).interference > -height)
+      ++lead;
+    return lead;
+  }
+
+  /// Whether the surfaces, with textures and what earlier passes left on them, would overlap there.
+  [[nodiscard]] bool overlap(Stepper& stepper, const Position& p) const
+  {
+    return stepper.clearance(centre(p)) < p.interference;
+  }
+
+  /// Far enough back that the surfaces do not touch yet.
   Position first_position(Stepper& stepper) const
   {
+    int before = extra_steps_;
+    if (case_.load)
+      return passing_.start(before);
+    for (int farthest = lead_; farthest > before; --farthest) // textures touch here and there
+      if (overlap(stepper, passing_.start(farthest)))
+        before = farthest;
     constexpr int most = 1000;
-    for (int before = extra_steps_;; ++before)
+    const int last = before + most;
+    while (before <= last && overlap(stepper, passing_.start(before)))
+      ++before;
+    return passing_.start(before);
+  }
+
+  /// Whether the bodies do not touch, and will not on the rest of their way.
+  [[nodiscard]] bool have_parted(Stepper& stepper) const
+  {
+    if (stepper.touching())
+      return false;
+    const int last = passing_.start(0).index + passing_.step_count() + lead_;
+    for (Position p = position_; p.index < last;)
     {
-      const Position p = passing_.start(before);
-      if (case_.load || stepper.clearance(centre(p)) >= p.interference || before > extra_steps_ + most)
-        return p;
+      p = passing_.next(p);
+      if (overlap(stepper, p))
+        return false;
     }
+    return true;
   }
 
   void record(Stepper& stepper, TuggingRecord& r) const
   {
     const Position& p = position_;
-    const double sum = case_.lower.radius + case_.upper.radius;
     const Stepper::Depths& depths = stepper.depths(centre(p));
     const Forces forces =
         project_forces(stepper.pair().grid(), stepper.pair().pressure(), p.theta,
-                       {depths.lower, case_.lower.radius / sum}, {depths.upper, case_.upper.radius / sum});
+                       {depths.lower, passing_.radius_lower() / sum_}, {depths.upper, passing_.radius_upper() / sum_});
     r.interference = case_.load ? stepper.pair().approach() : p.interference;
     r.theta = p.theta;
-    r.X = case_.load ? (sum - r.interference) * std::sin(p.theta) : p.X;
-    r.height = case_.load ? (sum - r.interference) * std::cos(p.theta) : passing_.separation();
+    r.X = case_.load ? (sum_ - r.interference) * std::sin(p.theta) : p.X;
+    r.height = case_.load ? (sum_ - r.interference) * std::cos(p.theta) : passing_.separation();
     r.F_X = forces.F_X;
     r.F_Y = forces.F_Y;
     r.F_Z = forces.F_Z;
@@ -154,8 +184,10 @@ private:
   const TuggingPlan& plan_;
   double cells_; ///< by which the bodies move against each other per step
   Passing passing_;
+  double sum_; ///< of the radii [m]
   TuggingPeaks peaks_;
   Position position_, to_; ///< of the last step, and where the present one goes
+  int lead_;
   int pass_ = 0, step_in_pass_ = 0, steps_in_pass_ = 0;
   int extra_steps_ = 0; ///< by which earlier passes lasted longer than that of rigid spheres
 };

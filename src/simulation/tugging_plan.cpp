@@ -3,7 +3,10 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/critical.hpp"
+#include "brinell/reference/hertz.hpp"
+#include "brinell/simulation/first_yield.hpp"
 #include "footprint.hpp"
+#include "grid_layout.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,30 +22,71 @@ namespace
 // and plastic zone grow faster than the elastic contact radius.
 constexpr double contact_extent_x = 2.0;
 constexpr double contact_extent_y = 1.5;
-constexpr double depth_extent = 1.85;
 constexpr double track_extent = 1.6;
-constexpr int track_margin = 4; ///< cells: material pushed ahead
 
-double plastic_growth(const TuggingCase& tugging)
+/// What the plan needs to know of the pair.
+struct Pair
+{
+  ContactSize contact;      ///< elastic, of the smooth bodies at alignment
+  double first_yield = 0.0; ///< interference at which one of them first yields; the full one if none does before [m]
+  std::array<double, 2> curvature{}; ///< relative [1/m]
+  TextureReach texture;              ///< of both bodies together
+};
+
+Pair pair_of(const TuggingCase& tugging)
+{
+  const ShapedBody& lower = tugging.lower;
+  const ShapedBody& upper = tugging.upper;
+  if (!contact_is_finite(lower.shape, upper.shape))
+    throw InputError("the bodies touch neither in a point nor in a line of finite length");
+  Pair pair;
+  pair.curvature = relative_curvature(lower.shape, upper.shape).value();
+  const TextureReach of_lower = reach(lower.texture);
+  const TextureReach of_upper = reach(upper.texture);
+  pair.texture = {of_lower.height + of_upper.height, std::max(of_lower.half_width_y, of_upper.half_width_y)};
+  pair.first_yield = tugging.interference;
+  if (const std::optional<double> radius = equivalent_radius(lower.shape, upper.shape))
+  {
+    const double a = std::sqrt(*radius * tugging.interference);
+    pair.contact = {a, a};
+    const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
+    if (const auto yield = earliest_yield(lower.material, upper.material))
+      pair.first_yield = std::min(
+          pair.first_yield,
+          reference::critical_values(*radius, modulus, yield->pressure_ratio, yield->yield_stress).interference);
+    return pair;
+  }
+  const Footprint f = smooth_footprint(lower, upper, {contact::Drive::Kind::approach, tugging.interference});
+  pair.contact = {f.elastic_x, f.elastic_y, f.straight_y};
+  pair.first_yield = std::min(pair.first_yield, f.first_yield_approach);
+  return pair;
+}
+
+double plastic_growth(const TuggingCase& tugging, const Pair& pair)
 {
   constexpr double covered = 9.0;
   // Of two bodies that are not alike, the weaker one takes most of the plastic strain; under a load plasticity adds to the
   // approach, and the whole track bears it: as if pressed twice as far.
   const bool more = !(tugging.lower == tugging.upper) || tugging.load;
-  const double ratio = tugging.interference / yield_interference(tugging) * (more ? 2.0 : 1.0);
+  const double ratio = tugging.interference / pair.first_yield * (more ? 2.0 : 1.0);
   return std::pow(std::max(1.0, ratio / covered), 0.4);
 }
 
-double equivalent_radius(const TuggingCase& tugging)
+/// How far from the middle of the contact surfaces of that relative curvature overlap by geometry alone, which no elastic
+/// contact exceeds.
+double overlap_reach(double curvature, double depth)
 {
-  return 1.0 / (1.0 / tugging.lower.radius + 1.0 / tugging.upper.radius);
+  return std::sqrt(2.0 * std::max(0.0, depth) / curvature);
 }
 
 /// Farthest place from the top of a body that the contact's edge passes, from first touch to alignment.
-double track_half_length(const TuggingCase& tugging, double radius, double angle_at_touch, double scale)
+double track_half_length(const TuggingCase& tugging, const Pair& pair, const Passing& passing, double radius,
+                         double scale)
 {
-  const double sum = tugging.lower.radius + tugging.upper.radius;
-  const double separation = sum - tugging.interference;
+  const double sum = passing.radius_lower() + passing.radius_upper();
+  const double height = pair.texture.height;
+  const double angle_at_touch =
+      height > 0.0 ? std::acos(passing.separation() / (sum + height)) : passing.angle_at_touch();
   double farthest = 0.0;
   constexpr double samples = 200.0;
   for (int i = 0; i <= samples; ++i)
@@ -50,23 +94,36 @@ double track_half_length(const TuggingCase& tugging, double radius, double angle
     const double theta = angle_at_touch * i / samples;
     // Under a load as much as it has come up: it does in a quarter of this way.
     const double interference = tugging.load ? tugging.interference * std::min(1.0, 4.0 * (samples - i) / samples)
-                                             : std::max(0.0, sum - separation / std::cos(theta));
-    farthest = std::max(farthest,
-                        radius * theta + scale * track_extent * std::sqrt(equivalent_radius(tugging) * interference));
+                                             : sum - passing.separation() / std::cos(theta);
+    double edge =
+        scale * track_extent * pair.contact.half_x * std::sqrt(std::max(0.0, interference / tugging.interference));
+    if (height > 0.0) // wherever textures may touch
+      edge = std::max(edge, tugging.extent * overlap_reach(pair.curvature[0], interference + height));
+    farthest = std::max(farthest, radius * theta + edge);
   }
   return farthest;
 }
 
-VolumeGrid material_grid(const TuggingCase& tugging, const SurfaceGrid& contact, double radius, double angle, double dz,
-                         double scaled_radius)
+Extents extents(const TuggingCase& tugging, const Pair& pair, const Passing& passing)
 {
-  const double scale = tugging.extent * plastic_growth(tugging);
-  VolumeGrid grid;
-  grid.surface = contact;
-  grid.surface.nx = 2 * (half_cells(track_half_length(tugging, radius, angle, scale), contact.dx) + track_margin) + 1;
-  grid.nz = static_cast<int>(std::ceil(depth_extent * scaled_radius / dz - 1e-9));
-  grid.dz = dz;
-  return grid;
+  const double scale = tugging.extent * plastic_growth(tugging, pair);
+  const auto [half_x, half_y, straight_y] = pair.contact;
+  Extents e;
+  e.contact_x = contact_extent_x * scale * half_x;
+  // Beyond the ends of a roller as far as beside a point contact.
+  e.contact_y = straight_y ? half_y + (contact_extent_y * scale - 1.0) * half_x : contact_extent_y * scale * half_y;
+  if (const double height = pair.texture.height; height > 0.0)
+  {
+    const double overlap = tugging.interference + height;
+    e.contact_x = std::max(e.contact_x, tugging.extent * overlap_reach(pair.curvature[0], overlap));
+    if (!straight_y)
+      e.contact_y = std::max(
+          e.contact_y, tugging.extent * std::min(overlap_reach(pair.curvature[1], overlap), pair.texture.half_width_y));
+  }
+  e.lower_x = track_half_length(tugging, pair, passing, passing.radius_lower(), scale);
+  e.upper_x = track_half_length(tugging, pair, passing, passing.radius_upper(), scale);
+  e.depth = scale * stressed_depth(half_x, half_y);
+  return e;
 }
 
 /// Whether the bodies are alike and pass each other so that a cell of one always has its mirror image in the other.
@@ -74,26 +131,39 @@ bool is_mirrored(const TuggingCase& tugging, const Position& p, double cells, do
 {
   constexpr double rounding = 1e-9;
   const double columns = (p.arc_lower - p.arc_upper) / dx;
-  return tugging.solver.mirror && tugging.lower == tugging.upper && tugging.lower.material.is_plastic() &&
+  return tugging.solver.mirror && tugging.lower.shape == tugging.upper.shape && alike(tugging.lower, tugging.upper) &&
          cells == std::round(cells) && std::abs(columns - std::round(columns)) < rounding &&
          std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
 }
 
+double required_radius(const char* body, const Shape& shape)
+{
+  const std::optional<double> radius = passing_radius(shape);
+  if (!radius)
+    throw InputError(fmt::format("{}.shape has no radius > 0 in the plane of motion and cannot pass another body; "
+                                 "allowed in tugging: paraboloids with radius_x > 0, and rollers",
+                                 body));
+  return *radius;
+}
+
 } // namespace
 
-double yield_interference(const TuggingCase& tugging)
+std::optional<double> passing_radius(const Shape& shape)
 {
-  double smallest = tugging.interference;
-  const double modulus = contact_modulus(tugging.lower.material.elastic, tugging.upper.material.elastic);
-  for (const Asperity* asperity : {&tugging.lower, &tugging.upper})
-    if (asperity->material.is_plastic())
-    {
-      const double C = reference::critical_pressure_ratio(asperity->material.elastic.poisson_ratio);
-      const double yield = constitutive::initial_yield_stress(*asperity->material.hardening);
-      smallest =
-          std::min(smallest, reference::critical_values(equivalent_radius(tugging), modulus, C, yield).interference);
-    }
-  return smallest;
+  const auto k = curvature(shape);
+  if (!k || !((*k)[0] > 0.0) || !std::isfinite((*k)[0]))
+    return std::nullopt;
+  if (const auto* paraboloid = std::get_if<Paraboloid>(&shape))
+    return paraboloid->radius_x; // as it was given, without the rounding of its inverse
+  return std::get<Roller>(shape).radius;
+}
+
+double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load)
+{
+  const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
+  if (const std::optional<double> radius = equivalent_radius(lower.shape, upper.shape))
+    return reference::point_contact_at_load(*radius, modulus, load).approach;
+  return smooth_footprint(lower, upper, {contact::Drive::Kind::load, load}).approach;
 }
 
 double relative_cells(const TuggingCase& tugging, double dx)
@@ -106,32 +176,43 @@ double relative_cells(const TuggingCase& tugging, double dx)
   return std::abs(cells - whole) <= rounding * cells ? whole : cells;
 }
 
+Passing passing(const TuggingCase& tugging, double dx)
+{
+  return {required_radius("lower", tugging.lower.shape),
+          required_radius("upper", tugging.upper.shape),
+          tugging.interference,
+          relative_cells(tugging, dx),
+          dx,
+          tugging.kinematics};
+}
+
 TuggingPlan plan(const TuggingCase& tugging)
 {
+  for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
+    static_cast<void>(required_radius(name, body->shape));
+  const Pair pair = pair_of(tugging);
+  constexpr double aspect = 2.0; // across the motion cells may be longer: half a percent of the net energy
+  const std::array<double, 3> cell = cell_sizes(tugging, pair.contact, aspect);
+  const double dx = cell[0];
+  const Passing pass = passing(tugging, dx);
+  if (!(pair.texture.height < std::min(pass.radius_lower(), pass.radius_upper())))
+    throw InputError(fmt::format("the textures are together {:g} m high on bodies of {:g} and {:g} m radius; allowed: "
+                                 "less than either",
+                                 pair.texture.height, pass.radius_lower(), pass.radius_upper()));
   TuggingPlan plan;
-  plan.elastic_contact_radius = std::sqrt(equivalent_radius(tugging) * tugging.interference);
-  const double a = plan.elastic_contact_radius;
-  const double cell = a / tugging.resolution;
-  const std::array<double, 3> spacing = tugging.spacing.value_or(std::array<double, 3>{cell, 2.0 * cell, 0.5 * cell});
-  const auto [dx, dy, dz] = spacing;
-  constexpr double most_cells = 1e5;
-  if (const double finest = std::min({dx, dy, dz}); a / finest > most_cells)
-    throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact radius of {:g} m", finest, a));
-  const double scaled = a * tugging.extent * plastic_growth(tugging);
-  plan.contact = {2 * half_cells(contact_extent_x * scaled, dx) + 1, 2 * half_cells(contact_extent_y * scaled, dy) + 1,
-                  dx, dy};
-  const double cells = relative_cells(tugging, dx);
-  const Passing passing(tugging.lower.radius, tugging.upper.radius, tugging.interference, cells, dx,
-                        tugging.kinematics);
-  plan.lower = material_grid(tugging, plan.contact, tugging.lower.radius, passing.angle_at_touch(), dz, scaled);
-  plan.upper = material_grid(tugging, plan.contact, tugging.upper.radius, passing.angle_at_touch(), dz, scaled);
-  plan.steps_per_pass = passing.step_count();
+  lay_out(cell, extents(tugging, pair, pass), plan);
+  plan.elastic_contact_radius = pair.contact.half_x;
+  plan.elastic_contact_radius_y = pair.contact.half_y;
+  plan.texture_height = pair.texture.height;
+  plan.steps_per_pass = pass.step_count();
   plan.steps = tugging.passes * (plan.steps_per_pass + 1);
+  const double cells = relative_cells(tugging, dx);
   plan.twin =
-      is_mirrored(tugging, passing.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
-  plan.scales = {yield_interference(tugging), tugging.interference};
+      is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
+  // Not so small a change of displacement that the tolerance of the contact hides it.
+  plan.scales = {std::max(pair.first_yield, 1e-2 * tugging.interference), tugging.interference};
   plan.shift = 0.5 * cells * dx;
-  plan.start_distance = passing.start_distance();
+  plan.start_distance = pass.start_distance();
   plan.memory_bytes = memory_bytes(plan, tugging.lower.material.is_plastic(), tugging.upper.material.is_plastic(),
                                    tugging.solver.anderson_depth);
   return plan;

@@ -9,7 +9,8 @@ namespace brinell::simulation
 /// Cells by which the bodies move against each other per step; between whole numbers the surfaces are interpolated.
 [[nodiscard]] double relative_cells(const TuggingCase& tugging, double dx);
 
-/// Interference at which one of the bodies first yields [m]; the full interference if none does before.
-[[nodiscard]] double yield_interference(const TuggingCase& tugging);
+/// The circles of both bodies in the plane of motion.
+/// @throws InputError if one of them has none
+[[nodiscard]] Passing passing(const TuggingCase& tugging, double dx);
 
 } // namespace brinell::simulation

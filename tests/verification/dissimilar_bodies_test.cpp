@@ -27,7 +27,7 @@ struct Pair
 {
   const char* name;
   const char* label; ///< the same as an identifier
-  simulation::Asperity lower, upper;
+  simulation::ShapedBody lower, upper;
 };
 
 class DissimilarBodies : public testing::TestWithParam<Pair>
@@ -60,9 +60,9 @@ TEST_P(DissimilarBodies, SwappingThemMirrorsTheResult)
   // Coarse cells: the edge's error, first order in the cell at worst.
   test::expect_close(pair + "energy balance over the largest work", run.summary.energy_balance_error, 0.0,
                      slow_build ? 0.1 : 0.05, "exact: conservation of energy");
-  for (const auto& [asperity, dissipation] :
+  for (const auto& [body, dissipation] :
        {std::pair{t.lower, run.summary.dissipation_lower}, std::pair{t.upper, run.summary.dissipation_upper}})
-    EXPECT_EQ(dissipation > 0.0, asperity.material.is_plastic()) << pair;
+    EXPECT_EQ(dissipation > 0.0, body.material.is_plastic()) << pair;
 }
 
 const constitutive::Material soft{{70e9, 0.33}, constitutive::LinearHardening{0.6e9, 2e9}};
@@ -71,9 +71,10 @@ const constitutive::Material ceramic{{310e9, 0.24}, {}};
 
 INSTANTIATE_TEST_SUITE_P(
     Pairs, DissimilarBodies,
-    testing::Values(Pair{"radii 0.8 m and 1.5 m", "UnequalRadii", {0.8, perfect_material()}, {1.5, perfect_material()}},
-                    Pair{"all different", "AllDifferent", {0.7, soft}, {1.3, hard}},
-                    Pair{"one elastic", "OneElastic", {1.0, ceramic}, {1.0, perfect_material()}}),
+    testing::Values(
+        Pair{"radii 0.8 m and 1.5 m", "UnequalRadii", {ball(0.8), perfect_material()}, {ball(1.5), perfect_material()}},
+        Pair{"all different", "AllDifferent", {ball(0.7), soft}, {ball(1.3), hard}},
+        Pair{"one elastic", "OneElastic", {ball(1.0), ceramic}, {ball(1.0), perfect_material()}}),
     [](const auto& parameter) { return std::string(parameter.param.label); });
 
 TEST(OneElasticBody, TakesNothingAndTheOtherTakesAll)

@@ -82,8 +82,16 @@ TEST(GrowingGrids, TwinsGrowTogether)
 TEST(GrowingGrids, TuggingOfDissimilarBodies)
 {
   simulation::TuggingCase t = small_case(9.0);
-  t.upper = {0.7, strong()};
+  t.upper = {ball(0.7), strong()};
   expect_equal_totals("tugging of dissimilar bodies", with_extent(t, 0.5).summary, with_extent(t, 1.5).summary);
+}
+
+TEST(GrowingGrids, TuggingOverABump)
+{
+  simulation::TuggingCase t = small_case(6.0);
+  const double a = simulation::plan(t).elastic_contact_radius;
+  t.lower.texture = simulation::Dent{.x = 0.5 * a, .depth = -0.3 * t.interference, .radius = 2.0 * a};
+  expect_equal_totals("tugging over a bump", with_extent(t, 0.5).summary, with_extent(t, 1.5).summary);
 }
 
 TEST(GrowingGrids, RollingWithSlidingOverADent)

@@ -99,8 +99,8 @@ TEST(Invariance, UnitOfLength)
   const TuggingCase metres = small_case();
   TuggingCase micro = metres;
   constexpr double scale = 1e-6;
-  for (simulation::Asperity* asperity : {&micro.lower, &micro.upper})
-    asperity->radius *= scale;
+  for (simulation::ShapedBody* body : {&micro.lower, &micro.upper})
+    body->shape = ball(scale);
   micro.interference *= scale;
   for (double& spacing : *micro.spacing)
     spacing *= scale;
@@ -115,9 +115,9 @@ TEST(Invariance, UnitOfStress)
   const TuggingCase t = small_case();
   TuggingCase soft = t;
   constexpr double scale = 1e-3; // a gel a thousand times softer and weaker
-  for (simulation::Asperity* asperity : {&soft.lower, &soft.upper})
-    asperity->material = {{scale * elastic.young_modulus, elastic.poisson_ratio},
-                          constitutive::PerfectPlasticity{scale * yield_stress}};
+  for (simulation::ShapedBody* body : {&soft.lower, &soft.upper})
+    body->material = {{scale * elastic.young_modulus, elastic.poisson_ratio},
+                      constitutive::PerfectPlasticity{scale * yield_stress}};
   test::expect_close("history, 200 GPa and 0.2 GPa", difference(computed(t), computed(soft), 1.0, scale), 0.0, 1e-4,
                      "exact: similarity");
 }

@@ -43,7 +43,7 @@ TEST(PaperTugging, DefaultMeshIsRightToOnePercent)
   if (slow_build)
     GTEST_SKIP() << "needs the default mesh: too slow in this build";
   simulation::TuggingCase t;
-  t.lower = {1.0, perfect_material()};
+  t.lower = {ball(1.0), perfect_material()};
   t.upper = t.lower;
   t.interference = 9.0 * critical().interference;
   const simulation::TuggingSummary s = simulation::run(t);

@@ -25,7 +25,6 @@ namespace
 {
 
 using namespace constitutive;
-using simulation::Asperity;
 using simulation::TuggingCase;
 
 class Draw
@@ -104,13 +103,13 @@ TuggingCase random_tugging(Draw& draw)
 {
   TuggingCase t;
   const double R = draw.power_of_ten(-6.0, 0.0);
-  for (Asperity* body : {&t.lower, &t.upper})
-    *body = {R * draw.between(0.5, 2.0), random_material(draw)};
+  for (simulation::ShapedBody* body : {&t.lower, &t.upper})
+    *body = {ball(R * draw.between(0.5, 2.0)), random_material(draw)};
   if (draw.chance(0.3))
     t.upper = t.lower;
   else if (draw.chance(0.2))
     t.upper.material = {t.upper.material.elastic, {}};
-  const double radius = 1.0 / (1.0 / t.lower.radius + 1.0 / t.upper.radius);
+  const double radius = simulation::equivalent_radius(t.lower.shape, t.upper.shape).value();
   t.interference = std::min(
       draw.power_of_ten(-0.3, 1.3) * first_yield(t.lower.material, t.upper.material, radius).interference, 0.02 * R);
   randomise_solver(draw, t);

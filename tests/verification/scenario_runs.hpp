@@ -53,11 +53,6 @@ inline contact::Drive approach(double metre)
   return {contact::Drive::Kind::approach, metre};
 }
 
-inline simulation::Paraboloid ball(double radius)
-{
-  return {radius, radius};
-}
-
 /// Two spheres of 1 m of one material, pressed by the sequence.
 inline simulation::IndentationCase pressed_spheres(const constitutive::Material& material,
                                                    std::vector<contact::Drive> sequence)

@@ -43,12 +43,17 @@ inline reference::CriticalValues critical()
                                     yield_stress);
 }
 
+inline simulation::Paraboloid ball(double radius)
+{
+  return {radius, radius};
+}
+
 /// Two spheres of 1 m of one material; interference in units of first yield. The mesh is left to the resolution.
 inline simulation::TuggingCase equal_spheres(double interference_ratio, const constitutive::Material& material)
 {
   simulation::TuggingCase t;
-  t.lower = {1.0, material};
-  t.upper = {1.0, material};
+  t.lower = {ball(1.0), material};
+  t.upper = {ball(1.0), material};
   t.interference = interference_ratio * critical().interference;
   t.resolution = 8.0; // these tests do not need the accuracy of the default
   return t;

@@ -3,6 +3,7 @@
 
 #include "brinell/io/schema.hpp"
 #include "brinell/reference/critical.hpp"
+#include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/quality.hpp"
 
 #include <filesystem>
@@ -36,15 +37,9 @@ private:
   std::vector<std::pair<std::string, Value>> values_;
 };
 
-/// Which body yields first in their normal contact: the one with the smaller C(nu) S_y.
-enum class YieldsFirst
-{
-  lower,
-  upper,
-  both
-};
+using simulation::YieldsFirst;
 
-/// First yield of the normal contact of two bodies with one relative curvature.
+/// First yield of the normal contact of two bodies with one relative curvature, by their nominal yield stresses.
 struct FirstYield
 {
   reference::CriticalValues critical;
@@ -66,7 +61,8 @@ struct Case
   double checkpoint_interval = 30.0;              ///< [s]
   std::optional<double> accuracy;                 ///< to be reached by a series of finer and finer cells
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
-  std::optional<double> equivalent_radius;        ///< 1 / (1/R1 + 1/R2) [m] if it is the same in all directions
+  /// 1 / (1/R1 + 1/R2) [m] if it is the same in all directions; of a tugging that in the plane of motion.
+  std::optional<double> equivalent_radius;
   double contact_modulus = 0.0;                   ///< E' [Pa]
   std::optional<FirstYield> first_yield;          ///< empty if both bodies are elastic, or not round
   CaseValues values;

@@ -13,7 +13,7 @@ enum class Kinematics
   paper  ///< Eqs. 9-13 of the paper: increments omega atan(2 Delta / omega')
 };
 
-/// Where two spheres are while one passes the other at constant height.
+/// Where two bodies, circles in the plane of motion, are while one passes the other at constant height.
 struct Position
 {
   int index = 0;             ///< step index: 0 at alignment (exact) or at first touch (paper)
@@ -27,7 +27,7 @@ struct Position
   void exchange(Archive& archive);
 };
 
-/// Passing of two spheres (paper, Eqs. 1-14). Bodies do not rotate: while theta grows by d_theta the contact moves by
+/// Passing of two spheres (paper, Eqs. 1-14), or of any two bodies that are circles in the plane of motion. Bodies do not rotate: while theta grows by d_theta the contact moves by
 /// R1 d_theta along the lower and by -R2 d_theta along the upper body, whatever the radii.
 class Passing
 {
@@ -43,6 +43,8 @@ public:
   /// Index of the first position at or before first touch, and steps from there to the last touch of rigid spheres.
   [[nodiscard]] int first_index() const { return first_; }
   [[nodiscard]] int step_count() const { return count_; }
+  [[nodiscard]] double radius_lower() const { return r1_; }
+  [[nodiscard]] double radius_upper() const { return r2_; }
   [[nodiscard]] double start_distance() const { return d0_; } ///< Eq. 2 [m]
   [[nodiscard]] double separation() const { return omega_; }  ///< constant height omega of the centres [m]
   [[nodiscard]] double angle_at_touch() const { return theta0_; }

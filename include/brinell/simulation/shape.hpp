@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -59,6 +60,9 @@ using Shape = std::variant<Plane, Paraboloid, Roller, Cone, Pyramid>;
 [[nodiscard]] std::optional<std::array<double, 2>> curvature(const Shape& shape);
 /// Sum of those of two bodies.
 [[nodiscard]] std::optional<std::array<double, 2>> relative_curvature(const Shape& lower, const Shape& upper);
+/// Radius of a sphere that would touch a plane as the bodies touch each other, 1/(1/R1 + 1/R2) [m]; none unless their relative
+/// curvature is the same, and > 0, in all directions.
+[[nodiscard]] std::optional<double> equivalent_radius(const Shape& lower, const Shape& upper);
 /// Whether the bodies touch in a point, or in a line that a roller ends, so that their contact is finite.
 [[nodiscard]] bool contact_is_finite(const Shape& lower, const Shape& upper);
 /// Length of the shorter roller; infinite without one [m].
@@ -98,5 +102,22 @@ using Texture = std::variant<Smooth, Dent, HeightMap>;
 /// What a cell of dx by dy around (x, y) has of it [m]: the depth at its centre, or the mean over it if the texture is finer
 /// than the cells, so that nothing falls between their centres.
 [[nodiscard]] double cell_depth(const Texture& texture, double x, double y, double dx, double dy);
+
+/// What a texture can add to its body at most.
+struct TextureReach
+{
+  double height = 0.0;       ///< above the smooth surface [m]
+  double half_width_y = 0.0; ///< from the middle of the body's surface [m]
+};
+[[nodiscard]] TextureReach reach(const Texture& texture);
+
+/// A texture from a function of x and y: its heights on a grid of points, out of the body positive. A function itself could be
+/// neither stored with a result nor compared nor taken up by another process; its heights can, and so can the run.
+/// @param height  at a place on the body's surface [m].
+/// @param nx, ny  points; dx, dy their distances [m]: as fine as the cells, or finer.
+/// @param x, y  centre of the map on the body's surface [m]; outside it the surface is smooth.
+/// @throws InputError without points, or if the function gives a height that is not finite
+[[nodiscard]] HeightMap sampled(const std::function<double(double x, double y)>& height, int nx, int ny, double dx,
+                                double dy, double x = 0.0, double y = 0.0);
 
 } // namespace brinell::simulation

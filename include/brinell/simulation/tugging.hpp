@@ -6,18 +6,10 @@
 
 #include <optional>
 
-/// The tugging of two spherical asperities: the upper one is carried along X past the lower one at a constant height, so
-/// that they interfere and push each other (Boucly, Nelias, Green 2006), or under a constant normal force.
+/// The tugging of two asperities: the upper one is carried along X past the lower one at a constant height, so that they
+/// interfere and push each other (Boucly, Nelias, Green 2006), or under a constant normal force.
 namespace brinell::simulation
 {
-
-/// One of the two asperities: a sphere and what it is made of.
-struct Asperity
-{
-  double radius = 0.0; ///< [m], > 0
-  constitutive::Material material;
-  bool operator==(const Asperity&) const = default;
-};
 
 struct TuggingPlan;
 struct TuggingRecord;
@@ -33,8 +25,9 @@ struct TuggingCase : Numerics
   /// Forces within 1 % and energies within 2 % up to nine times the interference of first yield: docs/verification.md.
   TuggingCase() { resolution = 14.0; }
 
-  Asperity lower;
-  Asperity upper;
+  ShapedBody
+      lower; ///< has a circle in the plane of motion, as the upper one: a paraboloid, or a roller across the motion
+  ShapedBody upper;
   double interference = 0.0; ///< largest rigid-body interference, reached at alignment [m], > 0
   /// Instead of the constant height that this interference means: a normal force in the plane of contact that is kept [N]; it
   /// comes up in the first eighth of a pass and goes down in the last one. The interference then is an estimate of the
@@ -48,9 +41,11 @@ struct TuggingCase : Numerics
 struct TuggingPlan : Plan
 {
   int steps_per_pass = 0;
-  double elastic_contact_radius = 0.0; ///< at alignment [m]
-  double shift = 0.0;                  ///< mean arc per step [m]
-  double start_distance = 0.0;         ///< d0, Eq. 2 [m]
+  /// Half-lengths of the elastic contact of the smooth bodies at alignment, along x and y [m].
+  double elastic_contact_radius = 0.0, elastic_contact_radius_y = 0.0;
+  double shift = 0.0;          ///< mean arc per step [m]
+  double start_distance = 0.0; ///< d0, Eq. 2 [m]
+  double texture_height = 0.0; ///< of both bodies together: by that much they may touch before the smooth ones do [m]
 };
 
 /// One row of the history. Its work is the integral of F_X dX - F_Z d height, without the way back from pass to pass.
@@ -83,6 +78,13 @@ struct TuggingSummary : RunTotals, TuggingPeaks
 {
   TuggingRecord last;
 };
+
+/// Radius of the circle on which a body passes another one: of its curvature along x [m]. None if it has none > 0, as a flat
+/// and a tip, which cannot pass.
+[[nodiscard]] std::optional<double> passing_radius(const Shape& shape);
+
+/// Approach of the smooth bodies under a load if they stayed elastic [m]: the interference of a tugging under that load.
+[[nodiscard]] double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load);
 
 /// Grids, number of steps and memory of a case.
 /// @throws InputError if the case cannot be computed (for example a grid of absurd size).

@@ -58,7 +58,8 @@ Json geometry_json(const Case& c)
 Json tugging_geometry_json(const Case& c, const TuggingPlan& plan)
 {
   const auto& t = std::get<simulation::TuggingCase>(c.scenario);
-  Json json = {{"lower_radius_m", t.lower.radius}, {"upper_radius_m", t.upper.radius}};
+  Json json = {{"lower_radius_m", simulation::passing_radius(t.lower.shape).value_or(nan)},
+               {"upper_radius_m", simulation::passing_radius(t.upper.shape).value_or(nan)}};
   json.update(geometry_json(c));
   json["interference_m"] = t.interference;
   json["start_distance_m"] = plan.start_distance;

@@ -19,8 +19,8 @@ TEST(Case, IsTypedAndInSi)
   const auto& t = sample::tugging(c);
   EXPECT_EQ(c.title, "sample");
   EXPECT_EQ(c.name, "sample");
-  EXPECT_EQ(t.lower.radius, 1.0);
-  EXPECT_EQ(t.upper.radius, 2.0);
+  EXPECT_EQ(simulation::passing_radius(t.lower.shape), 1.0);
+  EXPECT_EQ(t.upper.shape, simulation::Shape(simulation::Paraboloid{2.0, 2.0}));
   EXPECT_EQ(t.lower.material.elastic, (Elastic{200e9, 0.32}));
   EXPECT_EQ(std::get<constitutive::PerfectPlasticity>(t.lower.material.hardening.value()).yield_stress, 0.9115e9);
   EXPECT_FALSE(t.upper.material.is_plastic());
@@ -85,7 +85,7 @@ TEST(Case, OverridesWin)
               "lower.shape.radius=30 mm", "grid.resolution=8", "output.snapshots=[5, 1, 5]", "tugging.shift='1 mm'"});
   EXPECT_EQ(c.values.get<double>("tugging.interference"), 6.0); // the last of several
   EXPECT_EQ(sample::tugging(c).kinematics, simulation::Kinematics::paper);
-  EXPECT_EQ(sample::tugging(c).lower.radius, 0.03);
+  EXPECT_EQ(simulation::passing_radius(sample::tugging(c).lower.shape), 0.03);
   EXPECT_EQ(c.snapshots.steps, (std::vector{1, 5}));
   EXPECT_EQ(sample::tugging(c).shift, 0.001);
 }

@@ -33,11 +33,22 @@ TEST(Feasibility, RefusesWhatDoesNotFit)
   EXPECT_EQ(refusal(sample::parsed(), 1e12), "");
 }
 
-// The indices of such a grid do not even fit into an int, so the planner must not be asked.
+// The indices of such a grid do not even fit into an int.
 TEST(Feasibility, RefusesAbsurdGrids)
 {
-  const std::string text = refusal(sample::parsed({"grid.spacing=[1e-9, 1e-9, 1e-300]"}), 1e300);
-  EXPECT_NE(text.find("cells; allowed: larger cells"), text.npos) << text;
+  for (const auto& [spacing, reason] : {std::pair{"[1e-9, 1e-9, 1e-300]", "are too small for a contact of"},
+                                        {"[1e-6, 1e-6, 1e-6]", "allowed: fewer than"}})
+    try
+    {
+      static_cast<void>(sample::parsed({std::string("grid.spacing=") + spacing}));
+      FAIL() << spacing;
+    }
+    catch (const InputError& error)
+    {
+      const std::string text = error.what();
+      EXPECT_NE(text.find(reason), text.npos) << text;
+      EXPECT_NE(text.find("grid.spacing = "), text.npos) << text;
+    }
 }
 
 TEST(Feasibility, NamesTheDefaultResolution)

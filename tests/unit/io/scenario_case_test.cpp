@@ -90,6 +90,42 @@ TEST(ScenarioCase, TuggingUnderLoad)
   EXPECT_NE(refusal(text, {"tugging.kinematics=paper"}).find("constant height only"), std::string::npos);
 }
 
+TEST(ScenarioCase, TuggingTakesWhatCanPassAndAnyTexture)
+{
+  const std::string text(sample::case_text);
+  const auto tugging = [&](const std::vector<std::string>& overrides)
+  { return read<simulation::TuggingCase>(text, overrides); };
+  const std::vector<std::string> length{"tugging.normalised=false", "tugging.interference=2 mm"};
+  const auto with = [&](std::vector<std::string> keys)
+  {
+    keys.insert(keys.end(), length.begin(), length.end());
+    return keys;
+  };
+  const std::string ellipsoid = "lower.shape={type=\"ellipsoid\", radius_x=1, radius_y=\"3 m\"}";
+  EXPECT_EQ(tugging(with({ellipsoid})).lower.shape, simulation::Shape(simulation::Paraboloid{1.0, 3.0}));
+  const std::string roller = "shape={type=\"cylinder\", radius=1, length=\"0.15 m\"}";
+  EXPECT_EQ(tugging(with({"lower." + roller, "upper." + roller, "grid.spacing=[5e-3, \"50 mm\", 2e-3]"})).upper.shape,
+            simulation::Shape(simulation::Roller{1.0, 0.15}));
+  EXPECT_EQ(tugging({"lower.texture={type=\"dent\", depth=\"1 mm\", radius=\"40 mm\"}"}).lower.texture,
+            simulation::Texture(simulation::Dent{0.0, 0.0, 1e-3, 40e-3}));
+  // Without one radius for all directions there is no unit of first yield.
+  EXPECT_NE(refusal(text, {ellipsoid})
+                .find("tugging.interference = 9 is in units of the critical interference alpha_c, "
+                      "but the bodies are not round where they touch, so there is none; allowed: "
+                      "tugging.normalised = false with a length"),
+            std::string::npos)
+      << refusal(text, {ellipsoid});
+  for (const char* shape : {"flat", "vickers", "berkovich"})
+  {
+    const std::string what = refusal(text, {std::string("upper.shape={type=\"") + shape + "\"}"});
+    EXPECT_NE(what.find(std::string("upper.shape.type = \"") + shape +
+                        "\" cannot pass another body; allowed with scenario "
+                        "= \"tugging\": \"sphere\", \"ellipsoid\" or"),
+              std::string::npos)
+        << what;
+  }
+}
+
 TEST(ScenarioCase, ShapesAndTextures)
 {
   const auto shaped = [](const std::string& shape)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/run.hpp"
 #include "brinell/simulation/tugging.hpp"
@@ -21,8 +22,8 @@ TuggingCase spheres(double interference_ratio)
 {
   const constitutive::Material material{{200e9, 0.32}, constitutive::PerfectPlasticity{0.9115e9}};
   TuggingCase t;
-  t.lower = {1.0, material};
-  t.upper = {1.0, material};
+  t.lower = {Paraboloid{1.0, 1.0}, material};
+  t.upper = {Paraboloid{1.0, 1.0}, material};
   t.interference = interference_ratio * critical_interference;
   return t;
 }
@@ -80,7 +81,7 @@ TEST(PlanTest, ResolutionGivesTheCells)
 TEST(PlanTest, GridsHoldTheContactAndTheTrack)
 {
   TuggingCase t = spheres(9.0);
-  t.upper.radius = 2.5;
+  t.upper.shape = Paraboloid{2.5, 2.5};
   t.resolution = 6.0;
   const TuggingPlan p = plan(t);
   const double a = p.elastic_contact_radius, dx = p.contact.dx;
@@ -101,6 +102,88 @@ TEST(PlanTest, GridsHoldTheContactAndTheTrack)
     EXPECT_EQ(grid.surface.dy, p.contact.dy);
   }
   EXPECT_GT(p.upper.surface.nx, p.lower.surface.nx); // the larger sphere is passed over a longer arc
+}
+
+TEST(PlanTest, TuggingTakesWhatCanPass)
+{
+  TuggingCase t = spheres(4.0);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (const Shape& shape : {Shape(Plane{}), Shape(Cone{1.2, 0.0}), Shape(Pyramid{4, 1.2, 0.0}),
+                             Shape(Paraboloid{-3.0, 1.0}), Shape(Paraboloid{infinite, 1.0})})
+  {
+    t.upper.shape = shape;
+    EXPECT_EQ(refusal(t),
+              "upper.shape has no radius > 0 in the plane of motion and cannot pass another body; allowed in "
+              "tugging: paraboloids with radius_x > 0, and rollers");
+    EXPECT_FALSE(passing_radius(shape).has_value());
+  }
+  // Two endless cylinders touch in a line without ends.
+  t.lower.shape = t.upper.shape = Paraboloid{1.0, infinite};
+  EXPECT_NE(refusal(t).find("neither in a point nor in a line of finite length"), std::string::npos);
+  t.upper.shape = Roller{1.0, 0.2};
+  const TuggingPlan roller = plan(t);
+  EXPECT_DOUBLE_EQ(roller.elastic_contact_radius_y, 0.1);
+  const double rows = 0.2 / roller.contact.dy;
+  EXPECT_NEAR(rows, std::round(rows), 1e-9) << "the ends are those of cells";
+  EXPECT_GT(roller.contact.ny * roller.contact.dy, 0.2);
+}
+
+TEST(PlanTest, TexturesOfTuggingWidenTheGridsByWhatTheyCanTouch)
+{
+  TuggingCase t = spheres(4.0);
+  t.resolution = 6.0;
+  const TuggingPlan smooth = plan(t);
+  EXPECT_EQ(smooth.twin, elastoplastic::Twin::mirror_image);
+  t.lower.texture = Dent{.depth = -t.interference, .radius = 0.5};
+  const TuggingPlan rough = plan(t);
+  EXPECT_EQ(rough.twin, elastoplastic::Twin::none) << "a bump has no mirror image";
+  EXPECT_EQ(rough.texture_height, t.interference);
+  // Spheres that are larger by the bump begin to touch farther out, and overlap farther than the elastic contact reaches.
+  const double sum = 2.0 + t.interference;
+  const double arc = std::acos((2.0 - t.interference) / sum);
+  EXPECT_GE(0.5 * rough.lower.surface.nx * rough.lower.surface.dx, arc);
+  EXPECT_GE(0.5 * rough.contact.nx * rough.contact.dx, std::sqrt(2.0 * t.interference));
+  EXPECT_GT(rough.contact.ny, smooth.contact.ny);
+  EXPECT_EQ(rough.contact.dx, smooth.contact.dx);
+  // On a narrow bump only the columns are more.
+  t.lower.texture = Dent{.depth = -t.interference, .radius = 1e-3};
+  EXPECT_EQ(plan(t).contact.ny, smooth.contact.ny);
+  t.lower.texture = Dent{.depth = -1.5, .radius = 0.5};
+  EXPECT_NE(refusal(t).find("the textures are together 1.5 m high"), std::string::npos) << refusal(t);
+}
+
+TEST(PlanTest, FirstYieldOfAHardenedLayerIsThatOfItsCoreInEveryScenario)
+{
+  // The yield stress is that of the surface; below the layer it is half of it.
+  TuggingCase t = spheres(4.0);
+  for (ShapedBody* body : {&t.lower, &t.upper})
+    body->material.yield_factor = constitutive::DepthProfile({5e-3, 10e-3}, {1.0, 0.5});
+  IndentationCase i;
+  i.lower = t.lower;
+  i.upper = t.upper;
+  i.sequence = {{contact::Drive::Kind::approach, t.interference}};
+  const double of_core = 0.25 * critical_interference; // the approach goes with the square of the pressure
+  EXPECT_NEAR(plan(t).scales.displacement, of_core, 1e-5 * of_core);
+  EXPECT_NEAR(plan(i).scales.displacement, of_core, 1e-5 * of_core);
+  // The units of the paper stay those of the nominal yield stress.
+  EXPECT_EQ(nominal_yield(t.lower.material, t.upper.material)->yield_stress, 0.9115e9);
+  EXPECT_EQ(earliest_yield(t.lower.material, t.upper.material)->yield_stress, 0.5 * 0.9115e9);
+  // A layer that is hard throughout yields late.
+  t.lower.material.yield_factor = t.upper.material.yield_factor = constitutive::DepthProfile({0.0}, {1.2});
+  EXPECT_NEAR(plan(t).scales.displacement, 1.44 * critical_interference, 1e-5 * critical_interference);
+}
+
+TEST(FirstYield, IsThatOfTheWeakerBody)
+{
+  const constitutive::Material weak{{200e9, 0.3}, constitutive::PerfectPlasticity{0.5e9}};
+  const constitutive::Material strong{{200e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
+  const constitutive::Material elastic{{200e9, 0.3}, {}};
+  EXPECT_EQ(nominal_yield(weak, strong)->body, YieldsFirst::lower);
+  EXPECT_EQ(nominal_yield(strong, weak)->body, YieldsFirst::upper);
+  EXPECT_EQ(nominal_yield(weak, weak)->body, YieldsFirst::both);
+  EXPECT_EQ(nominal_yield(elastic, weak)->body, YieldsFirst::upper);
+  EXPECT_FALSE(nominal_yield(elastic, elastic).has_value());
+  EXPECT_EQ(nominal_yield(elastic, weak)->peak_pressure(), nominal_yield(weak, weak)->peak_pressure());
 }
 
 TEST(PlanTest, AnyShiftIsPossible)
@@ -139,7 +222,7 @@ TEST(PlanTest, StepsLieOnTheCellsOfBothBodies)
       for (const Kinematics kinematics : {Kinematics::exact, Kinematics::paper})
       {
         TuggingCase t = spheres(0.5); // elastic: nothing to iterate
-        t.upper.radius = upper_radius;
+        t.upper.shape = Paraboloid{upper_radius, upper_radius};
         t.kinematics = kinematics;
         t.resolution = 3.0;
         t.shift = shift * plan(t).contact.dx;

@@ -201,5 +201,25 @@ TEST(Texture, FinerThanTheCellsCountsWithItsMean)
   EXPECT_LT(cell_depth(bump, 0.0, 0.0, 10.5e-6, 10.5e-6), -1e-9);
 }
 
+TEST(Quality, TexturesOfTugging)
+{
+  const constitutive::Material steel{{200e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
+  TuggingCase t;
+  t.lower = t.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  t.interference = 1e-6;
+  const auto warnings = [&] { return keys(expected_quality(t, plan(t))); };
+  EXPECT_EQ(warnings(), Keys{});
+  const double cell = plan(t).contact.dy;
+  t.upper.texture = Dent{.depth = -1e-7, .radius = 3.5 * cell};
+  EXPECT_EQ(warnings(), Keys{"coarse_texture"});
+  t.upper.texture = Dent{.depth = -1e-7, .radius = 4.5 * cell};
+  EXPECT_EQ(warnings(), Keys{});
+  // Where the smooth bodies would stay elastic, those on a bump may yield.
+  t.interference = 1e-8;
+  EXPECT_EQ(warnings(), Keys{});
+  t.upper.texture = Smooth{};
+  EXPECT_EQ(warnings(), Keys{"no_yield"});
+}
+
 } // namespace
 } // namespace brinell::simulation

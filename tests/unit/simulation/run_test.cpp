@@ -16,8 +16,8 @@ const constitutive::Material steel{{210e9, 0.3}, constitutive::PerfectPlasticity
 TuggingCase tugging()
 {
   TuggingCase c;
-  c.lower = {1e-3, steel};
-  c.upper = {1.5e-3, steel};
+  c.lower = {Paraboloid{1e-3, 1e-3}, steel};
+  c.upper = {Paraboloid{1.5e-3, 1.5e-3}, steel};
   c.interference = 3e-7;
   c.resolution = 3.0;
   return c;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
 #include "brinell/simulation/shape.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace brinell::simulation
 {
@@ -88,6 +91,59 @@ TEST(ShapeTest, CurvaturesAdd)
   EXPECT_NEAR((*k)[0], 2.5, rounding);
   EXPECT_NEAR((*k)[1], -0.25, rounding);
   EXPECT_FALSE(relative_curvature(Plane{}, Cone{1.0, 0.0}));
+}
+
+TEST(TextureTest, SampledFunction)
+{
+  const auto waves = [](double x, double y) { return 1e-6 * std::cos(2.0 * pi * x / 1e-3) + 2e-3 * y; };
+  const HeightMap map = sampled(waves, 41, 21, 25e-6, 50e-6, 1e-4, -2e-4);
+  EXPECT_EQ(map.heights.size(), 41u * 21u);
+  for (const auto& [i, j] : {std::pair{0, 0}, {17, 4}, {40, 20}})
+  {
+    const double x = 1e-4 + (i - 20) * 25e-6;
+    const double y = -2e-4 + (j - 10) * 50e-6;
+    EXPECT_NEAR(depth(map, x, y), -waves(x, y), 1e-18) << i << " " << j; // depth is into the body
+  }
+  EXPECT_EQ(sampled(waves, 41, 21, 25e-6, 50e-6, 1e-4, -2e-4), map) << "it can be compared, as a function could not";
+  EXPECT_THROW(static_cast<void>(sampled(waves, 0, 1, 1.0, 1.0)), InputError);
+  EXPECT_THROW(static_cast<void>(sampled(waves, 1, 1, 0.0, 1.0)), InputError);
+  try
+  {
+    static_cast<void>(sampled([](double x, double) { return 1.0 / x; }, 3, 1, 1e-3, 1e-3));
+    FAIL();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("the height at x = 0 m, y = 0 m is inf"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(TextureTest, ReachHoldsAllHeights)
+{
+  const Dent dent{.x = 0.3, .y = -0.2, .depth = 2e-3, .radius = 0.1};
+  const Dent bump{.x = 0.3, .y = -0.2, .depth = -2e-3, .radius = 0.1};
+  EXPECT_EQ(reach(Smooth{}).height, 0.0);
+  EXPECT_EQ(reach(bump).height, 2e-3);
+  double highest = 0.0;
+  for (double r = 0.0; r < 1.0; r += 1e-4)
+    highest = std::max(highest, -depth(dent, 0.3 + r * dent.radius, -0.2));
+  EXPECT_GE(reach(dent).height, highest);
+  EXPECT_LE(reach(dent).height, 1.05 * highest);
+  EXPECT_LT(std::abs(depth(bump, 0.3, -reach(bump).half_width_y)), 0.04 * 2e-3);
+  const HeightMap map{2, 3, 1.0, 2.0, 0.0, 5.0, {-1.0, 0.5, 0.25, 3.0, -2.0, 0.0}};
+  EXPECT_EQ(reach(map).height, 3.0);
+  EXPECT_EQ(depth(map, 0.0, reach(map).half_width_y), 0.0);
+  EXPECT_EQ(reach(HeightMap{1, 1, 1.0, 1.0, 0.0, 0.0, {-1.0}}).height, 0.0);
+}
+
+TEST(ShapeTest, EquivalentRadiusIsThatOfRoundPairs)
+{
+  EXPECT_DOUBLE_EQ(equivalent_radius(Paraboloid{1.0, 1.0}, Paraboloid{3.0, 3.0}).value(), 0.75);
+  EXPECT_DOUBLE_EQ(equivalent_radius(Paraboloid{1.0, 2.0}, Paraboloid{2.0, 1.0}).value(), 2.0 / 3.0);
+  EXPECT_FALSE(equivalent_radius(Paraboloid{1.0, 2.0}, Plane{}).has_value());
+  EXPECT_FALSE(equivalent_radius(Plane{}, Plane{}).has_value());
+  EXPECT_FALSE(equivalent_radius(Cone{1.2, 0.0}, Plane{}).has_value());
 }
 
 } // namespace

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_layout.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/foundation/fft.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// Half-width in whole cells around a central one that covers `length`.
+int half_cells(double length, double cell)
+{
+  return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
+}
+
+int odd_cells(double half_length, double cell, int margin = 0)
+{
+  return 2 * (half_cells(half_length, cell) + margin) + 1;
+}
+
+/// Real padded planes of all layers [bytes].
+double padded_bytes(const VolumeGrid& grid)
+{
+  return static_cast<double>(fast_length(2 * grid.surface.nx - 1)) * fast_length(2 * grid.surface.ny - 1) * grid.nz *
+         sizeof(double);
+}
+
+/// Spectra of the stress, and rows without their padding in y.
+double spectra_bytes(const VolumeGrid& grid, int components)
+{
+  return 1.5 * components * padded_bytes(grid);
+}
+
+/// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
+double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
+{
+  const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
+  const double cells = static_cast<double>(grid.size()) * sizeof(double);
+  const double fields = cells * (6 * 5 + 4);
+  const double active_share = 0.25;
+  const double accelerator = cells * active_share * 5 * (2 * anderson_depth + 4);
+  return kernels + fields + (solved ? spectra_bytes(grid, 5) + accelerator : 0.0);
+}
+
+/// The final state always is a snapshot: tensors of both bodies, and the operators' spectra for one of them at a time.
+double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
+{
+  const auto cells = static_cast<double>(lower.size() + upper.size());
+  const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
+  return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
+}
+
+/// A copy of the state, as numbers, as a file in memory, and as that file's image.
+double checkpoint_bytes(const VolumeGrid& grid, bool solved)
+{
+  return solved ? 3.0 * 16.0 * sizeof(double) * static_cast<double>(grid.size()) : 0.0;
+}
+
+} // namespace
+
+std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect)
+{
+  const double dx = contact.half_x / numerics.resolution;
+  double dy = aspect * dx * std::clamp(contact.half_y / contact.half_x, 0.25, 4.0);
+  if (contact.straight_y) // the length is a whole number of cells, one of them in the middle
+    dy = 2.0 * contact.half_y / (2.0 * std::round(contact.half_y / dy - 0.5) + 1.0);
+  const std::array<double, 3> spacing = numerics.spacing.value_or(std::array{dx, dy, 0.5 * std::min(dx, dy)});
+  if (const double rows = 2.0 * contact.half_y / spacing[1];
+      contact.straight_y && std::abs(std::remainder(rows - 1.0, 2.0)) > 1e-6 * rows)
+    throw GridError(
+        fmt::format("grid: the cylinder is {:.6g} cells of dy long; allowed: an odd whole number, so that its "
+                    "ends are those of cells",
+                    rows));
+  constexpr double most_cells = 1e5;
+  const double finest = *std::min_element(spacing.begin(), spacing.end());
+  if (const double a = std::max(contact.half_x, contact.half_y); !(a / finest < most_cells))
+    throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, a));
+  return spacing;
+}
+
+void lay_out(const std::array<double, 3>& cells, const Extents& extents, Plan& plan)
+{
+  const auto [dx, dy, dz] = cells;
+  constexpr int margin = 4;          // cells: material pushed ahead
+  constexpr double most_cells = 2e9; // beyond it indices would overflow; far beyond any machine
+  const double longest = std::max({extents.contact_x, extents.lower_x, extents.upper_x});
+  const double count = 4.0 * longest / dx * (extents.contact_y / dy) * (extents.depth / dz);
+  if (!(count < most_cells))
+    throw GridError(fmt::format("grid: {:.1e} cells for a track of {:.3g} x {:.3g} m with a plastic zone of {:.3g} m; "
+                                "allowed: fewer than {:.0e}, so larger cells or a shorter track",
+                                count, 2.0 * longest, 2.0 * extents.contact_y, extents.depth, most_cells));
+  plan.contact = {odd_cells(extents.contact_x, dx), odd_cells(extents.contact_y, dy), dx, dy};
+  for (const auto& [grid, half_length] : {std::pair{&plan.lower, extents.lower_x}, {&plan.upper, extents.upper_x}})
+  {
+    grid->surface = plan.contact;
+    grid->surface.nx = std::max(plan.contact.nx, odd_cells(half_length, dx, margin));
+    grid->nz = std::max(2, static_cast<int>(std::ceil(extents.depth / dz - 1e-9)));
+    grid->dz = dz;
+  }
+}
+
+int grown(int cells)
+{
+  return 2 * static_cast<int>(std::ceil(cells / 6.0 + 1.0)) + cells;
+}
+
+int step_count(double steps)
+{
+  constexpr double most = 1e9;
+  if (!(steps <= most))
+    throw InputError(fmt::format("{:.1e} steps; allowed: up to {:.0e}", steps, most));
+  return static_cast<int>(steps);
+}
+
+double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth)
+{
+  const bool upper_is_solved = upper_is_plastic && plan.twin == elastoplastic::Twin::none;
+  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) +
+         body_bytes(plan.upper, anderson_depth, upper_is_solved) +
+         std::max(snapshot_bytes(plan.lower, plan.upper),
+                  checkpoint_bytes(plan.lower, lower_is_plastic) + checkpoint_bytes(plan.upper, upper_is_solved));
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/scenario.hpp"
+
+/// Cells and grids of a run: the one place that counts them. What they have to cover is each scenario's own estimate.
+namespace brinell::simulation
+{
+
+/// What the cells of a contact follow from.
+struct ContactSize
+{
+  double half_x = 0.0, half_y = 0.0; ///< [m]
+  bool straight_y = false;           ///< the contact ends with a roller, and so do its cells
+};
+
+/// Cells from the contact's size, unless they are given.
+/// @param aspect  dy over dx for a round contact.
+/// @throws GridError
+[[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect);
+
+/// Half-lengths around the middle of each grid, and depth, to be covered [m].
+struct Extents
+{
+  double contact_x = 0.0, contact_y = 0.0;
+  double lower_x = 0.0, upper_x = 0.0; ///< of the material
+  double depth = 0.0;
+};
+
+/// Lays the grids out: an odd number of columns and rows, so that one cell is in the middle. The material grids have the rows
+/// of the contact's, some columns more than asked for, because material is pushed ahead, and never fewer than the contact.
+/// @throws GridError if they are beyond all measure
+void lay_out(const std::array<double, 3>& cells, const Extents& extents, Plan& plan);
+
+/// Where a row is on either body [m]: all grids lie with their middle row on y = 0. Columns move; `Lattice` has them.
+[[nodiscard]] inline double row_y(const SurfaceGrid& grid, int row)
+{
+  return (row - 0.5 * (grid.ny - 1)) * grid.dy;
+}
+
+/// Columns or rows of a grid that has been outgrown: at least a third more, as many at either end.
+[[nodiscard]] int grown(int cells);
+
+/// What operators, fields and the final state take [bytes].
+[[nodiscard]] double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth);
+
+/// A number of steps as a whole one. @throws InputError if there are far too many
+[[nodiscard]] int step_count(double steps);
+
+} // namespace brinell::simulation
