@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far is one residual-stress evaluation from its floor, the Fourier transforms of the same planes, and does its cost
 // grow as N log N?
-#include "brinell/foundation/fft.hpp"
+#include "brinell/foundation/deviator.hpp"
 #include "brinell/halfspace/half_space.hpp"
+#include "foundation/blocked_fft.hpp"
+#include "foundation/fft.hpp"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -88,8 +90,9 @@ void evaluate(benchmark::State& state, const VolumeGrid& grid)
   for (auto _ : state)
   {
     const auto begin = Clock::now();
-    half_space.load_strain(strain, grid.nz, work, displacement);
-    half_space.deviatoric_stress(pressure, strain, work, stress);
+    const halfspace::HalfSpace::Loaded loaded = half_space.load(strain, grid.nz, work);
+    loaded.displacement({.z = displacement});
+    loaded.stress({.pressure = pressure}, stress);
     const auto end = Clock::now();
     benchmark::DoNotOptimize(stress.data());
     transform_all(fft, strain, rows, spectrum, stress);

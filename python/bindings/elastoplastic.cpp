@@ -4,7 +4,6 @@
 #include "module.hpp"
 #include "python_calls.hpp"
 
-#include "brinell/elastoplastic/body_stress.hpp"
 #include "brinell/elastoplastic/increment.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -21,7 +20,7 @@ namespace
 {
 
 using constitutive::Material;
-using elastoplastic::Body;
+using elastoplastic::BodyView;
 using elastoplastic::CoupledContact;
 using elastoplastic::IncrementReport;
 using elastoplastic::Place;
@@ -112,17 +111,14 @@ public:
   Output stress(bool upper)
   {
     const Use use(busy_);
-    const Body& body = upper ? contact_.upper() : contact_.lower();
-    if (!body.shared_half_space())
-      throw InputError("the body is rigid: it has no stress");
-    const Place& place = upper ? placement_.upper : placement_.lower;
     return array(without_lock(
                      [&]
                      {
-                       const elastoplastic::BodyStress s = elastoplastic::body_stress(contact_, body, place);
+                       const CoupledContact::Stress s =
+                           upper ? contact_.upper_stress(placement_.upper) : contact_.lower_stress(placement_.lower);
                        return six_fields(s.deviator, s.trace);
                      }),
-                 tensor_shape(body.grid()));
+                 tensor_shape((upper ? contact_.upper() : contact_.lower()).grid()));
   }
 
 private:
@@ -137,14 +133,15 @@ Output copy_of(std::span<const double> field, const Shape& shape)
 }
 
 /// Back stresses, [term, component, z, y, x].
-Output backstress(const Body& body)
+Output backstress(const BodyView& body)
 {
   const std::size_t terms = body.material().kinematic.size();
   const std::size_t n = body.grid().size();
+  const elastoplastic::BodyState state = body.state();
   std::vector<double> fields;
   for (std::size_t term = 0; term < terms; ++term)
   {
-    const auto field = std::span(body.state().backstress).subspan(term * Deviator::size * n, Deviator::size * n);
+    const auto field = std::span(state.backstress).subspan(term * Deviator::size * n, Deviator::size * n);
     const std::vector<double> of_term = six_fields(field);
     fields.insert(fields.end(), of_term.begin(), of_term.end());
   }
@@ -240,20 +237,20 @@ void bind_body_state(nb::class_<Pair>& pair)
           "plastic_strain",
           [](Pair& p, bool upper)
           {
-            return p.read(upper, [](const Body& b)
+            return p.read(upper, [](const BodyView& b)
                           { return array(six_fields(b.state().plastic_strain), tensor_shape(b.grid())); });
           },
           "upper"_a)
       .def(
           "equivalent_plastic_strain",
           [](Pair& p, bool upper)
-          { return p.read(upper, [](const Body& b) { return copy_of(b.state().equivalent, shape(b.grid())); }); },
+          { return p.read(upper, [](const BodyView& b) { return copy_of(b.state().equivalent, shape(b.grid())); }); },
           "upper"_a)
       .def(
           "residual_displacement",
           [](Pair& p, bool upper)
           {
-            return p.read(upper, [](const Body& b)
+            return p.read(upper, [](const BodyView& b)
                           { return copy_of(b.state().residual_displacement, shape(b.grid().surface)); });
           },
           "upper"_a)
@@ -262,11 +259,11 @@ void bind_body_state(nb::class_<Pair>& pair)
       .def("stress", &Pair::stress, "upper"_a)
       .def(
           "dissipation",
-          [](Pair& p, bool upper) { return p.read(upper, [](const Body& b) { return b.state().dissipation; }); },
+          [](Pair& p, bool upper) { return p.read(upper, [](const BodyView& b) { return b.solved().state().dissipation; }); },
           "upper"_a)
       .def(
           "locked_in_energy",
-          [](Pair& p, bool upper) { return p.read(upper, [](const Body& b) { return b.state().locked_in_energy; }); },
+          [](Pair& p, bool upper) { return p.read(upper, [](const BodyView& b) { return b.solved().state().locked_in_energy; }); },
           "upper"_a);
 }
 

@@ -30,7 +30,7 @@ Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
       [&]
       {
         SurfaceCompliance::Scratch scratch = compliance.make_scratch();
-        compliance.apply(p, u, scratch);
+        compliance.apply({.pressure = p}, {.z = u}, scratch);
       });
   return array(std::move(u), shape(compliance.grid()));
 }
@@ -59,12 +59,9 @@ Output stress(const HalfSpace& half_space, const std::optional<Input>& pressure,
               const std::optional<Input>& eigenstrain)
 {
   const VolumeGrid& g = half_space.grid();
-  std::vector<double> zeros;
   std::span<const double> p;
   if (pressure)
     p = values(*pressure, shape(g.surface), "pressure");
-  else
-    p = zeros = std::vector<double>(g.surface.size());
   std::span<const double> given;
   if (eigenstrain)
     given = values(*eigenstrain, tensor_shape(g), "eigenstrain");
@@ -76,7 +73,7 @@ Output stress(const HalfSpace& half_space, const std::optional<Input>& pressure,
                      std::vector<double> deviator(strain.size());
                      std::vector<double> trace(g.size());
                      HalfSpace::Work work = half_space.make_work();
-                     half_space.full_stress(p, strain, work, deviator, trace);
+                     half_space.full_stress({.pressure = p}, strain, work, deviator, trace);
                      return six_fields(deviator, trace);
                    }),
                tensor_shape(g));
@@ -91,7 +88,8 @@ Output residual_displacement(const HalfSpace& half_space, const Input& eigenstra
       [&]
       {
         HalfSpace::Work work = half_space.make_work();
-        half_space.load_strain(traceless(given), g.nz, work, u);
+        const std::vector<double> strain = traceless(given);
+        half_space.load(strain, g.nz, work).displacement({.z = u});
       });
   return array(std::move(u), shape(g.surface));
 }

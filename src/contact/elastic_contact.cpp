@@ -255,7 +255,7 @@ double ElasticContact::descend(double beta, bool load_given, std::span<const dou
                for (std::size_t i = first; i < last; ++i)
                  d[i] = p[i] > 0.0 ? g[i] + beta * d[i] : 0.0;
              });
-  compliance_.apply(direction_, image_, scratch_);
+  compliance_.apply({.pressure = direction_}, {.z = image_}, scratch_);
   const auto slopes_here = [&](std::size_t first, std::size_t last) {
     return slopes_of({first, last}, p, g, d, image_.data());
   };
@@ -313,7 +313,7 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
     }
     if (is_exact)
     {
-      compliance_.apply(pressure, displacement_, scratch_);
+      compliance_.apply({.pressure = pressure}, {.z = displacement_}, scratch_);
       followed = 0;
       ++products;
       state = settle(distance, drive, pressure, gap);

@@ -13,17 +13,19 @@ void ActiveCells::clear()
   cells_.clear();
   q_.clear();
   g_.clear();
+  start_.clear();
   equivalent_.clear();
   dissipation_.clear();
   backstress_.clear();
 }
 
-void ActiveCells::add(std::size_t cell, const Deviator& q)
+void ActiveCells::add(std::size_t cell, const Deviator& q, const Deviator& start)
 {
   is_active_[cell] = 1;
   cells_.push_back(cell);
   q_.insert(q_.end(), q.v.begin(), q.v.end());
   g_.insert(g_.end(), q.v.begin(), q.v.end());
+  start_.insert(start_.end(), start.v.begin(), start.v.end());
   equivalent_.push_back(0.0);
   dissipation_.push_back(0.0);
   backstress_.resize(backstress_.size() + terms_);

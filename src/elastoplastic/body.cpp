@@ -2,7 +2,6 @@
 #include "brinell/elastoplastic/body.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "foundation/require_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +31,10 @@ void BodyState::exchange(Archive& archive)
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-           const constitutive::Material& material, bool shortcuts, std::vector<double> texture)
-    : grid_(grid), material_(material), half_space_(std::move(half_space)), texture_(std::move(texture)),
-      shortcuts_(shortcuts), layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
+           const constitutive::Material& material, bool shortcuts)
+    : grid_(grid), material_(material), half_space_(std::move(half_space)), shortcuts_(shortcuts), layers_(grid_.nz),
+      displacement_(grid_.surface.size(), 0.0)
 {
-  if (!texture_.empty())
-    require_size("Body: the texture", texture_, grid_.surface.size());
   const std::size_t n = grid_.size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
   state_.equivalent.assign(n, 0.0);
@@ -53,31 +50,41 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   add_initial_stress(grid_.nz, state_.stress);
 }
 
-/// A body that is rigid, stays elastic or is the twin of another one never has a trial of its own.
+/// A body that is rigid or stays elastic never has a trial of its own.
 void Body::prepare_trial()
 {
   if (!stress_.empty())
     return;
   stress_ = state_.stress;
-  q_field_ = state_.stress;
   active_ = ActiveCells(grid_.size(), material_.kinematic.size());
 }
 
 void Body::exchange(Archive& archive)
 {
-  std::vector<double> texture = texture_;
-  archive.list("texture", texture);
-  const auto alike = [](double a, double b)
-  { return std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b)); }; // rounding
-  if (!std::equal(texture.begin(), texture.end(), texture_.begin(), texture_.end(), alike))
-    throw InputError("the texture of a surface is not that of the stored state");
   if (!is_plastic())
     return;
   prepare_trial();
   archive("state", state_);
-  archive("q_field", q_field_);
+  archive("q_field", stress_);
   displacement_ = state_.residual_displacement;
-  stress_ = state_.stress;
+  if (archive.gives())
+    take_up_guess();
+}
+
+/// The cells whose q is not their stress.
+void Body::take_up_guess()
+{
+  const std::size_t n = grid().size();
+  guessed_cells_.clear();
+  guessed_q_.clear();
+  for (std::size_t cell = 0; cell < n; ++cell)
+  {
+    const Deviator q = deviator_at(stress_, n, cell);
+    if (q.v == deviator_at(state_.stress, n, cell).v)
+      continue;
+    guessed_cells_.push_back(cell);
+    guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
+  }
 }
 
 void Body::begin(int shift, double stiffness_share)
@@ -87,17 +94,27 @@ void Body::begin(int shift, double stiffness_share)
   if (!is_plastic())
     return;
   prepare_trial();
-  strain_ = state_.plastic_strain;
+  in_increment_ = true;
   active_.clear();
   layers_ = grid().nz;
   // Seen from the contact, q changes little from step to step: it is carried along.
-  collect_active(q_field_, shift, shortcuts_ ? active_share : -1.0);
+  collect_active(stress_, shift, shortcuts_ ? active_share : -1.0);
   keep_active_layers();
 }
 
 void Body::restore()
 {
   displacement_ = state_.residual_displacement;
+  if (!in_increment_)
+    return;
+  in_increment_ = false;
+  const std::size_t n = grid().size();
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    store(active_.start(a), state_.plastic_strain, n, active_.cell(a));
+  stress_ = state_.stress;
+  for (std::size_t a = 0; a < guessed_cells_.size(); ++a)
+    for (std::size_t c = 0; c < Deviator::size; ++c)
+      stress_[c * n + guessed_cells_[a]] = guessed_q_[a * Deviator::size + c];
 }
 
 void Body::compute_all_layers()
@@ -106,7 +123,7 @@ void Body::compute_all_layers()
 }
 
 /// The deviator of xx = yy = sigma, zz = 0, in the layers [0, layers).
-void Body::add_initial_stress(int layers, std::vector<double>& stress) const
+void Body::add_initial_stress(int layers, std::span<double> stress) const
 {
   if (material_.initial_stress.empty())
     return;
@@ -162,12 +179,13 @@ void Body::integrate(Integration integration)
         {
           const std::size_t cell = active_.cell(a);
           const constitutive::PlasticIncrement result = increment(law_of(law, layer_of(cell)), a, integration);
-          store(deviator_at(state_.plastic_strain, n, cell) + result.strain, strain_, n, cell);
+          store(active_.start(a) + result.strain, state_.plastic_strain, n, cell);
           active_.set_flow(a, result);
         }
       },
       *material_.hardening);
-  half_space_->load_strain(strain_, layers_, work_, displacement_);
+  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_));
+  loaded_->displacement({.z = displacement_});
 }
 
 bool Body::update(std::span<const double> pressure)
@@ -175,7 +193,7 @@ bool Body::update(std::span<const double> pressure)
   if (!is_plastic())
     return false;
   const std::size_t n = grid().size();
-  half_space_->deviatoric_stress(pressure, strain_, work_, stress_);
+  loaded_->stress({.pressure = pressure}, stress_);
   add_initial_stress(layers_, stress_);
   std::visit(
       [&](const auto& law)
@@ -184,7 +202,7 @@ bool Body::update(std::span<const double> pressure)
         for (std::size_t a = 0; a < active_.size(); ++a)
         {
           const std::size_t cell = active_.cell(a);
-          const Deviator increment = deviator_at(strain_, n, cell) - deviator_at(state_.plastic_strain, n, cell);
+          const Deviator increment = deviator_at(state_.plastic_strain, n, cell) - active_.start(a);
           const Deviator g = deviator_at(stress_, n, cell) + stiffness_ * increment;
           active_.set_image(a, g);
           // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
@@ -234,7 +252,7 @@ double Body::locked_in_energy(std::span<const double> pressure) const
   double volume_work = 0.0;
   for (std::size_t cell = 0; cell < n; ++cell)
   {
-    const Deviator strain = deviator_at(strain_, n, cell);
+    const Deviator strain = deviator_at(state_.plastic_strain, n, cell);
     const double relieved =
         initial_stress_[cell / grid().surface.size()] * (strain[Deviator::xx] + strain[Deviator::yy]);
     volume_work += contract(deviator_at(stress_, n, cell), strain) + relieved;
@@ -270,13 +288,27 @@ void Body::commit(std::span<const double> pressure)
           state_.backstress[(term * Deviator::size + static_cast<std::size_t>(c)) * n + active_.cell(a)] =
               active_.backstress(a)[term][c];
   }
-  state_.plastic_strain = strain_;
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
   state_.locked_in_energy = locked_in_energy(pressure);
-  q_field_ = stress_;
+  guessed_cells_ = active_.cells();
+  guessed_q_ = active_.images();
   for (std::size_t a = 0; a < active_.size(); ++a)
-    store(active_.image(a), q_field_, n, active_.cell(a));
+    store(active_.image(a), stress_, n, active_.cell(a));
+  in_increment_ = false;
+}
+
+void Body::full_stress(std::span<const double> pressure, std::span<const double> plastic_strain,
+                       std::span<double> deviator, std::span<double> trace)
+{
+  if (work_.empty())
+    work_ = half_space_->make_work();
+  half_space_->full_stress({.pressure = pressure}, plastic_strain, work_, deviator, trace);
+  add_initial_stress(grid().nz, deviator);
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    trace[i] += 2.0 * initial_stress_[i / grid().surface.size()];
+  if (!is_plastic())
+    work_ = {}; // it is needed for output only
 }
 
 } // namespace brinell::elastoplastic

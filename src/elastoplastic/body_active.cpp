@@ -97,7 +97,7 @@ void Body::collect_active(const std::vector<double>& q_field, int shift, double 
     for (const std::size_t cell : cells)
     {
       const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
-      active_.add(cell, q);
+      active_.add(cell, q, deviator_at(state_.plastic_strain, n, cell));
     }
 }
 

@@ -41,15 +41,15 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, std::
   embed(history.backstress, from, state_.backstress, grid());
   state_.dissipation = history.dissipation;
   prepare_trial();
-  strain_ = state_.plastic_strain;
   work_ = half_space_->make_work();
-  half_space_->load_strain(strain_, grid().nz, work_, displacement_);
-  half_space_->deviatoric_stress(pressure, strain_, work_, stress_);
+  const halfspace::HalfSpace::Loaded loaded = half_space_->load(state_.plastic_strain, grid().nz, work_);
+  loaded.displacement({.z = displacement_});
+  loaded.stress({.pressure = pressure}, stress_);
   add_initial_stress(grid().nz, stress_);
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
   state_.locked_in_energy = locked_in_energy(pressure);
-  q_field_ = stress_;
+  take_up_guess();
 }
 
 } // namespace brinell::elastoplastic

@@ -29,30 +29,48 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures)
     : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic)), contact_(compliance_),
-      lower_(lower, operators(lower, lower_material.elastic), lower_material, settings.shortcuts,
-             std::move(textures.lower)),
-      upper_(upper,
-             lower == upper && lower_material.elastic == upper_material.elastic
-                 ? lower_.shared_half_space()
-                 : operators(upper, upper_material.elastic),
-             upper_material, settings.shortcuts, std::move(textures.upper)),
-      scales_(scales), settings_(settings), twin_(twin), pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0),
-      distance_(contact.size(), 0.0), lower_pressure_(lower.surface.size()), upper_pressure_(upper.surface.size())
+      textures_(std::move(textures)), scales_(scales), settings_(settings), twin_(twin), pressure_(contact.size(), 0.0),
+      gap_(contact.size(), 0.0), distance_(contact.size(), 0.0)
 {
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
     if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy)
       throw InternalError("CoupledContact: the three grids must have the same cells and rows");
-  if (twin != Twin::none && !(lower == upper && lower_material == upper_material))
+  const bool are_alike = lower == upper && lower_material.elastic == upper_material.elastic;
+  if (twin != Twin::none && !(are_alike && lower_material == upper_material))
     throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
+  for (const auto& [texture, grid] : {std::pair{&textures_.lower, &lower}, {&textures_.upper, &upper}})
+    if (!texture->empty())
+      require_size("CoupledContact: the texture", *texture, grid->surface.size());
+  const auto half_space = operators(lower, lower_material.elastic);
+  sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts), &Placement::lower});
+  if (twin == Twin::none)
+    sides_.push_back({Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic), upper_material,
+                           settings.shortcuts),
+                      &Placement::upper});
 }
+
+namespace
+{
+
+/// A texture is a part of the case, not of the history: what is stored must be the same.
+void exchange_texture(Archive& archive, const std::string& name, const std::vector<double>& texture)
+{
+  std::vector<double> stored = texture;
+  archive.list(name, stored);
+  const auto alike = [](double a, double b)
+  { return std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b)); }; // rounding
+  if (!std::equal(stored.begin(), stored.end(), texture.begin(), texture.end(), alike))
+    throw InputError("the texture of a surface is not that of the stored state");
+}
+
+} // namespace
 
 void CoupledContact::exchange(Archive& archive)
 {
-  archive("lower", lower_);
-  if (twin_ == Twin::none)
-    archive("upper", upper_);
-  else
-    upper_.adopt(lower_, twin_);
+  for (Side& side : sides_)
+    archive(&side == &sides_.front() ? "lower" : "upper", side.body);
+  exchange_texture(archive, "lower.texture", textures_.lower);
+  exchange_texture(archive, "upper.texture", textures_.upper);
   for (const auto& [name, place] : {std::pair{"lower", &placement_.lower}, {"upper", &placement_.upper}})
   {
     constexpr int most_columns = 1 << 28; // differences stay whole numbers
@@ -64,23 +82,65 @@ void CoupledContact::exchange(Archive& archive)
   archive("gap", gap_);
 }
 
-void CoupledContact::surface_depth(const Body& body, const Place& place, std::span<double> out) const
+namespace
 {
-  require_size("CoupledContact::surface_depth: the depth", out, grid().size());
-  std::fill(out.begin(), out.end(), 0.0);
-  add_depth(body.grid().surface, body.state().residual_displacement, body.texture(), place, grid(), out);
+
+void add_depth_of(const BodyView& view, std::span<const double> displacement, const Place& place,
+                  const SurfaceGrid& contact, std::span<double> out)
+{
+  require_size("CoupledContact: the depth", out, contact.size());
+  add_depth(view.grid().surface, displacement, view.texture(), place, contact, out);
 }
 
-bool CoupledContact::spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const
+} // namespace
+
+void CoupledContact::add_lower_depth(const Place& place, std::span<double> out) const
 {
-  return elastoplastic::spread_pressure(grid(), pressure_, place, body.grid().surface, out);
+  add_depth_of(lower(), lower().residual_displacement(), place, grid(), out);
+}
+
+void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) const
+{
+  add_depth_of(upper(), upper().residual_displacement(), place, grid(), out);
+}
+
+CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
+{
+  return stress(lower(), sides_.front().body, place);
+}
+
+CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
+{
+  return stress(upper(), sides_.back().body, place);
+}
+
+/// @param solved  whose buffers are used
+CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved, const Place& place) const
+{
+  if (view.material().elastic.is_rigid())
+    throw InputError("the body is rigid: it has no stress");
+  const VolumeGrid& volume = view.grid();
+  std::vector<double> pressure;
+  spread_pressure(grid(), pressure_, place, volume.surface, pressure);
+  Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
+  solved.full_stress(pressure, view.state().plastic_strain, result.deviator, result.trace);
+  return result;
+}
+
+bool CoupledContact::has_energy() const
+{
+  return std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.has_energy(); });
 }
 
 Outgrown CoupledContact::outgrown() const
 {
-  Outgrown result{lower_.reached_edges(), twin_ == Twin::none ? upper_.reached_edges() : lower_.reached_edges()};
-  result.lower.ends = result.lower.ends || leaves_lower_;
-  result.upper.ends = result.upper.ends || leaves_upper_;
+  const auto edges_of = [](const Side& side)
+  {
+    Edges edges = side.body.reached_edges();
+    edges.ends = edges.ends || side.is_left;
+    return edges;
+  };
+  Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
   std::tie(result.contact_ends, result.contact_sides) = pressed_edges();
   return result;
 }
@@ -107,9 +167,10 @@ bool CoupledContact::reaches_edge() const
 
 History CoupledContact::take_history() &&
 {
-  return {
-      grid(),     lower_.grid(), upper_.grid(),       std::move(lower_).take_state(), std::move(upper_).take_state(),
-      placement_, approach_,     std::move(pressure_)};
+  History history{grid(), lower().grid(), upper().grid(), {}, placement_, approach_, std::move(pressure_)};
+  for (Side& side : sides_)
+    history.solved.push_back(std::move(side.body).take_state());
+  return history;
 }
 
 void CoupledContact::continue_from(History history)
@@ -127,14 +188,19 @@ void CoupledContact::continue_from(History history)
                 pressure_.begin() + columns + static_cast<std::ptrdiff_t>(j + rows) * grid().nx);
   approach_ = history.approach;
   placement_ = history.placement;
-  placement_.lower.column += columns_added(lower_.grid().surface.nx, history.lower_grid.surface.nx) - columns;
-  placement_.upper.column += columns_added(upper_.grid().surface.nx, history.upper_grid.surface.nx) - columns;
-  spread_pressure(lower_, placement_.lower, lower_pressure_);
-  lower_.continue_from(history.lower, history.lower_grid, lower_pressure_);
-  if (twin_ != Twin::none)
-    return upper_.adopt(lower_, twin_);
-  spread_pressure(upper_, placement_.upper, upper_pressure_);
-  upper_.continue_from(history.upper, history.upper_grid, upper_pressure_);
+  placement_.lower.column += columns_added(lower().grid().surface.nx, history.lower_grid.surface.nx) - columns;
+  placement_.upper.column += columns_added(upper().grid().surface.nx, history.upper_grid.surface.nx) - columns;
+  spread(placement_);
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid,
+                                 sides_[i].pressure);
+}
+
+/// The pressure on the grids of the bodies.
+void CoupledContact::spread(const Placement& placement)
+{
+  for (Side& side : sides_)
+    side.is_left = !spread_pressure(grid(), pressure_, placement.*side.place, side.body.grid().surface, side.pressure);
 }
 
 double CoupledContact::load() const
@@ -146,7 +212,7 @@ double CoupledContact::elastic_energy() const
 {
   std::vector<double> displacement(pressure_.size());
   halfspace::SurfaceCompliance::Scratch scratch = compliance_.make_scratch();
-  compliance_.apply(pressure_, displacement, scratch);
+  compliance_.apply({.pressure = pressure_}, {.z = displacement}, scratch);
   double sum = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     sum += pressure_[i] * displacement[i];
@@ -155,6 +221,12 @@ double CoupledContact::elastic_energy() const
 
 namespace
 {
+
+/// The larger of two; a NaN in either stays.
+double larger(double a, double b)
+{
+  return b <= a || std::isnan(a) ? a : b;
+}
 
 double largest_change(std::span<const double> a, const std::vector<double>& b)
 {
@@ -166,15 +238,13 @@ double largest_change(std::span<const double> a, const std::vector<double>& b)
 
 } // namespace
 
-/// Contact of the deformed surfaces: gap and pressure for the residual displacements of the present trial.
-void CoupledContact::touch(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
-                           const Strategy& strategy, IncrementReport& report)
+/// Gap and pressure of the surfaces with the residual displacements of the present trial.
+void CoupledContact::solve_contact(std::span<const double> distance, const contact::Drive& drive,
+                                   const Placement& placement, const Strategy& strategy, IncrementReport& report)
 {
   std::copy(distance.begin(), distance.end(), distance_.begin());
-  add_depth(lower_.grid().surface, lower_.residual_displacement(), lower_.texture(), placement.lower, grid(),
-            distance_);
-  add_depth(upper_.grid().surface, upper_.residual_displacement(), upper_.texture(), placement.upper, grid(),
-            distance_);
+  add_lower_depth(placement.lower, distance_);
+  add_upper_depth(placement.upper, distance_);
   constexpr int most_iterations = 2000;
   const contact::Report contact = contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap,
                                                  most_iterations, pressure_, gap_, strategy.wants_stop);
@@ -182,8 +252,7 @@ void CoupledContact::touch(std::span<const double> distance, const contact::Driv
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
   report.approach = contact.approach;
-  leaves_lower_ = !spread_pressure(lower_, placement.lower, lower_pressure_);
-  leaves_upper_ = !spread_pressure(upper_, placement.upper, upper_pressure_);
+  spread(placement);
 }
 
 double CoupledContact::energy(double approach) const
@@ -193,20 +262,24 @@ double CoupledContact::energy(double approach) const
   double work = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     work += pressure_[i] * (distance_[i] - approach);
-  const double lower = lower_.energy(lower_pressure_);
-  const double upper = twin_ != Twin::none ? lower : upper_.energy(upper_pressure_);
-  return lower + upper - elastic_energy() - work * grid().cell_area();
+  double bodies = 0.0;
+  for (const Side& side : sides_)
+    bodies += side.body.energy(side.pressure);
+  if (twin_ != Twin::none)
+    bodies *= 2.0;
+  return bodies - elastic_energy() - work * grid().cell_area();
 }
 
 namespace
 {
 
 /// Puts back what an increment has changed, unless it is committed.
+template <typename Sides>
 class Undo
 {
 public:
-  Undo(std::vector<double>& pressure, std::vector<double>& gap, Body& lower, Body& upper)
-      : pressure_(pressure), gap_(gap), lower_(lower), upper_(upper), old_pressure_(pressure), old_gap_(gap)
+  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides)
+      : pressure_(pressure), gap_(gap), sides_(sides), old_pressure_(pressure), old_gap_(gap)
   {
   }
   ~Undo()
@@ -215,8 +288,8 @@ public:
       return;
     pressure_.swap(old_pressure_);
     gap_.swap(old_gap_);
-    lower_.restore();
-    upper_.restore();
+    for (auto& side : sides_)
+      side.body.restore();
   }
   Undo(const Undo&) = delete;
   Undo& operator=(const Undo&) = delete;
@@ -224,7 +297,7 @@ public:
 
 private:
   std::vector<double>&pressure_, &gap_;
-  Body &lower_, &upper_;
+  Sides& sides_;
   std::vector<double> old_pressure_, old_gap_;
   bool committed_ = false;
 };
@@ -239,48 +312,51 @@ constexpr double closing_factor = 5.0;
 
 } // namespace
 
+bool CoupledContact::has_unknowns() const
+{
+  return std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.unknowns() > 0; });
+}
+
 /// The fixed point of the trial deviators, to convergence or until it is given up.
 IncrementReport CoupledContact::iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy)
 {
   IncrementReport report;
-  const bool twins = twin_ != Twin::none;
   const double imposed_approach = drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0;
   Anderson anderson(strategy.anderson_depth);
   Unknowns unknowns;
   StallRule stall_rule;
   std::vector<double> x;
   std::vector<double> g;
-  std::vector<double> last_lower;
-  std::vector<double> last_upper;
+  std::vector<double> displacement; // of one body, before an evaluation
   // The increment may end with an evaluation that has looked at the stress everywhere: the last few do.
-  bool closing = strategy.watch_energy || lower_.unknowns() + upper_.unknowns() == 0;
+  bool closing = strategy.watch_energy || !has_unknowns();
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
       throw Interrupted();
-    if (closing)
+    bool complete = true;
+    report.displacement_error = 0.0;
+    for (auto& [body, place, pressure, is_left] : sides_)
     {
-      lower_.compute_all_layers();
-      upper_.compute_all_layers();
+      if (closing)
+        body.compute_all_layers();
+      complete = complete && body.computes_all_layers();
+      displacement.assign(body.residual_displacement().begin(), body.residual_displacement().end());
+      body.integrate(strategy.integration);
+      report.displacement_error =
+          larger(report.displacement_error, largest_change(body.residual_displacement(), displacement));
     }
-    const bool complete = lower_.computes_all_layers() && upper_.computes_all_layers();
-    last_lower.assign(lower_.residual_displacement().begin(), lower_.residual_displacement().end());
-    last_upper.assign(upper_.residual_displacement().begin(), upper_.residual_displacement().end());
-    lower_.integrate(strategy.integration);
-    if (twins)
-      upper_.follow(lower_, twin_);
-    else
-      upper_.integrate(strategy.integration);
-    touch(distance, drive, placement, strategy, report);
-    const bool lower_grew = lower_.update(lower_pressure_);
-    const bool upper_grew = !twins && upper_.update(upper_pressure_);
-    const bool grew = lower_grew || upper_grew;
-    report.yield_error = std::max(lower_.yield_error(), upper_.yield_error());
-    report.displacement_error = std::max(largest_change(lower_.residual_displacement(), last_lower),
-                                         largest_change(upper_.residual_displacement(), last_upper));
+    solve_contact(distance, drive, placement, strategy, report);
+    bool grew = false;
+    report.yield_error = 0.0;
+    for (auto& [body, place, pressure, is_left] : sides_)
+    {
+      grew = body.update(pressure) || grew;
+      report.yield_error = larger(report.yield_error, body.yield_error());
+    }
     // The first evaluation measures its change against the state before the increment: only a second one can settle it.
-    const bool settled = report.evaluations > 1 || lower_.unknowns() + upper_.unknowns() == 0;
+    const bool settled = report.evaluations > 1 || !has_unknowns();
     const auto within = [&](double factor)
     {
       return report.yield_error <= factor * settings_.yield_tolerance &&
@@ -302,11 +378,10 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     }
     else if (stall_rule.stalls(report.yield_error, grew || report.evaluations == 1))
       break;
-    unknowns.grow(lower_, upper_);
-    unknowns.pack(lower_.trial(), upper_.trial(), x);
-    unknowns.pack(lower_.image(), upper_.image(), g);
+    unknowns.grow(sides_);
+    unknowns.pack(sides_, x, g);
     anderson.advance(x, g);
-    unknowns.unpack(x, lower_.trial(), upper_.trial());
+    unknowns.unpack(x, sides_);
   }
   return report;
 }
@@ -315,12 +390,9 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
                                         const Placement& placement, const Strategy& strategy)
 {
   require_size("CoupledContact::advance: the distance", distance, grid().size());
-  Undo undo(pressure_, gap_, lower_, upper_);
-  lower_.begin(placement.lower.column - placement_.lower.column, strategy.stiffness_share);
-  if (twin_ != Twin::none)
-    upper_.follow(lower_, twin_);
-  else
-    upper_.begin(placement.upper.column - placement_.upper.column, strategy.stiffness_share);
+  Undo undo(pressure_, gap_, sides_);
+  for (Side& side : sides_)
+    side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
   IncrementReport report = iterate(distance, drive, placement, strategy);
   if (!report.converged)
     return report;
@@ -330,14 +402,11 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     report.converged = false;
     return report;
   }
-  if (leaves_lower_ || leaves_upper_)
+  if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.is_left; }))
     throw GridError("the contact has reached the end of a material grid");
   report.energy = energy(drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0);
-  lower_.commit(lower_pressure_);
-  if (twin_ != Twin::none)
-    upper_.adopt(lower_, twin_);
-  else
-    upper_.commit(upper_pressure_);
+  for (Side& side : sides_)
+    side.body.commit(side.pressure);
   placement_ = placement;
   approach_ = report.approach;
   undo.commit();

@@ -3,47 +3,74 @@
 
 #include "brinell/elastoplastic/body.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <vector>
 
 namespace brinell::elastoplastic
 {
 
-/// The trial deviators of both bodies as one vector, in which cells that become active later come at the end.
+/// A part of the fixed point x = g(x): a body with its trial deviators.
+template <typename Part>
+concept Participant = requires(Part& part, const Part& fixed)
+{
+  {
+    fixed.unknowns()
+    } -> std::same_as<std::size_t>; ///< how many; they may become more, not fewer
+  {
+    part.trial()
+    } -> std::same_as<std::vector<double>&>;
+  {
+    fixed.image()
+    } -> std::same_as<const std::vector<double>&>;
+};
+static_assert(Participant<Body>);
+
+/// The unknowns of all participants as one vector, in which those that come later stand at the end.
 class Unknowns
 {
 public:
-  /// Appends what the bodies have gained since the last call.
-  void grow(const Body& lower, const Body& upper)
+  /// Appends what the participants, the bodies of `sides`, have gained since the last call.
+  template <typename Sides>
+  void grow(const Sides& sides)
   {
-    append(lower_, lower.unknowns());
-    append(upper_, upper.unknowns());
+    places_.resize(sides.size());
+    for (std::size_t part = 0; part < sides.size(); ++part)
+      while (places_[part].size() < sides[part].body.unknowns())
+        places_[part].push_back(size_++);
   }
   [[nodiscard]] std::size_t size() const { return size_; }
-  void pack(const std::vector<double>& lower, const std::vector<double>& upper, std::vector<double>& x) const
+
+  /// Trials to x and images to g.
+  template <typename Sides>
+  void pack(Sides& sides, std::vector<double>& x, std::vector<double>& g) const
   {
     x.resize(size_);
-    for (std::size_t i = 0; i < lower.size(); ++i)
-      x[lower_[i]] = lower[i];
-    for (std::size_t i = 0; i < upper.size(); ++i)
-      x[upper_[i]] = upper[i];
+    g.resize(size_);
+    for (std::size_t part = 0; part < places_.size(); ++part)
+    {
+      const std::vector<double>& trial = sides[part].body.trial();
+      const std::vector<double>& image = sides[part].body.image();
+      for (std::size_t i = 0; i < trial.size(); ++i)
+      {
+        x[places_[part][i]] = trial[i];
+        g[places_[part][i]] = image[i];
+      }
+    }
   }
-  void unpack(const std::vector<double>& x, std::vector<double>& lower, std::vector<double>& upper) const
+  template <typename Sides>
+  void unpack(const std::vector<double>& x, Sides& sides) const
   {
-    for (std::size_t i = 0; i < lower.size(); ++i)
-      lower[i] = x[lower_[i]];
-    for (std::size_t i = 0; i < upper.size(); ++i)
-      upper[i] = x[upper_[i]];
+    for (std::size_t part = 0; part < places_.size(); ++part)
+    {
+      std::vector<double>& trial = sides[part].body.trial();
+      for (std::size_t i = 0; i < trial.size(); ++i)
+        trial[i] = x[places_[part][i]];
+    }
   }
 
 private:
-  void append(std::vector<std::size_t>& slots, std::size_t count)
-  {
-    while (slots.size() < count)
-      slots.push_back(size_++);
-  }
-
-  std::vector<std::size_t> lower_, upper_; ///< places in the common vector
+  std::vector<std::vector<std::size_t>> places_; ///< in the common vector: [participant][its unknown]
   std::size_t size_ = 0;
 };
 

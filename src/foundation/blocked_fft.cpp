@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/foundation/blocked_fft.hpp"
+#include "foundation/blocked_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/lane_functions.hpp"

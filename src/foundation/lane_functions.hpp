@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/lanes.hpp"
+#include "foundation/lanes.hpp"
 
 #include <cstddef>
 #include <cstring>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/halfspace/eigenstrain_stress.hpp"
-
-#include "foundation/lane_functions.hpp"
+#include "halfspace/eigenstrain_stress.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +10,10 @@ namespace brinell::halfspace
 {
 
 /// What one block of wavenumbers needs. All couplings are zero for k = 0 and in lanes without a wavenumber.
-struct EigenstrainStress::Factors
+/// At a Nyquist index lx or ly is zero; that also drops the couplings of even order through the shears yz and xz, which are
+/// nothing to a strain that the cells resolve.
+struct EigenstrainStress::Factors : green::WaveDirection<Lanes>
 {
-  /// Direction of the wavevector. At a Nyquist index its sign is not known, so lx or ly is zero there; that also drops the
-  /// couplings of even order through the shears yz and xz, which are nothing to a strain that the cells resolve.
-  Lanes lx{}, ly{}, lx2{}, ly2{}, lxly{};
   Lanes q{};                    ///< e^{-x}, x = k dz: decay over a layer
   Lanes e0{}, e1{}, e2{}, e3{}; ///< stress that waves give in the next layer
   Lanes m0{}, m1{}, m2{};       ///< stress of a layer in itself
@@ -87,13 +84,13 @@ Field emit(const Factors& f, const Wave& wave)
 }
 
 /// The waves pass one layer and take up its strain; g = +1 downwards, -1 upwards.
-void advance(const Factors& f, const Layer& s, double g, Wave& wave)
+void advance(const Factors& f, const green::SheetStrain<ComplexLanes>& strain, double g, Wave& wave)
 {
-  const ComplexLanes source = s.d + 2.0 * g * times_i(s.lz);
-  wave.c1 = f.q * (wave.c1 + wave.c) + source;
-  wave.c = f.q * wave.c + source;
-  wave.a = f.q * wave.a + s.a;
-  wave.w = f.q * wave.w + s.lt + g * times_i(s.tz);
+  const green::SheetWave<ComplexLanes> source = green::wave_of(strain, g);
+  wave.c1 = f.q * (wave.c1 + wave.c) + source.c;
+  wave.c = f.q * wave.c + source.c;
+  wave.a = f.q * wave.a + source.a;
+  wave.w = f.q * wave.w + source.w;
 }
 
 /// The waves without a source.
@@ -109,42 +106,30 @@ void pass(const Factors& f, Wave& wave)
 /// the mean over the first layer of a sheet at the surface, where it expects layers above.
 Wave reflect(const Factors& f, const Wave& up)
 {
-  const ComplexLanes big_f = up.a - f.x * (up.c1 - 0.5 * up.c) + f.rise * up.c;
-  const ComplexLanes c = up.c + 2.0 * big_f;
-  return {-1.0 * big_f, c, f.lag * c, up.w};
+  const ComplexLanes lagging = f.x * (up.c1 - 0.5 * up.c) - f.rise * up.c;
+  const auto image = green::reflected<ComplexLanes>({up.a, up.c, up.w}, lagging);
+  return {image.a, image.c, f.lag * image.c, image.w};
 }
 
 /// Strain from the axes x, y, z to the frame of the wavevector.
-void rotate(const Factors& f, const Complex* strain, double one_minus_2nu, Layer& out)
+green::SheetStrain<ComplexLanes> rotate(const Factors& f, double nu, const Complex* strain)
 {
-  const ComplexLanes xx = load_lanes(strain);
-  const ComplexLanes yy = load_lanes(strain + lane_count);
-  const ComplexLanes yz = load_lanes(strain + 2 * lane_count);
-  const ComplexLanes xz = load_lanes(strain + 3 * lane_count);
-  const ComplexLanes xy = load_lanes(strain + 4 * lane_count);
-  const ComplexLanes ll = f.lx2 * xx + f.ly2 * yy + 2.0 * (f.lxly * xy);
-  const ComplexLanes zz = -1.0 * (xx + yy);
-  out.a = one_minus_2nu * (ll + zz);
-  out.d = ll - zz;
-  out.lz = f.lx * xz + f.ly * yz;
-  out.lt = f.lxly * (yy - xx) + (f.lx2 - f.ly2) * xy;
-  out.tz = f.lx * yz - f.ly * xz;
+  return green::in_wave_frame<Lanes>(f, nu, load_lanes(strain), load_lanes(strain + lane_count),
+                                     load_lanes(strain + 2 * lane_count), load_lanes(strain + 3 * lane_count),
+                                     load_lanes(strain + 4 * lane_count));
 }
 
 /// Stress (ll, zz, lz, lt, tz) to the deviator in the axes x, y, z. @returns the trace.
 ComplexLanes rotate_back(const Factors& f, double nu, const Field& s, const ComplexLanes& tz, Complex* stress,
                          bool past_caches)
 {
-  const ComplexLanes trace = (1.0 + nu) * (s.ll + s.zz); // sigma_tt = nu (ll + zz): plane strain across the wavevector
-  const ComplexLanes ll = s.ll - (1.0 / 3.0) * trace;
-  const ComplexLanes tt = -1.0 * (ll + (s.zz - (1.0 / 3.0) * trace));
-  const ComplexLanes cross = 2.0 * (f.lxly * s.lt);
-  store_lanes(f.lx2 * ll + f.ly2 * tt - cross, stress, past_caches);
-  store_lanes(f.ly2 * ll + f.lx2 * tt + cross, stress + lane_count, past_caches);
-  store_lanes(f.ly * s.lz + f.lx * tz, stress + 2 * lane_count, past_caches);
-  store_lanes(f.lx * s.lz - f.ly * tz, stress + 3 * lane_count, past_caches);
-  store_lanes(f.lxly * (ll - tt) + (f.lx2 - f.ly2) * s.lt, stress + 4 * lane_count, past_caches);
-  return trace;
+  const auto axes = green::in_axes<Lanes>(f, nu, s.ll, s.zz, s.lz, s.lt, tz);
+  store_lanes(axes.xx, stress, past_caches);
+  store_lanes(axes.yy, stress + lane_count, past_caches);
+  store_lanes(axes.yz, stress + 2 * lane_count, past_caches);
+  store_lanes(axes.xz, stress + 3 * lane_count, past_caches);
+  store_lanes(axes.xy, stress + 4 * lane_count, past_caches);
+  return axes.trace;
 }
 
 } // namespace
@@ -221,8 +206,8 @@ void EigenstrainStress::apply(int block, int row, const Complex* strain, int str
     layer.below_zz = below.zz;
     layer.below_lz = below.lz;
     layer.below_lt = below.lt;
-    rotate(f, strain + i * per_layer, 1.0 - 2.0 * nu_, layer);
-    advance(f, layer, -1.0, up);
+    layer.strain = rotate(f, nu_, strain + i * per_layer);
+    advance(f, layer.strain, -1.0, up);
   }
 
   // Downwards: the image, the layers above, those below, and the layer itself; then back to the axes x, y, z.
@@ -234,14 +219,15 @@ void EigenstrainStress::apply(int block, int row, const Complex* strain, int str
     if (i < strained)
     {
       const Layer& layer = scratch[static_cast<std::size_t>(i)];
-      const ComplexLanes held = f.m0 * layer.a - f.m1 * layer.d;
+      const green::SheetStrain<ComplexLanes>& own = layer.strain;
+      const ComplexLanes held = f.m0 * own.a - f.m1 * own.d;
       const Lanes twice = 2.0 * f.m0;
-      tz = times_i(s.lt - layer.below_lt) - f.m2 * layer.tz;
-      s.ll = s.ll + layer.below_ll + held + twice * layer.d;
+      tz = times_i(s.lt - layer.below_lt) - f.m2 * own.tz;
+      s.ll = s.ll + layer.below_ll + held + twice * own.d;
       s.zz = s.zz + layer.below_zz - held;
-      s.lz = times_i(s.lz - layer.below_lz) - (twice - 2.0 * f.m1) * layer.lz;
-      s.lt = s.lt + layer.below_lt + f.m2 * layer.lt;
-      advance(f, layer, 1.0, down);
+      s.lz = times_i(s.lz - layer.below_lz) - (twice - 2.0 * f.m1) * own.lz;
+      s.lt = s.lt + layer.below_lt + f.m2 * own.lt;
+      advance(f, own, 1.0, down);
     }
     else
     {

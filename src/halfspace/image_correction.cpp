@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/halfspace/image_correction.hpp"
+#include "halfspace/image_correction.hpp"
 
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/green/eigenstrain_sheet.hpp"

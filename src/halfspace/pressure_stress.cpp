@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/halfspace/pressure_stress.hpp"
+#include "halfspace/pressure_stress.hpp"
 
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/green/rectangle.hpp"

@@ -2,15 +2,17 @@
 #include "brinell/halfspace/surface_compliance.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/fft.hpp"
 #include "brinell/green/rectangle.hpp"
-#include "foundation/require_size.hpp"
+#include "foundation/blocked_fft.hpp"
+#include "foundation/fft.hpp"
 #include "foundation/sharing.hpp"
+#include "require_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <omp.h>
+#include <vector>
 
 namespace brinell::halfspace
 {
@@ -38,73 +40,124 @@ AlignedVector<double> wrapped_kernel(const PaddedFft& fft, double contact_modulu
 
 } // namespace
 
-SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus)
-    : fft_(grid, fast_length(2 * grid.nx - 1), fast_length(2 * grid.ny - 1), 1), rows_(fft_.py() / 2 + 1),
-      spectrum_(static_cast<std::size_t>(fft_.blocks()) * static_cast<std::size_t>(rows_) * lane_count, 0.0)
+struct SurfaceCompliance::Scratch::Buffers
 {
-  const PaddedFft padded(grid, fft_.px(), fft_.py());
+  AlignedVector<Complex> rows;
+  std::vector<BlockedFft::Scratch> threads; ///< one where the grid is too small to share
+};
+
+struct SurfaceCompliance::Operator
+{
+  BlockedFft fft;
+  int rows;                       ///< stored rows of the spectrum, ky >= 0
+  AlignedVector<double> spectrum; ///< of the operator [m/Pa], real and even: [block][row][lane]
+  double largest = 0.0, longest_wave = 0.0;
+
+  Operator(const SurfaceGrid& grid, double contact_modulus);
+  void apply_to_block(int block, AlignedVector<Complex>& values, BlockedFft::Scratch& own) const;
+};
+
+SurfaceCompliance::Operator::Operator(const SurfaceGrid& grid, double contact_modulus)
+    : fft(grid, fast_length(2 * grid.nx - 1), fast_length(2 * grid.ny - 1), 1), rows(fft.py() / 2 + 1),
+      spectrum(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows) * lane_count, 0.0)
+{
+  const PaddedFft padded(grid, fft.px(), fft.py());
   AlignedVector<double> kernel = wrapped_kernel(padded, contact_modulus);
   AlignedVector<Complex> transformed(padded.plane());
   padded.forward_padded(kernel, transformed.data());
-  for (int row = 0; row < rows_; ++row)
+  for (int row = 0; row < rows; ++row)
     for (int i = 0; i < padded.kx(); ++i)
     {
       // Even in x and y: the imaginary part is rounding.
       const double value =
           transformed[static_cast<std::size_t>(row) * static_cast<std::size_t>(padded.kx()) + i].real();
-      const auto line = static_cast<std::size_t>(i / lane_count) * static_cast<std::size_t>(rows_) + row;
-      spectrum_[line * lane_count + i % lane_count] = value;
+      const auto line = static_cast<std::size_t>(i / lane_count) * static_cast<std::size_t>(rows) + row;
+      spectrum[line * lane_count + i % lane_count] = value;
     }
-  largest_ = *std::max_element(spectrum_.begin(), spectrum_.end());
-  longest_wave_ = spectrum_[1];
+  largest = *std::max_element(spectrum.begin(), spectrum.end());
+  longest_wave = spectrum[1];
+}
+
+/// From the rows of one block and back to them.
+void SurfaceCompliance::Operator::apply_to_block(int block, AlignedVector<Complex>& values,
+                                                 BlockedFft::Scratch& own) const
+{
+  fft.columns_forward(values.data(), block, 0, 1, own);
+  const double* factors = spectrum.data() + static_cast<std::ptrdiff_t>(block) * rows * lane_count;
+  Complex* line = own.columns.data();
+  for (int row = 0; row < fft.py(); ++row, line += lane_count)
+  {
+    const double* factor = factors + std::min(row, fft.py() - row) * lane_count;
+    for (int lane = 0; lane < lane_count; ++lane)
+      line[lane] *= factor[lane];
+  }
+  fft.columns_inverse(own, block, 0, 1, values.data());
+}
+
+SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus)
+    : operator_(std::make_unique<Operator>(grid, contact_modulus))
+{
+}
+
+SurfaceCompliance::~SurfaceCompliance() = default;
+SurfaceCompliance::SurfaceCompliance(SurfaceCompliance&&) noexcept = default;
+SurfaceCompliance& SurfaceCompliance::operator=(SurfaceCompliance&&) noexcept = default;
+
+SurfaceCompliance::Scratch::Scratch(std::unique_ptr<Buffers> buffers) : buffers_(std::move(buffers)) {}
+SurfaceCompliance::Scratch::~Scratch() = default;
+SurfaceCompliance::Scratch::Scratch(Scratch&&) noexcept = default;
+SurfaceCompliance::Scratch& SurfaceCompliance::Scratch::operator=(Scratch&&) noexcept = default;
+
+const SurfaceGrid& SurfaceCompliance::grid() const
+{
+  return operator_->fft.grid();
+}
+
+double SurfaceCompliance::largest() const
+{
+  return operator_->largest;
+}
+
+double SurfaceCompliance::longest_wave() const
+{
+  return operator_->longest_wave;
 }
 
 SurfaceCompliance::Scratch SurfaceCompliance::make_scratch() const
 {
-  Scratch scratch;
-  scratch.rows.resize(fft_.rows_size());
+  auto buffers = std::make_unique<Scratch::Buffers>();
+  buffers->rows.resize(operator_->fft.rows_size());
   const int threads = is_shared(grid().size()) ? omp_get_max_threads() : 1;
   for (int thread = 0; thread < threads; ++thread)
-    scratch.threads.push_back(fft_.make_scratch());
-  return scratch;
+    buffers->threads.push_back(operator_->fft.make_scratch());
+  return Scratch(std::move(buffers));
 }
 
-/// From the rows of one block and back to them.
-void SurfaceCompliance::apply_to_block(int block, Scratch& scratch, BlockedFft::Scratch& own) const
+void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const
 {
-  fft_.columns_forward(scratch.rows.data(), block, 0, 1, own);
-  const double* factors = spectrum_.data() + static_cast<std::ptrdiff_t>(block) * rows_ * lane_count;
-  Complex* line = own.columns.data();
-  for (int row = 0; row < fft_.py(); ++row, line += lane_count)
-  {
-    const double* factor = factors + std::min(row, fft_.py() - row) * lane_count;
-    for (int lane = 0; lane < lane_count; ++lane)
-      line[lane] *= factor[lane];
-  }
-  fft_.columns_inverse(own, block, 0, 1, scratch.rows.data());
-}
-
-void SurfaceCompliance::apply(std::span<const double> pressure, std::span<double> displacement, Scratch& scratch) const
-{
-  require_size("SurfaceCompliance::apply: the pressure", pressure, grid().size());
-  require_size("SurfaceCompliance::apply: the displacement", displacement, grid().size());
-  if (scratch.threads.empty() || scratch.rows.size() < fft_.rows_size())
+  const BlockedFft& fft = operator_->fft;
+  require_load("SurfaceCompliance::apply", load, grid().size());
+  require_displacement("SurfaceCompliance::apply", displacement, grid().size());
+  Scratch::Buffers& buffers = *scratch.buffers_;
+  if (buffers.rows.size() < fft.rows_size())
     throw InternalError("SurfaceCompliance::apply: the scratch is of another operator; make_scratch makes one");
+  if (load.pressure.empty())
+    return std::fill(displacement.z.begin(), displacement.z.end(), 0.0);
   const auto work = [&](BlockedFft::Scratch& own)
   {
 #pragma omp for schedule(static)
-    for (int batch = 0; batch < fft_.batches(); ++batch)
-      fft_.rows_forward(pressure.data(), 0, batch, scratch.rows.data(), own);
+    for (int batch = 0; batch < fft.batches(); ++batch)
+      fft.rows_forward(load.pressure.data(), 0, batch, buffers.rows.data(), own);
 #pragma omp for schedule(static)
-    for (int block = 0; block < fft_.blocks(); ++block)
-      apply_to_block(block, scratch, own);
+    for (int block = 0; block < fft.blocks(); ++block)
+      operator_->apply_to_block(block, buffers.rows, own);
 #pragma omp for schedule(static)
-    for (int batch = 0; batch < fft_.batches(); ++batch)
-      fft_.rows_inverse(scratch.rows.data(), 0, batch, displacement.data(), own);
+    for (int batch = 0; batch < fft.batches(); ++batch)
+      fft.rows_inverse(buffers.rows.data(), 0, batch, displacement.z.data(), own);
   };
-  const auto threads = static_cast<int>(scratch.threads.size());
+  const auto threads = static_cast<int>(buffers.threads.size());
 #pragma omp parallel num_threads(threads)
-  work(scratch.threads[static_cast<std::size_t>(omp_get_thread_num())]);
+  work(buffers.threads[static_cast<std::size_t>(omp_get_thread_num())]);
 }
 
 } // namespace brinell::halfspace

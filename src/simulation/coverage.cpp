@@ -47,8 +47,8 @@ void widen(Coverage& coverage, const elastoplastic::CoupledContact& pair)
   coverage.contact_columns = std::max(coverage.contact_columns, right - left + 1);
   coverage.contact_rows = std::max(coverage.contact_rows, back - front + 1);
   // The body that yields most is the one that has to be resolved.
-  const bool lower_yields_more = pair.lower().state().dissipation >= pair.upper().state().dissipation;
-  coverage.plastic_layers = plastic_layers(lower_yields_more ? pair.lower() : pair.upper());
+  const bool lower_yields_more = pair.lower().solved().state().dissipation >= pair.upper().solved().state().dissipation;
+  coverage.plastic_layers = plastic_layers(lower_yields_more ? pair.lower().solved() : pair.upper().solved());
 }
 
 } // namespace brinell::simulation

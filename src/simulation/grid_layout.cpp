@@ -2,7 +2,7 @@
 #include "grid_layout.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/fft.hpp"
+#include "foundation/fft.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,7 @@ public:
     const Centre from = centre(moment(step_in_pass_).x);
     if (step_in_pass_ == 0)
     {
-      track_.begin_pass(stepper.pair().lower(), dissipation(stepper));
+      track_.begin_pass(stepper.pair().lower().solved(), dissipation(stepper));
       at_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0};
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
@@ -125,7 +125,7 @@ private:
 
   [[nodiscard]] static double dissipation(const Stepper& stepper)
   {
-    return stepper.pair().lower().state().dissipation + stepper.pair().upper().state().dissipation;
+    return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
   }
 
   /// Where the drive has worked so far.

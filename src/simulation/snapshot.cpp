@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot.hpp"
 
-#include "brinell/elastoplastic/body_stress.hpp"
-
 namespace brinell::simulation
 {
 
@@ -33,22 +31,25 @@ std::array<std::vector<double>, 6> expand(const std::vector<double>& deviator, c
 
 } // namespace
 
-BodySnapshot body_snapshot(const elastoplastic::CoupledContact& pair, const elastoplastic::Body& body,
-                           const elastoplastic::Place& place, double origin, double contact_x)
+BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x)
 {
   BodySnapshot s;
   s.grid = body.grid();
   s.x0 = origin;
   s.y0 = -0.5 * (s.grid.surface.ny - 1) * s.grid.surface.dy;
   s.contact_x = contact_x;
-  if (!body.shared_half_space()) // rigid
+  if (body.material().elastic.is_rigid())
     return s;
-  s.equivalent_plastic_strain = body.state().equivalent;
-  s.residual_displacement = body.state().residual_displacement;
-  s.plastic_strain = expand(body.state().plastic_strain, std::vector<double>(s.grid.size()));
-  const elastoplastic::BodyStress stress = elastoplastic::body_stress(pair, body, place);
-  s.stress = expand(stress.deviator, stress.trace);
+  elastoplastic::BodyState state = body.state();
+  s.equivalent_plastic_strain = std::move(state.equivalent);
+  s.residual_displacement = std::move(state.residual_displacement);
+  s.plastic_strain = expand(state.plastic_strain, std::vector<double>(s.grid.size()));
   return s;
+}
+
+void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot)
+{
+  snapshot.stress = expand(stress.deviator, stress.trace);
 }
 
 } // namespace brinell::simulation

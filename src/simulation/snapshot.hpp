@@ -7,10 +7,10 @@
 namespace brinell::simulation
 {
 
-/// All fields of a body in its present state.
-/// @param place   of the contact grid on the body's grid.
-/// @param origin  surface coordinate of its column 0 [m].
-[[nodiscard]] BodySnapshot body_snapshot(const elastoplastic::CoupledContact& pair, const elastoplastic::Body& body,
-                                         const elastoplastic::Place& place, double origin, double contact_x);
+/// All fields of a body in its present state but for the stress; of a rigid one none.
+/// @param origin  surface coordinate of column 0 of its grid [m].
+[[nodiscard]] BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x);
+/// The stress.
+void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot);
 
 } // namespace brinell::simulation

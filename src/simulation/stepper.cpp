@@ -205,7 +205,7 @@ void Stepper::guard(const Target& target)
   const elastoplastic::Settings& s = setup_.solver;
   IncrementReport report;
   constexpr int patience = 20; // the plain fixed point is slow, but it descends
-  const bool has_energy = setup_.lower.kinematic.empty() && setup_.upper.kinematic.empty();
+  const bool has_energy = pair_->has_energy();
   for (const double share : {1.0, 2.0, 4.0})
   {
     report = solved(target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, true,
@@ -318,8 +318,10 @@ double Stepper::clearance(const Centre& centre)
 const Stepper::Depths& Stepper::depths(const Centre& centre)
 {
   const Frame frame = lattice_.frame(centre);
-  pair_->surface_depth(pair_->lower(), frame.placement.lower, depths_.lower);
-  pair_->surface_depth(pair_->upper(), frame.placement.upper, depths_.upper);
+  std::fill(depths_.lower.begin(), depths_.lower.end(), 0.0);
+  std::fill(depths_.upper.begin(), depths_.upper.end(), 0.0);
+  pair_->add_lower_depth(frame.placement.lower, depths_.lower);
+  pair_->add_upper_depth(frame.placement.upper, depths_.upper);
   return depths_;
 }
 
@@ -327,7 +329,7 @@ std::pair<double, double> Stepper::residual_range(const Centre& centre) const
 {
   const Frame frame = lattice_.frame(centre);
   const SurfaceGrid& s = pair_->lower().grid().surface;
-  const std::vector<double>& residual = pair_->lower().state().residual_displacement;
+  const std::vector<double>& residual = pair_->lower().solved().state().residual_displacement;
   const int first = std::max(0, frame.placement.lower.column);
   const int last = std::min(s.nx, frame.placement.lower.column + pair_->grid().nx);
   std::pair<double, double> range{0.0, 0.0};
@@ -347,8 +349,8 @@ bool Stepper::touching() const
 
 void Stepper::fill(StepRecord& r) const
 {
-  const elastoplastic::BodyState& lower = pair_->lower().state();
-  const elastoplastic::BodyState& upper = pair_->upper().state();
+  const elastoplastic::BodyState& lower = pair_->lower().solved().state();
+  const elastoplastic::BodyState& upper = pair_->upper().solved().state();
   r.contact_area = contact::contact_area(pair_->grid(), pair_->pressure(), pair_->gap(),
                                          contact_modulus(setup_.lower.elastic, setup_.upper.elastic));
   for (const double p : pair_->pressure())
@@ -373,8 +375,12 @@ Snapshot Stepper::snapshot(const Centre& centre) const
   s.y0 = row_y(s.contact, 0);
   s.pressure.assign(pair_->pressure().begin(), pair_->pressure().end());
   s.gap.assign(pair_->gap().begin(), pair_->gap().end());
-  s.lower = body_snapshot(*pair_, pair_->lower(), frame.placement.lower, lattice_.lower_origin(), centre.lower);
-  s.upper = body_snapshot(*pair_, pair_->upper(), frame.placement.upper, lattice_.upper_origin(), centre.upper);
+  s.lower = body_snapshot(pair_->lower(), lattice_.lower_origin(), centre.lower);
+  if (!setup_.lower.elastic.is_rigid())
+    set_stress(pair_->lower_stress(frame.placement.lower), s.lower);
+  s.upper = body_snapshot(pair_->upper(), lattice_.upper_origin(), centre.upper);
+  if (!setup_.upper.elastic.is_rigid())
+    set_stress(pair_->upper_stress(frame.placement.upper), s.upper);
   return s;
 }
 

@@ -50,8 +50,8 @@ void TrackReader::add(const RollingRecord& record)
 
 RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const
 {
-  const elastoplastic::BodyState& lower = pair.lower().state();
-  const elastoplastic::BodyState& upper = pair.upper().state();
+  const elastoplastic::BodyState& lower = pair.lower().solved().state();
+  const elastoplastic::BodyState& upper = pair.upper().solved().state();
   const VolumeGrid& grid = pair.lower().grid(); // may have grown in the pass
   const SurfaceGrid& s = grid.surface;
   RollingPass pass;

@@ -74,10 +74,9 @@ public:
   StressField(const halfspace::HalfSpace& half_space, std::vector<double> pressure, std::vector<double> strain)
       : deviator(Deviator::size * half_space.grid().size()), trace(half_space.grid().size())
   {
-    pressure.resize(half_space.grid().surface.size(), 0.0);
     strain.resize(deviator.size(), 0.0);
     halfspace::HalfSpace::Work work = half_space.make_work();
-    half_space.full_stress(pressure, strain, work, deviator, trace);
+    half_space.full_stress({.pressure = pressure}, strain, work, deviator, trace);
   }
 
   [[nodiscard]] SymTensor at(std::size_t cell) const

@@ -23,13 +23,17 @@ public:
 
   void clear();
   /// A cell joins; its image is its trial deviator.
-  void add(std::size_t cell, const Deviator& q);
+  /// @param start  plastic strain before the increment
+  void add(std::size_t cell, const Deviator& q, const Deviator& start);
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] bool empty() const { return cells_.empty(); }
   [[nodiscard]] bool contains(std::size_t cell) const { return is_active_[cell] != 0; }
   /// In the grid of the body.
   [[nodiscard]] std::size_t cell(std::size_t a) const { return cells_[a]; }
+  [[nodiscard]] const std::vector<std::size_t>& cells() const { return cells_; }
+  /// Plastic strain before the increment.
+  [[nodiscard]] Deviator start(std::size_t a) const { return at(start_, a); }
   /// The last cell in the order of the grid, which is a deepest one. There must be cells.
   [[nodiscard]] std::size_t deepest() const;
 
@@ -62,7 +66,7 @@ private:
 
   std::vector<std::size_t> cells_;
   std::vector<char> is_active_; ///< one value per cell of the grid
-  std::vector<double> q_, g_;
+  std::vector<double> q_, g_, start_;
   std::vector<double> equivalent_, dissipation_;
   std::vector<Deviator> backstress_;
   std::size_t terms_ = 0;

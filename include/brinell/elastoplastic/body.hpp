@@ -8,6 +8,7 @@
 #include "brinell/halfspace/half_space.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,35 +38,28 @@ struct Edges
   bool bottom = false; ///< last layer
 };
 
-/// What the upper body is to the lower one, so that only that one need be solved.
-enum class Twin
-{
-  none,
-  mirror_image, ///< reversed in x: two asperities passing each other
-  alike         ///< the same field in the same direction: pure rolling
-};
-
 /// One body of a contact: material, operators, history, and the trial of the increment at hand.
 ///
 /// The unknown of an increment is the trial deviator q = s + c d_eps in the active cells (those near or beyond yield);
-/// everywhere else the stress is elastic and follows.
+/// everywhere else the stress is elastic and follows. In the course of an increment, from `begin` to `commit` or `restore`,
+/// the plastic strain of the state is that of the trial; the rest of the state is what it was before.
 class Body
 {
 public:
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid.
   /// @param shortcuts   compute only the layers and cells near yield until an evaluation closes the increment; see
   ///                    Settings::shortcuts.
-  /// @param texture     depth that the surface had before the first load, into the body [m]; empty: smooth.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-       const constitutive::Material& material, bool shortcuts = true, std::vector<double> texture = {});
+       const constitutive::Material& material, bool shortcuts = true);
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
   /// nullptr if the body is rigid.
   [[nodiscard]] const std::shared_ptr<const halfspace::HalfSpace>& shared_half_space() const { return half_space_; }
   [[nodiscard]] const BodyState& state() const { return state_; }
-  [[nodiscard]] const std::vector<double>& texture() const { return texture_; }
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
+  /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): with isotropic hardening.
+  [[nodiscard]] bool has_energy() const { return material_.kinematic.empty(); }
 
   /// Starts an increment: the guess of q is the last one, carried along by `shift` cells in x with the contact.
   /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 is enough to make the plain fixed point descend always
@@ -76,7 +70,7 @@ public:
   void compute_all_layers();
   /// Whether the evaluations compute the stress in all layers.
   [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz; }
-  /// Puts back what an increment that is not committed has changed.
+  /// Puts back what an increment that is not committed has changed; after a commit, nothing.
   void restore();
   /// Integrates the plastic strain for the present q and computes the residual displacement it gives.
   void integrate(Integration integration);
@@ -86,19 +80,8 @@ public:
   /// Makes the present trial the new state.
   void commit(std::span<const double> pressure);
 
-  /// Instead of an increment of its own: this body is the twin of `other`, which has the same grid. Takes over the
-  /// residual displacement of its trial (`follow`) or its state (`adopt`).
-  void follow(const Body& other, Twin twin);
-  void adopt(const Body& other, Twin twin);
-
   /// Everything that the next increment depends on.
-  /// @throws InputError if the stored texture is another one
   void exchange(Archive& archive);
-
-  /// Biaxial stress xx = yy of each layer before the first load [Pa].
-  [[nodiscard]] const std::vector<double>& initial_stress() const { return initial_stress_; }
-  /// Adds its deviator to `stress` (5 values per cell) in the layers [0, layers).
-  void add_initial_stress(int layers, std::vector<double>& stress) const;
 
   /// Edges of the grid that the plastic zone of the present trial has reached: what lies beyond them would be lost.
   [[nodiscard]] Edges reached_edges() const;
@@ -114,11 +97,17 @@ public:
   /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
   [[nodiscard]] double yield_error() const;
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
+  /// Stress in all layers [Pa] of a pressure and a plastic strain, and that from before the first load: deviator, 5 values
+  /// per cell, and trace. The strain may be the body's own or that of its twin. The body must not be rigid.
+  void full_stress(std::span<const double> pressure, std::span<const double> plastic_strain, std::span<double> deviator,
+                   std::span<double> trace);
   /// Locked-in elastic energy plus dissipation of the present trial [J], for the pressure of the last update.
   [[nodiscard]] double energy(std::span<const double> pressure) const;
 
 private:
+  void add_initial_stress(int layers, std::span<double> stress) const;
   void prepare_trial();
+  void take_up_guess();
   void keep_active_layers();
   template <typename Law>
   [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const
@@ -140,16 +129,21 @@ private:
   VolumeGrid grid_;
   constitutive::Material material_;
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
-  std::vector<double> texture_;
   halfspace::HalfSpace::Work work_;
+  std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain of the present trial
   BodyState state_;
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   double stiffness_ = 0.0;                            ///< c [Pa]
   bool shortcuts_;
   int layers_; ///< layers whose stress is computed, from the surface
   ActiveCells active_;
-  std::vector<double> q_field_;         ///< q of the last increment on the whole grid (elsewhere the stress)
-  std::vector<double> strain_, stress_; ///< trial fields
+  bool in_increment_ = false;
+  /// Deviatoric stress of the trial in the layers computed. Between increments: that of the state, and in the cells that were
+  /// active last their q, the guess of the next increment.
+  std::vector<double> stress_;
+  /// These cells and their q, for when an increment fails.
+  std::vector<std::size_t> guessed_cells_;
+  std::vector<double> guessed_q_;
   std::vector<double> displacement_;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/contact/elastic_contact.hpp"
-#include "brinell/elastoplastic/body.hpp"
+#include "brinell/elastoplastic/body_view.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 
@@ -78,7 +78,7 @@ struct History
 {
   SurfaceGrid contact;
   VolumeGrid lower_grid, upper_grid;
-  BodyState lower, upper;
+  std::vector<BodyState> solved; ///< the lower body, and the upper one unless it is a twin
   Placement placement;
   double approach = 0.0;
   std::vector<double> pressure;
@@ -94,8 +94,10 @@ public:
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
                  const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {});
 
-  [[nodiscard]] const Body& lower() const { return lower_; }
-  [[nodiscard]] const Body& upper() const { return upper_; }
+  [[nodiscard]] BodyView lower() const { return {sides_.front().body, Twin::none, textures_.lower}; }
+  [[nodiscard]] BodyView upper() const { return {sides_.back().body, twin_, textures_.upper}; }
+  /// Whether backward Euler minimises an energy in an increment, so that Strategy::watch_energy has something to watch.
+  [[nodiscard]] bool has_energy() const;
   [[nodiscard]] std::span<const double> pressure() const { return pressure_; } ///< on the contact grid [Pa]
   [[nodiscard]] std::span<const double> gap() const { return gap_; }           ///< on the contact grid [m]
   [[nodiscard]] double approach() const { return approach_; }                  ///< of the last increment [m]
@@ -111,11 +113,19 @@ public:
   [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
 
-  /// Depth of a body's surface under the contact grid: texture and residual displacement [m]; zero outside its grid.
-  void surface_depth(const Body& body, const Place& place, std::span<double> out) const;
-  /// The present pressure on the grid of a body's surface [Pa].
-  /// @returns whether all of it lies there; what does not is left out
-  bool spread_pressure(const Body& body, const Place& place, std::vector<double>& out) const;
+  /// Depth of the surfaces under the contact grid, each with texture and residual displacement [m]; zero outside their grids.
+  /// They are added to `out`.
+  void add_lower_depth(const Place& place, std::span<double> out) const;
+  void add_upper_depth(const Place& place, std::span<double> out) const;
+  /// Stress in all layers of a body [Pa]: of the contact's pressure, of the plastic strain, and that from before the first load.
+  struct Stress
+  {
+    std::vector<double> deviator; ///< 5 values per cell
+    std::vector<double> trace;    ///< [cell]
+  };
+  /// @throws InputError if the body is rigid
+  [[nodiscard]] Stress lower_stress(const Place& place);
+  [[nodiscard]] Stress upper_stress(const Place& place);
   /// Whether pressure acts on the outermost cells of the contact grid.
   [[nodiscard]] bool reaches_edge() const;
   /// The history, to be continued on other grids; what is left of this object is not to be used.
@@ -128,26 +138,37 @@ public:
   void exchange(Archive& archive);
 
 private:
-  void touch(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
-             const Strategy& strategy, IncrementReport& report);
+  /// A body that is solved, and what the contact does to it.
+  struct Side
+  {
+    Body body;
+    Place Placement::*place;
+    std::vector<double> pressure{}; ///< of the trial, on the grid of the body [Pa]
+    bool is_left = false;           ///< pressure of the trial lies beyond an end of the body's grid
+  };
+
+  void solve_contact(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
+                     const Strategy& strategy, IncrementReport& report);
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
+  [[nodiscard]] bool has_unknowns() const;
   [[nodiscard]] double energy(double approach) const;
   [[nodiscard]] Outgrown outgrown() const;
   [[nodiscard]] std::pair<bool, bool> pressed_edges() const;
+  void spread(const Placement& placement);
+  [[nodiscard]] Stress stress(const BodyView& view, Body& solved, const Place& place) const;
 
   halfspace::SurfaceCompliance compliance_;
   contact::ElasticContact contact_;
-  Body lower_, upper_;
+  std::vector<Side> sides_; ///< the lower body, and the upper one unless it is a twin
+  Textures textures_;
   Scales scales_;
   Settings settings_;
   Twin twin_;
-  bool leaves_lower_ = false, leaves_upper_ = false; ///< pressure of the trial lies beyond an end of the material grid
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;
   std::vector<double> distance_; ///< of the surfaces with texture and residual displacement at no approach
-  std::vector<double> lower_pressure_, upper_pressure_; ///< the pressure on the material grids
 };
 
 } // namespace brinell::elastoplastic

@@ -1,81 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/halfspace/eigenstrain_stress.hpp"
-#include "brinell/halfspace/image_correction.hpp"
-#include "brinell/halfspace/pressure_stress.hpp"
+#include "brinell/foundation/grid.hpp"
+#include "brinell/green/elastic.hpp"
+#include "brinell/halfspace/surface_load.hpp"
 
+#include <memory>
 #include <span>
-#include <vector>
 
 /// The linear operators of one body on one grid. Planned once from grid and constants; `const` when applied.
 /// Deviator fields are 5 * grid.size() values, component by component (order of Deviator); other sizes: InternalError.
 namespace brinell::halfspace
 {
 
-/// One elastic body with its surface pressure and its plastic strain.
+/// One elastic body with its surface load and its plastic strain.
+///
+/// The stress of an increment is asked for in two steps, as the load on the surface depends on the displacement that the
+/// plastic strain gives it: `load` transforms the strain, and what that returns gives the displacement and, for any load,
+/// the stress.
 class HalfSpace
 {
 public:
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic);
+  ~HalfSpace();
+  HalfSpace(HalfSpace&&) noexcept;
+  HalfSpace& operator=(HalfSpace&&) noexcept;
+  HalfSpace(const HalfSpace&) = delete;
+  HalfSpace& operator=(const HalfSpace&) = delete;
 
   /// Buffers of one evaluation; make one per concurrent caller, once.
   class Work;
   [[nodiscard]] Work make_work() const;
 
-  [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
-  [[nodiscard]] const Elastic& elastic() const { return elastic_; }
+  [[nodiscard]] const VolumeGrid& grid() const;
+  [[nodiscard]] const Elastic& elastic() const;
 
-  /// Takes in the plastic strain [-] of all layers and prepares its stress in the layers [0, layers), for the functions
-  /// below.
-  /// @param displacement  receives the residual normal displacement of the surface [m], into the body positive.
-  void load_strain(std::span<const double> plastic_strain, int layers, Work& work,
-                   std::span<double> displacement) const;
-  /// Deviatoric stress [Pa] of the pressure [Pa] (on the grid's surface) and of the strain loaded, in the layers loaded.
-  /// Uses up what was loaded.
-  void deviatoric_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
-                         std::span<double> stress) const;
-  /// Deviator and trace of the stress [Pa] in all layers (for output); loads the strain itself.
-  void full_stress(std::span<const double> pressure, std::span<const double> plastic_strain, Work& work,
+  /// Plastic strain that has been transformed, and waits for the load on the surface.
+  class Loaded;
+  /// Takes in the plastic strain [-] of all layers and prepares its stress in the layers [0, layers).
+  /// What is returned refers to `plastic_strain`, `work` and this object, and lasts until `work` is used again.
+  [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work) const;
+  /// Deviator and trace of the stress [Pa] in all layers, for output.
+  void full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
                    std::span<double> deviator, std::span<double> trace) const;
 
 private:
-  void load_strain(std::span<const double> plastic_strain, int layers, Work& work, std::span<double> displacement,
-                   Complex* trace) const;
-  void load_pressure(std::span<const double> pressure, Work& work) const;
-  void finish(int component, int layer, std::span<const double> plastic_strain, const Work& work, double* field) const;
-  [[nodiscard]] std::size_t field_at(int component, int layer) const;
-
-  VolumeGrid grid_;
-  Elastic elastic_;
-  BlockedFft surface_fft_; ///< of one plane
-  BlockedFft volume_fft_;  ///< of a deviator field
-  BlockedFft trace_fft_;   ///< of a scalar field
-  PressureStress pressure_stress_;
-  EigenstrainStress eigenstrain_stress_;
-  ImageCorrection image_correction_;
+  struct Operators; ///< transforms and kernels, and what they are applied with
+  std::unique_ptr<Operators> operators_;
 };
 
 class HalfSpace::Work
 {
 public:
-  [[nodiscard]] bool empty() const { return threads_.empty(); }
+  Work(); ///< empty; HalfSpace::make_work gives one that can be used
+  ~Work();
+  Work(Work&&) noexcept;
+  Work& operator=(Work&&) noexcept;
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+  [[nodiscard]] bool empty() const { return !buffers_; }
 
 private:
   friend class HalfSpace;
-  struct Scratch
-  {
-    BlockedFft::Scratch fft;
-    EigenstrainStress::Scratch layers;
-  };
-  std::vector<Scratch> threads_;        ///< one per thread
-  AlignedVector<Complex> rows_;         ///< of strain, later of stress
-  AlignedVector<Complex> strain_;       ///< spectrum of one block
-  AlignedVector<Complex> stress_;       ///< spectra of all blocks
-  AlignedVector<Complex> surface_rows_; ///< of a displacement or pressure
-  AlignedVector<Complex> surface_;      ///< spectrum of the same
-  ImageCorrection::Response images_;
-  int layers_ = 0; ///< layers loaded
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers_;
+};
+
+class HalfSpace::Loaded
+{
+public:
+  /// Residual displacement of the surface.
+  void displacement(const SurfaceDisplacement& out) const;
+  /// Deviatoric stress [Pa] of the load and the strain in the layers that were prepared; the others are left alone.
+  /// May be asked for with one load after another.
+  void stress(const SurfaceLoad& load, std::span<double> deviator) const;
+
+private:
+  friend class HalfSpace;
+  Loaded(const Operators& operators, std::span<const double> plastic_strain, Work::Buffers& buffers);
+  void require_current(const char* function_name) const;
+
+  const Operators* operators_;
+  std::span<const double> plastic_strain_;
+  Work::Buffers* buffers_;
+  long number_; ///< of the strain among those that the buffers have held
 };
 
 } // namespace brinell::halfspace

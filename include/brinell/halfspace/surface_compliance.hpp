@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/blocked_fft.hpp"
+#include "brinell/foundation/grid.hpp"
+#include "brinell/halfspace/surface_load.hpp"
 
-#include <span>
-#include <vector>
+#include <memory>
 
 namespace brinell::halfspace
 {
 
-/// Pressure -> sum of the elastic normal displacements of two half spaces on one surface grid, non-periodic
+/// Surface load -> sum of the elastic displacements of two half spaces on one surface grid, non-periodic
 /// (DC-FFT of the rectangle's closed form, Love 1929): docs/theory/half-space.md (surface-displacement).
 ///
 /// The work on a block of neighbouring columns, transform, product and transform back, is done in one go in the cache.
@@ -18,30 +18,42 @@ class SurfaceCompliance
 public:
   /// @param contact_modulus  E' of the pair [Pa]: u = 1/(pi E') * integral of p / r.
   SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus);
+  ~SurfaceCompliance();
+  SurfaceCompliance(SurfaceCompliance&&) noexcept;
+  SurfaceCompliance& operator=(SurfaceCompliance&&) noexcept;
+  SurfaceCompliance(const SurfaceCompliance&) = delete;
+  SurfaceCompliance& operator=(const SurfaceCompliance&) = delete;
 
-  /// Buffers of one application.
-  struct Scratch
-  {
-    AlignedVector<Complex> rows;
-    std::vector<BlockedFft::Scratch> threads; ///< one where the grid is too small to share
-  };
-
-  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
-  /// Displacement [m] of the pressure [Pa]; both one value per cell; symmetric and positive definite.
-  /// `scratch` comes from make_scratch, one per concurrent caller.
-  void apply(std::span<const double> pressure, std::span<double> displacement, Scratch& scratch) const;
+  /// Buffers of one application; make one per concurrent caller, once.
+  class Scratch;
   [[nodiscard]] Scratch make_scratch() const;
+
+  [[nodiscard]] const SurfaceGrid& grid() const;
+  /// Displacement [m] of the load: symmetric and positive definite.
+  void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;
   /// Largest response of a wave [m/Pa], and that of the longest wave along x.
-  [[nodiscard]] double largest() const { return largest_; }
-  [[nodiscard]] double longest_wave() const { return longest_wave_; }
+  [[nodiscard]] double largest() const;
+  [[nodiscard]] double longest_wave() const;
 
 private:
-  void apply_to_block(int block, Scratch& scratch, BlockedFft::Scratch& own) const;
+  struct Operator; ///< transform and spectrum
+  std::unique_ptr<Operator> operator_;
+};
 
-  BlockedFft fft_;
-  int rows_;                       ///< stored rows of the spectrum, ky >= 0
-  AlignedVector<double> spectrum_; ///< of the operator [m/Pa], real and even: [block][row][lane]
-  double largest_ = 0.0, longest_wave_ = 0.0;
+class SurfaceCompliance::Scratch
+{
+public:
+  ~Scratch();
+  Scratch(Scratch&&) noexcept;
+  Scratch& operator=(Scratch&&) noexcept;
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+private:
+  friend class SurfaceCompliance;
+  struct Buffers;
+  explicit Scratch(std::unique_ptr<Buffers> buffers);
+  std::unique_ptr<Buffers> buffers_;
 };
 
 } // namespace brinell::halfspace

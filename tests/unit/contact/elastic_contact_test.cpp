@@ -359,7 +359,7 @@ Solution by_two_products(const RoughSphere& problem, const Drive& drive, double 
   Report report;
   for (;; ++report.iterations)
   {
-    compliance.apply(p, g, scratch);
+    compliance.apply({.pressure = p}, {.z = g}, scratch);
     for (std::size_t i = 0; i < n; ++i)
       g[i] += problem.distance[i];
     report.approach = load_given ? mean(g) : drive.value;
@@ -377,7 +377,7 @@ Solution by_two_products(const RoughSphere& problem, const Drive& drive, double 
       d[i] = touching(i) ? g[i] + (conjugate ? squares / before : 0.0) * d[i] : 0.0;
     before = squares;
     conjugate = true;
-    compliance.apply(d, image, scratch);
+    compliance.apply({.pressure = d}, {.z = image}, scratch);
     const double shift = load_given ? mean(image) : 0.0;
     double descent = 0.0, curvature = 0.0;
     for (std::size_t i = 0; i < n; ++i)
@@ -426,7 +426,7 @@ void expect_true_errors(const RoughSphere& problem, const Solution& s)
   const halfspace::SurfaceCompliance compliance(problem.grid, 1.0);
   halfspace::SurfaceCompliance::Scratch scratch = compliance.make_scratch();
   std::vector<double> gap(s.gap.size());
-  compliance.apply(s.pressure, gap, scratch);
+  compliance.apply({.pressure = s.pressure}, {.z = gap}, scratch);
   double under = 0.0, outside = 0.0;
   for (std::size_t i = 0; i < gap.size(); ++i)
   {

@@ -37,12 +37,12 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
       // The stress anew, from the committed strain and the pressure: it is admissible everywhere, to the tolerance.
       const std::vector<double> pressure = copy(press.contact().pressure());
       std::vector<double> gap = press.rigid_gap(interference);
-      for (const Body* body : {&press.contact().lower(), &press.contact().upper()})
+      for (const BodyView& body : {press.contact().lower(), press.contact().upper()})
       {
-        const BodyState& state = body->state();
-        const halfspace::HalfSpace half_space(body->grid(), body->material().elastic);
+        const BodyState state = body.state();
+        const halfspace::HalfSpace half_space(body.grid(), body.material().elastic);
         const test::StressField stress(half_space, pressure, state.plastic_strain);
-        for (std::size_t cell = 0; cell < body->grid().size(); ++cell)
+        for (std::size_t cell = 0; cell < body.grid().size(); ++cell)
         {
           const double yield = SpherePress::yield_stress + modulus * state.equivalent[cell];
           ASSERT_LE(von_mises(test::deviator_at(stress.deviator, cell)),
@@ -50,7 +50,7 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
         }
         halfspace::HalfSpace::Work work = half_space.make_work();
         std::vector<double> u(gap.size());
-        half_space.load_strain(state.plastic_strain, body->grid().nz, work, u);
+        half_space.load(state.plastic_strain, body.grid().nz, work).displacement({.z = u});
         expect_near(u, state.residual_displacement, 1e-10, "residual displacement"); // round-off
         for (std::size_t i = 0; i < gap.size(); ++i)
           gap[i] += u[i];
@@ -61,7 +61,7 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
           contact_modulus(press.contact().lower().material().elastic, press.contact().upper().material().elastic));
       std::vector<double> u(gap.size());
       halfspace::SurfaceCompliance::Scratch scratch = compliance.make_scratch();
-      compliance.apply(pressure, u, scratch);
+      compliance.apply({.pressure = pressure}, {.z = u}, scratch);
       const double tolerance = 1.001 * options.settings.contact_tolerance * 6.0 * SpherePress::alpha_c;
       for (std::size_t i = 0; i < gap.size(); ++i)
       {
@@ -129,8 +129,8 @@ Seen seen(SpherePress& press)
          c.load(),
          c.elastic_energy(),
          c.reaches_edge()};
-  c.surface_depth(c.lower(), {}, s.lower_depth);
-  c.surface_depth(c.upper(), {}, s.upper_depth);
+  c.add_lower_depth({}, s.lower_depth);
+  c.add_upper_depth({}, s.upper_depth);
   Archive archive;
   c.exchange(archive);
   s.stored = std::move(archive).fields();
@@ -301,9 +301,11 @@ TEST(IncrementDoorTest, RefusesGridsThatDoNotMatchAndAContactBeyondTheBody)
                            static_cast<void>(contact.advance(wrong, {}, Placement{}, Strategy{}));
                          });
   std::vector<double> depth(24);
-  test::expect_refused("CoupledContact::surface_depth: the depth", 24, 25,
-                       [&] { contact.surface_depth(contact.lower(), {}, depth); });
-  test::expect_refused("Body: the texture", 24, 25, [&] { Body(v, nullptr, m, true, depth); });
+  test::expect_refused("CoupledContact: the depth", 24, 25, [&] { contact.add_lower_depth({}, depth); });
+  test::expect_refused("CoupledContact: the texture", 24, 25,
+                       [&] {
+                         CoupledContact(g, v, v, m, m, Scales{1.0, 1.0}, Settings{}, Twin::none, {depth, {}});
+                       });
 }
 
 } // namespace

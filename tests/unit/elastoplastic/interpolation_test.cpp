@@ -42,7 +42,8 @@ TEST(InterpolationTest, CubicsAreExact)
   std::vector<double> depth(contact_grid.size());
   for (const double fraction : {0.0, 0.25, 0.9})
   {
-    contact.surface_depth(contact.lower(), {column, fraction}, depth);
+    std::fill(depth.begin(), depth.end(), 0.0);
+    contact.add_lower_depth({column, fraction}, depth);
     for (int j = 0; j < contact_grid.ny; ++j)
       for (int i = 0; i < contact_grid.nx; ++i)
         EXPECT_NEAR(depth[static_cast<std::size_t>(i + contact_grid.nx * j)], cubic(i + column + fraction, j), 1e-12);
@@ -63,9 +64,9 @@ TEST(InterpolationTest, PressureIsCarriedBackByTheTranspose)
     ASSERT_TRUE(
         contact.advance(distance, {contact::Drive::Kind::approach, 1.5}, {place, {column}}, Strategy{}).converged);
     std::vector<double> on_body;
-    ASSERT_TRUE(contact.spread_pressure(contact.lower(), place, on_body));
+    ASSERT_TRUE(spread_pressure(contact.grid(), contact.pressure(), place, contact.lower().grid().surface, on_body));
     std::vector<double> depth(contact_grid.size());
-    contact.surface_depth(contact.lower(), place, depth);
+    contact.add_lower_depth(place, depth);
     const double on_contact = std::inner_product(depth.begin(), depth.end(), contact.pressure().begin(), 0.0);
     const double below = std::inner_product(on_body.begin(), on_body.end(), contact.lower().texture().begin(), 0.0);
     EXPECT_NEAR(below, on_contact, 1e-12 * std::abs(on_contact));

@@ -76,8 +76,8 @@ public:
   [[nodiscard]] double stored_and_dissipated() const
   {
     double energy = contact_.elastic_energy();
-    for (const Body* body : {&contact_.lower(), &contact_.upper()})
-      energy += body->state().dissipation + body->state().locked_in_energy;
+    for (const BodyView& body : {contact_.lower(), contact_.upper()})
+      energy += body.solved().state().dissipation + body.solved().state().locked_in_energy;
     return energy;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/foundation/blocked_fft.hpp"
+#include "foundation/blocked_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/fft.hpp"
+#include "foundation/fft.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>

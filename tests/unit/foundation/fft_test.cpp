@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/foundation/fft.hpp"
+#include "foundation/fft.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "random_field.hpp"

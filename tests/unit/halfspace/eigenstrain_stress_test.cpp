@@ -102,10 +102,12 @@ TEST_P(EigenstrainStressTest, LayersWithoutStrainMayBeLeftOut)
 
   HalfSpace::Work work = half_space.make_work();
   std::vector<double> all(strain.size()), some(strain.size(), 0.0), u_all(g.surface.size()), u_some(u_all);
-  half_space.load_strain(strain, g.nz, work, u_all);
-  half_space.deviatoric_stress(pressure, strain, work, all);
-  half_space.load_strain(strain, layers, work, u_some);
-  half_space.deviatoric_stress(pressure, strain, work, some);
+  const HalfSpace::Loaded loaded_all = half_space.load(strain, g.nz, work);
+  loaded_all.displacement({.z = u_all});
+  loaded_all.stress({.pressure = pressure}, all);
+  const HalfSpace::Loaded loaded_some = half_space.load(strain, layers, work);
+  loaded_some.displacement({.z = u_some});
+  loaded_some.stress({.pressure = pressure}, some);
   for (std::size_t i = 0; i < strain.size(); ++i)
     EXPECT_NEAR(some[i], i % g.size() < first_zero ? all[i] : 0.0, 1e-13); // stresses of order one
   for (std::size_t i = 0; i < u_all.size(); ++i)
@@ -120,8 +122,9 @@ TEST_P(EigenstrainStressTest, DeviatoricAndFullStressAgree)
   HalfSpace::Work work = half_space.make_work();
   std::vector<double> deviator(strain.size());
   std::vector<double> displacement(pressure.size());
-  half_space.load_strain(strain, GetParam().nz, work, displacement);
-  half_space.deviatoric_stress(pressure, strain, work, deviator);
+  const HalfSpace::Loaded loaded_deviator = half_space.load(strain, GetParam().nz, work);
+  loaded_deviator.displacement({.z = displacement});
+  loaded_deviator.stress({.pressure = pressure}, deviator);
   const StressField full(half_space, pressure, strain);
   for (std::size_t i = 0; i < strain.size(); ++i)
     EXPECT_NEAR(deviator[i], full.deviator[i], 1e-13);
@@ -245,6 +248,35 @@ TEST(EigenstrainSizeTest, SpectraThatGoPastTheCachesGiveTheSameStress)
       ASSERT_NEAR(stress[2 * c * half + i], expected[c * half + i], 1e-6) << "component " << c << ", cell " << i;
 }
 
+TEST_P(EigenstrainStressTest, LoadedStrainServesOneLoadAfterAnother)
+{
+  HalfSpace planned(GetParam(), elastic);
+  const HalfSpace half_space = std::move(planned); // what is planned moves along
+  const std::size_t surface = GetParam().surface.size();
+  const std::vector<double> strain = test::random_field(Deviator::size * GetParam().size(), 7);
+  const std::vector<double> pressure = test::random_field(surface, 8, 0.0, 1.0);
+  const std::vector<double> zeros(surface, 0.0);
+  HalfSpace::Work work = half_space.make_work();
+  std::vector<double> first(strain.size()), again(first), none(first), zero(first), u(surface), u_again(surface);
+  const HalfSpace::Loaded loaded = half_space.load(strain, GetParam().nz, work);
+  loaded.stress({.pressure = pressure}, first);
+  loaded.displacement({.z = u});
+  loaded.stress({}, none);
+  loaded.stress({.pressure = zeros}, zero);
+  loaded.stress({.pressure = pressure}, again);
+  loaded.displacement({.z = u_again});
+  EXPECT_EQ(again, first);
+  EXPECT_EQ(none, zero); // an empty part is zero
+  EXPECT_NE(none, first);
+  EXPECT_EQ(u_again, u);
+
+  const HalfSpace::Loaded next = half_space.load(strain, GetParam().nz, work);
+  EXPECT_THROW(loaded.stress({.pressure = pressure}, again), InternalError); // its buffers are used by the next one
+  EXPECT_THROW(loaded.displacement({.z = u}), InternalError);
+  next.stress({.pressure = pressure}, again);
+  EXPECT_EQ(again, first);
+}
+
 TEST(HalfSpaceDoorTest, RefusesFieldsOfAnotherSize)
 {
   using Field = std::vector<double>;
@@ -254,24 +286,25 @@ TEST(HalfSpaceDoorTest, RefusesFieldsOfAnotherSize)
   // One cell too few and one component too many: each would be read or written past an end.
   Field short_surface(11), long_deviator(144), short_trace(23);
 
-  const auto load = [&](const Field& e, Field& u) { half_space.load_strain(e, 2, work, u); };
-  test::expect_refused("HalfSpace::load_strain: the plastic strain", 144, 120,
-                       [&] { load(long_deviator, displacement); });
-  test::expect_refused("HalfSpace::load_strain: the displacement", 11, 12, [&] { load(strain, short_surface); });
-  EXPECT_THROW(half_space.load_strain(strain, 3, work, displacement), InternalError); // of two layers
+  test::expect_refused("HalfSpace::load: the plastic strain", 144, 120,
+                       [&] { (void)half_space.load(long_deviator, 2, work); });
+  EXPECT_THROW((void)half_space.load(strain, 3, work), InternalError); // of two layers
+  HalfSpace::Work empty;
+  EXPECT_THROW((void)half_space.load(strain, 2, empty), InternalError);
 
-  load(strain, displacement);
-  const auto deviatoric = [&](const Field& p, const Field& e, Field& s)
-  { half_space.deviatoric_stress(p, e, work, s); };
-  test::expect_refused("HalfSpace::deviatoric_stress: the pressure", 11, 12,
-                       [&] { deviatoric(short_surface, strain, stress); });
-  test::expect_refused("HalfSpace::deviatoric_stress: the plastic strain", 144, 120,
-                       [&] { deviatoric(surface, long_deviator, stress); });
-  test::expect_refused("HalfSpace::deviatoric_stress: the stress", 144, 120,
-                       [&] { deviatoric(surface, strain, long_deviator); });
+  const HalfSpace::Loaded loaded = half_space.load(strain, 2, work);
+  test::expect_refused("HalfSpace::Loaded::displacement: the displacement", 11, 12,
+                       [&] { loaded.displacement({.z = short_surface}); });
+  EXPECT_THROW(loaded.displacement({.z = displacement, .x = displacement}), InputError); // not computed yet
+  test::expect_refused("HalfSpace::Loaded::stress: the pressure", 11, 12,
+                       [&] { loaded.stress({.pressure = short_surface}, stress); });
+  test::expect_refused("HalfSpace::Loaded::stress: the stress", 144, 120,
+                       [&] { loaded.stress({.pressure = surface}, long_deviator); });
+  EXPECT_THROW(loaded.stress({.pressure = surface, .shear_y = surface}, stress), InputError);
+  EXPECT_THROW(loaded.stress({.heat = surface}, stress), InputError);
 
   const auto full = [&](const Field& p, const Field& e, Field& s, Field& t)
-  { half_space.full_stress(p, e, work, s, t); };
+  { half_space.full_stress({.pressure = p}, e, work, s, t); };
   test::expect_refused("HalfSpace::full_stress: the pressure", 11, 12,
                        [&] { full(short_surface, strain, stress, trace); });
   test::expect_refused("HalfSpace::full_stress: the plastic strain", 144, 120,

@@ -73,7 +73,7 @@ TEST_P(PressureStressTest, ItsTransposeIsTheSurfaceDisplacementOfPlasticStrain)
   const std::vector<double> pressure = test::random_field(g.surface.size(), 3);
   HalfSpace::Work work = half_space.make_work();
   std::vector<double> u(g.surface.size());
-  half_space.load_strain(strain, g.nz, work, u);
+  half_space.load(strain, g.nz, work).displacement({.z = u});
   const std::vector<double> stress = StressField(half_space, pressure, {}).deviator;
   const double inside = test::contracted(stress, strain) * g.cell_volume();
   const double outside = test::dot(pressure, u) * g.surface.cell_area();

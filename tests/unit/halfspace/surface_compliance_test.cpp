@@ -22,7 +22,7 @@ std::vector<double> displacement(const SurfaceCompliance& compliance, const std:
 {
   std::vector<double> u(pressure.size());
   SurfaceCompliance::Scratch scratch = compliance.make_scratch();
-  compliance.apply(pressure, u, scratch);
+  compliance.apply({.pressure = pressure}, {.z = u}, scratch);
   return u;
 }
 
@@ -114,8 +114,10 @@ TEST(SurfaceComplianceDoorTest, RefusesFieldsOfAnotherSize)
   const SurfaceCompliance compliance({4, 3, 1.0, 1.0}, 1.0);
   std::vector<double> p(12), u(11);
   SurfaceCompliance::Scratch scratch = compliance.make_scratch();
-  test::expect_refused("SurfaceCompliance::apply: the displacement", 11, 12, [&] { compliance.apply(p, u, scratch); });
-  test::expect_refused("SurfaceCompliance::apply: the pressure", 11, 12, [&] { compliance.apply(u, p, scratch); });
+  test::expect_refused("SurfaceCompliance::apply: the displacement", 11, 12,
+                       [&] { compliance.apply({.pressure = p}, {.z = u}, scratch); });
+  test::expect_refused("SurfaceCompliance::apply: the pressure", 11, 12,
+                       [&] { compliance.apply({.pressure = u}, {.z = p}, scratch); });
 }
 
 } // namespace

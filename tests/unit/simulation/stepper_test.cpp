@@ -59,7 +59,7 @@ public:
   }
 
   [[nodiscard]] const Stepper& stepper() const { return stepper_; }
-  [[nodiscard]] const elastoplastic::BodyState& state() const { return stepper_.pair().lower().state(); }
+  [[nodiscard]] const elastoplastic::BodyState& state() const { return stepper_.pair().lower().solved().state(); }
   /// Shares of the way that were tried, in their order.
   [[nodiscard]] const std::vector<double>& tried() const { return tried_; }
   /// Whether the plain fixed point was called for: it takes the same piece again.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/aligned.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "foundation/aligned.hpp"
 
 #include <memory>
 #include <span>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/blocked_fft.hpp"
 #include "brinell/foundation/deviator.hpp"
-#include "brinell/foundation/fft.hpp"
+#include "foundation/blocked_fft.hpp"
+#include "foundation/fft.hpp"
 
 namespace brinell::halfspace
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/aligned.hpp"
 #include "brinell/foundation/grid.hpp"
-#include "brinell/foundation/lanes.hpp"
+#include "foundation/aligned.hpp"
+#include "foundation/lanes.hpp"
 
 #include <memory>
 

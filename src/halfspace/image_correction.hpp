@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/blocked_fft.hpp"
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/green/elastic.hpp"
+#include "foundation/blocked_fft.hpp"
 
 #include <array>
 #include <span>

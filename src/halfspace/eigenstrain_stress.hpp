@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/blocked_fft.hpp"
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/green/elastic.hpp"
+#include "foundation/blocked_fft.hpp"
+#include "foundation/lane_functions.hpp"
+#include "green/sheet_waves.hpp"
 
 #include <array>
 
@@ -41,7 +43,7 @@ public:
   /// What `apply` keeps of the layers between its way up and its way down.
   struct Layer
   {
-    ComplexLanes a, d, lz, lt, tz;                       ///< strain in the frame of the wavevector
+    green::SheetStrain<ComplexLanes> strain;
     ComplexLanes below_ll, below_zz, below_lz, below_lt; ///< stress of the layers below
   };
   using Scratch = AlignedVector<Layer>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/aligned.hpp"
+#include "foundation/aligned.hpp"
 
 #include <cstddef>
 
@@ -10,8 +10,6 @@ namespace brinell
 
 /// Values worked on together, one per lane of the processor's vector units (two or four instructions where these are
 /// narrower). A vector type of the compiler: sums kept in it stay in registers, which loops over arrays do not achieve.
-/// What works on it is private (src/foundation/lane_functions.hpp): how such values are passed depends on the processor that
-/// is compiled for, and a program need not be compiled for the one of the library.
 inline constexpr int lane_count = 8;
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
 

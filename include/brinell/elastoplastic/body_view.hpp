@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/elastoplastic/body.hpp"
+
+namespace brinell::elastoplastic
+{
+
+/// What the upper body is to the lower one, so that only that one need be solved.
+enum class Twin
+{
+  none,
+  mirror_image, ///< reversed in x: two asperities passing each other
+  alike         ///< the same field in the same direction: pure rolling
+};
+
+/// One side of a contact as it is seen from outside: a body that is solved, or the twin of one, which has no fields of its
+/// own. Fields are in the axes of this side; those of a mirror image are copied in reverse order.
+class BodyView
+{
+public:
+  /// @param texture  depth that the surface of this side had before the first load, into the body [m]; empty: smooth
+  BodyView(const Body& solved, Twin twin, const std::vector<double>& texture)
+      : solved_(&solved), twin_(twin), texture_(&texture)
+  {
+  }
+
+  [[nodiscard]] const VolumeGrid& grid() const { return solved_->grid(); }
+  [[nodiscard]] const constitutive::Material& material() const { return solved_->material(); }
+  [[nodiscard]] const std::vector<double>& texture() const { return *texture_; }
+  /// The body that is solved: for what does not depend on directions, such as energies and largest values.
+  [[nodiscard]] const Body& solved() const { return *solved_; }
+
+  /// A copy of the history.
+  [[nodiscard]] BodyState state() const;
+  /// Residual displacement of the surface in the present trial [m].
+  [[nodiscard]] std::vector<double> residual_displacement() const;
+
+private:
+  const Body* solved_;
+  Twin twin_;
+  const std::vector<double>* texture_;
+};
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/body_view.hpp"
+
+#include <algorithm>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// Reverses every row of a field, and gives it the sign of its parity in x.
+void reverse_rows(std::span<double> field, int nx, double sign)
+{
+  for (auto row = field.begin(); row != field.end(); row += nx)
+  {
+    std::reverse(row, row + nx);
+    std::for_each(row, row + nx, [sign](double& value) { value *= sign; });
+  }
+}
+
+/// One or several deviator fields of `cells` cells.
+void reverse_deviators(std::vector<double>& fields, int nx, std::size_t cells)
+{
+  for (std::size_t begin = 0; begin < fields.size(); begin += cells)
+  {
+    const auto component = static_cast<int>(begin / cells % Deviator::size);
+    const bool is_odd = component == Deviator::xz || component == Deviator::xy;
+    reverse_rows(std::span(fields).subspan(begin, cells), nx, is_odd ? -1.0 : 1.0);
+  }
+}
+
+} // namespace
+
+BodyState BodyView::state() const
+{
+  BodyState state = solved_->state();
+  if (twin_ != Twin::mirror_image)
+    return state;
+  const int nx = grid().surface.nx;
+  for (std::vector<double>* fields : {&state.plastic_strain, &state.stress, &state.backstress})
+    reverse_deviators(*fields, nx, grid().size());
+  for (std::vector<double>* field : {&state.equivalent, &state.residual_displacement})
+    reverse_rows(*field, nx, 1.0);
+  return state;
+}
+
+std::vector<double> BodyView::residual_displacement() const
+{
+  const std::span<const double> solved = solved_->residual_displacement();
+  std::vector<double> displacement(solved.begin(), solved.end());
+  if (twin_ == Twin::mirror_image)
+    reverse_rows(displacement, grid().surface.nx, 1.0);
+  return displacement;
+}
+
+} // namespace brinell::elastoplastic
