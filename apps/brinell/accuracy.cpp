@@ -73,8 +73,6 @@ constexpr const char* files_of_run[] = {"history.csv", "resolved.toml", "result.
 void move_up(const fs::path& from, const fs::path& to)
 {
   std::error_code error;
-  fs::remove(to / "snapshots" / "index.json", error); // of the folder's own, empty result
-  fs::remove(to / "snapshots", error);
   for (const char* name : files_of_run)
   {
     fs::rename(from / name, to / name, error);

@@ -137,9 +137,9 @@ int cite_command(const CiteArguments& arguments)
   print_warnings(c, c.warnings);
   if (arguments.bibtex)
   {
-    fmt::print("{}", io::bibtex(io::brinell_reference()));
+    fmt::print("{}", io::brinell_reference().bibtex);
     for (const io::Citation& citation : io::citations(c))
-      fmt::print("\n% {}\n{}", citation.use, io::bibtex(citation.reference));
+      fmt::print("\n% {}\n{}", citation.use, citation.reference.bibtex);
     return exit_ok;
   }
   fmt::print("If you publish results of this case, please cite brinell\n\n{}\n\n"

@@ -4,10 +4,10 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
 #include "raw_case.hpp"
+#include "schema_parts.hpp"
 #include "value_text.hpp"
 
 #include <fmt/format.h>
-#include <optional>
 
 namespace brinell::io
 {
@@ -46,51 +46,15 @@ struct CaseReader
   }
 };
 
-/// Cells and solver, common to all scenarios.
-void read_numerics(const CaseReader& reader, simulation::Numerics& numerics);
-/// A body of the general scenarios.
+/// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
-/// Puts the heights of texture.file in its place, so that the resolved case needs no other file.
+/// Put the content of hardening.file and texture.file of a body in their place, so that the resolved case stands for itself.
+void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 void load_texture_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
-/// Each scenario takes what it needs into `c`: its own case, equivalent radius, contact modulus, first yield, warnings.
-/// What is wrong goes into the reader's problems.
-void read_tugging(const CaseReader& reader, Case& c);
-void read_indentation(const CaseReader& reader, Case& c);
-void read_rolling(const CaseReader& reader, Case& c);
-
-/// The bodies must touch in a point or in a line that ends.
-void require_finite_contact(const CaseReader& reader, const simulation::Shape& lower, const simulation::Shape& upper);
-/// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`.
-template <typename ScenarioCase>
-auto planned(const CaseReader& reader, const Case& c, const ScenarioCase& scenario, const std::string& key)
-{
-  std::optional<decltype(simulation::plan(scenario))> plan;
-  try
-  {
-    plan = simulation::plan(scenario);
-  }
-  catch (const GridError& error)
-  {
-    reader.problems.add(c.grid_source, error.what());
-  }
-  catch (const InputError& error)
-  {
-    reader.add(key, fmt::format("does not fit: {}", error.what()));
-  }
-  return plan;
-}
-
-/// Contact modulus and first yield, the latter if the bodies are round with that equivalent radius [m].
-void set_first_yield(const constitutive::Material& lower, const constitutive::Material& upper,
-                     std::optional<double> radius, Case& c);
-/// What can be computed, but is seldom meant.
-void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c);
-/// Cells or a step with which nothing of the contact could be computed.
-void refuse_cells_and_shift(const CaseReader& reader, const simulation::Numerics& numerics,
-                            const std::optional<double>& shift, double half_x, double half_y, Case& c);
-/// The bodies are computed as half spaces.
-void warn_of_size(double contact_radius, double smallest_radius, Case& c);
+/// Completes the case of the scenario: what takes judgement, equivalent radius, contact modulus, first yield, warnings. What is
+/// wrong goes into the reader's problems.
+void complete(const CaseReader& reader, Draft& draft);
 
 } // namespace brinell::io

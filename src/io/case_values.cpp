@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_values.hpp"
 
-#include "value_convert.hpp"
 #include "value_text.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace brinell::io
@@ -12,6 +14,187 @@ namespace brinell::io
 
 namespace
 {
+
+/// What may stand there, with the usual value behind it.
+std::string allowed(const Entry& entry, bool pure)
+{
+  Entry plain = entry;
+  plain.pure_if.clear();
+  if (pure)
+    plain.dimension = dimension::none;
+  return fmt::format("allowed: {}{}{}", allowed_values(plain), entry.hint.empty() ? "" : "; ", entry.hint);
+}
+
+InputError wrong_type(const Raw& raw, const Entry& entry, bool pure)
+{
+  return InputError(fmt::format("is {}; {}", type_name(raw), allowed(entry, pure)));
+}
+
+double from_quantity(const std::string& text, const Entry& entry, bool pure)
+{
+  const Quantity given = quantity(text);
+  if (pure && given.dimension == entry.dimension)
+    throw InputError(fmt::format("is a {}, but {} = true; allowed: a number without unit, or {} = false",
+                                 dimension_name(given.dimension), entry.pure_if, entry.pure_if));
+  if (given.dimension == dimension::none)
+    throw InputError(fmt::format("has no unit; allowed: a number in {} without quotes, or with a unit as in \"{}\"",
+                                 si_unit(entry.dimension), example_quantity(entry.dimension)));
+  if (given.dimension != entry.dimension)
+    throw InputError(fmt::format("is a {}; {}", dimension_name(given.dimension), allowed(entry, pure)));
+  return given.value;
+}
+
+/// "1 %", "0.01"
+double from_percent(const std::string& text, const Raw& raw, const Entry& entry)
+{
+  double x = 0.0;
+  const char* end = text.data() + text.size();
+  auto [rest, error] = std::from_chars(text.data(), end, x);
+  while (rest != end && *rest == ' ')
+    ++rest;
+  const bool is_percent = rest != end && *rest == '%';
+  if (error != std::errc{} || rest + (is_percent ? 1 : 0) != end)
+    throw wrong_type(raw, entry, true);
+  return is_percent ? x / 100.0 : x;
+}
+
+double number(const Raw& raw, const Entry& entry, bool pure)
+{
+  double x = 0.0;
+  if (const auto* i = std::get_if<std::int64_t>(&raw.value))
+    x = static_cast<double>(*i);
+  else if (const auto* d = std::get_if<double>(&raw.value))
+    x = *d;
+  else if (const auto* share = std::get_if<std::string>(&raw.value); share && entry.percent)
+    x = from_percent(*share, raw, entry);
+  else if (const auto* s = std::get_if<std::string>(&raw.value); s && entry.dimension != dimension::none)
+    x = from_quantity(*s, entry, pure);
+  else
+    throw wrong_type(raw, entry, pure);
+  if (!std::isfinite(x))
+    throw InputError(fmt::format("is not a finite number; {}", allowed(entry, pure)));
+  if (!entry.range.contains(x))
+    throw InputError(fmt::format("is out of range; {}", allowed(entry, pure)));
+  return x;
+}
+
+std::int64_t integer(const Raw& raw, const Entry& entry)
+{
+  const auto* i = std::get_if<std::int64_t>(&raw.value);
+  if (!i)
+    throw InputError(fmt::format("is {}, not an integer; {}", type_name(raw), allowed(entry, false)));
+  if (!entry.range.contains(static_cast<double>(*i)))
+    throw InputError(fmt::format("is out of range; {}", allowed(entry, false)));
+  return *i;
+}
+
+std::vector<double> numbers(const Raw& raw, const Entry& entry, bool pure)
+{
+  const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
+  if (!items)
+    throw wrong_type(raw, entry, pure);
+  std::vector<double> result;
+  for (const Raw& item : *items)
+    try
+    {
+      result.push_back(number(item, entry, pure));
+    }
+    catch (const InputError& error)
+    {
+      throw InputError(fmt::format("has the element {}, which {}", shown(item), error.what()));
+    }
+  if (result.empty() || (entry.type == Type::vector3 && result.size() != 3))
+    throw InputError(fmt::format("has {} elements; {}", result.size(), allowed(entry, pure)));
+  return result;
+}
+
+Vector3 vector3(const Raw& raw, const Entry& entry)
+{
+  const std::vector<double> items = numbers(raw, entry, false);
+  return {items[0], items[1], items[2]};
+}
+
+std::string choice(const Raw& raw, const Entry& entry)
+{
+  const auto* word = std::get_if<std::string>(&raw.value);
+  if (!word)
+    throw wrong_type(raw, entry, false);
+  if (std::find(entry.choices.begin(), entry.choices.end(), *word) == entry.choices.end())
+    throw InputError(fmt::format("is not known; {}", allowed(entry, false)));
+  return *word;
+}
+
+SnapshotRule rule_from_word(const std::string& word, const Entry& entry)
+{
+  using Kind = SnapshotRule::Kind;
+  if (word == "none")
+    return {.kind = Kind::none};
+  if (word == "aligned")
+    return {.kind = Kind::aligned};
+  if (word == "all")
+    return {.kind = Kind::all};
+  constexpr std::string_view every = "every ";
+  int n = 0;
+  if (word.starts_with(every))
+  {
+    const auto [end, error] = std::from_chars(word.data() + every.size(), word.data() + word.size(), n);
+    if (error == std::errc{} && end == word.data() + word.size() && n >= 1)
+      return {.kind = Kind::every, .every = n};
+  }
+  throw InputError(fmt::format("is not known; {}", allowed(entry, false)));
+}
+
+SnapshotRule snapshot_rule(const Raw& raw, const Entry& entry)
+{
+  if (const auto* word = std::get_if<std::string>(&raw.value))
+    return rule_from_word(*word, entry);
+  const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
+  if (!items)
+    throw wrong_type(raw, entry, false);
+  SnapshotRule rule{.kind = SnapshotRule::Kind::listed};
+  for (const Raw& item : *items)
+  {
+    const auto* step = std::get_if<std::int64_t>(&item.value);
+    if (!step || *step < 0 || *step > std::numeric_limits<int>::max())
+      throw InputError(
+          fmt::format("has the element {}, which is not a step number; {}", shown(item), allowed(entry, false)));
+    rule.steps.push_back(static_cast<int>(*step));
+  }
+  std::sort(rule.steps.begin(), rule.steps.end());
+  rule.steps.erase(std::unique(rule.steps.begin(), rule.steps.end()), rule.steps.end());
+  return rule;
+}
+
+/// A written value as the entry wants it, in SI.
+/// @param pure  the number carries no dimension here (Entry::pure_if holds)
+/// @throws InputError; its text continues a sentence that begins with "key = value"
+Value converted(const Raw& raw, const Entry& entry, bool pure)
+{
+  switch (entry.type)
+  {
+  case Type::text:
+    if (const auto* text = std::get_if<std::string>(&raw.value))
+      return *text;
+    throw wrong_type(raw, entry, pure);
+  case Type::choice:
+    return choice(raw, entry);
+  case Type::boolean:
+    if (const auto* flag = std::get_if<bool>(&raw.value))
+      return *flag;
+    throw wrong_type(raw, entry, pure);
+  case Type::integer:
+    return integer(raw, entry);
+  case Type::number:
+    return number(raw, entry, pure);
+  case Type::vector3:
+    return vector3(raw, entry);
+  case Type::numbers:
+    return numbers(raw, entry, pure);
+  case Type::snapshots:
+    return snapshot_rule(raw, entry);
+  }
+  throw InternalError("a type of the case schema has no conversion");
+}
 
 std::string alternatives(const std::vector<std::string>& words)
 {
@@ -86,19 +269,20 @@ private:
     return !given.from_command_line && rival && rival->from_command_line;
   }
 
+  /// Whether the number carries no dimension here.
+  [[nodiscard]] bool is_pure(const Entry& entry) const
+  {
+    const Value* flag = entry.pure_if.empty() ? nullptr : values_.find(entry.pure_if);
+    return flag && std::get<bool>(*flag);
+  }
+
   void convert(const Entry& entry, const Given& given)
   {
-    bool pure = false;
-    if (!entry.pure_if.empty())
-    {
-      if (broken_.contains(entry.pure_if))
-        return;
-      const Value* flag = values_.find(entry.pure_if);
-      pure = flag && std::get<bool>(*flag);
-    }
+    if (broken_.contains(entry.pure_if))
+      return;
     try
     {
-      values_.set(entry.key, converted(given.raw, entry, pure));
+      values_.set(entry.key, converted(given.raw, entry, is_pure(entry)));
     }
     catch (const InputError& error)
     {
@@ -108,15 +292,8 @@ private:
 
   void missing(const Entry& entry)
   {
-    const bool pure =
-        !entry.pure_if.empty() && values_.find(entry.pure_if) && std::get<bool>(*values_.find(entry.pure_if));
-    Entry plain = entry;
-    plain.pure_if.clear();
-    if (pure)
-      plain.dimension = dimension::none;
     problems_.add(raw_.place_for(entry.key),
-                  fmt::format("{} is missing; allowed: {}{}{}", entry.key, allowed_values(plain),
-                              entry.hint.empty() ? "" : "; ", entry.hint));
+                  fmt::format("{} is missing; {}", entry.key, allowed(entry, is_pure(entry))));
     broken_.insert(entry.key);
   }
 

@@ -2,8 +2,7 @@
 #include "raw_case.hpp"
 
 #include "brinell/io/schema.hpp"
-#include "key_depth.hpp"
-#include "read_file.hpp"
+#include "io/files.hpp"
 #include "suggestion.hpp"
 #include "value_text.hpp"
 
@@ -82,6 +81,23 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
       target.problems.add(place,
                           fmt::format("unknown key {} = {}; {}", path, shown(raw_value(node)), suggestion(path)));
   }
+}
+
+/// Behind the string that begins at `first`. One of several lines ends with three quotes, of which two more may stand before;
+/// others end with their line at the latest.
+std::size_t end_of_string(std::string_view text, std::size_t first)
+{
+  const char quote = text[first];
+  const std::string three(3, quote);
+  const bool is_long = text.substr(first).starts_with(three);
+  for (std::size_t i = first + (is_long ? 3 : 1); i < text.size(); ++i)
+    if (quote == '"' && text[i] == '\\' && (is_long || !text.substr(i).starts_with("\\\n")))
+      ++i;
+    else if (!is_long && (text[i] == quote || text[i] == '\n'))
+      return text[i] == quote ? i + 1 : i;
+    else if (is_long && text.substr(i).starts_with(three))
+      return std::min({text.find_first_not_of(quote, i), i + 5, text.size()});
+  return text.size();
 }
 
 std::string too_deep()
@@ -185,6 +201,27 @@ toml::table parse_toml(std::string_view text, const std::string& file)
 }
 
 } // namespace
+
+std::optional<int> line_of_deep_key(std::string_view toml)
+{
+  constexpr std::string_view ends_of_keys = "\n=,[]{}";
+  int line = 1, parts = 1;
+  for (std::size_t i = 0; i < toml.size() && parts <= deepest_key;)
+  {
+    std::size_t next = i + 1;
+    if (toml[i] == '"' || toml[i] == '\'')
+      next = end_of_string(toml, i);
+    else if (toml[i] == '#')
+      next = std::min(toml.find('\n', i), toml.size());
+    else if (toml[i] == '.')
+      ++parts;
+    else if (ends_of_keys.find(toml[i]) != ends_of_keys.npos)
+      parts = 1;
+    line += static_cast<int>(std::count(toml.begin() + i, toml.begin() + next, '\n'));
+    i = next;
+  }
+  return parts > deepest_key ? std::optional(line) : std::nullopt;
+}
 
 std::string type_name(const Raw& raw)
 {

@@ -1,10 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/io/schema.hpp"
+#include "brinell/io/case_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
 
 namespace brinell::io
 {
+
+/// A case while it is read: the members that keys are bound to. All others take judgement (case_*.cpp).
+struct Draft
+{
+  Case c;
+  simulation::Numerics numerics; ///< of the scenario
+  simulation::TuggingCase tugging;
+  simulation::IndentationCase indentation;
+  simulation::RollingCase rolling;
+};
+
+/// A member as a value, and back. An enumerator is the choice in its place.
+template <typename Member>
+Value value_of(const Member& member, const std::vector<std::string>& choices)
+{
+  if constexpr (std::is_enum_v<Member>)
+    return choices.at(static_cast<std::size_t>(member));
+  else if constexpr (std::is_same_v<Member, int>)
+    return std::int64_t{member};
+  else if constexpr (std::is_same_v<Member, std::filesystem::path>)
+    return member.string();
+  else
+    return member;
+}
+template <typename Member>
+Value value_of(const std::optional<Member>& /*member*/, const std::vector<std::string>& choices)
+{
+  return value_of(Member{}, choices);
+}
+
+template <typename Member>
+void fill(Member& member, const Value& value, const std::vector<std::string>& choices)
+{
+  if constexpr (std::is_enum_v<Member>)
+    member =
+        static_cast<Member>(std::find(choices.begin(), choices.end(), std::get<std::string>(value)) - choices.begin());
+  else if constexpr (std::is_same_v<Member, int>)
+    member = static_cast<int>(std::get<std::int64_t>(value));
+  else if constexpr (std::is_same_v<Member, std::filesystem::path>)
+    member = std::get<std::string>(value);
+  else
+    member = std::get<Member>(value);
+}
+template <typename Member>
+void fill(std::optional<Member>& member, const Value& value, const std::vector<std::string>& choices)
+{
+  fill(member.emplace(), value, choices);
+}
+
+/// An entry that fills a member of the draft, whose type and default it has.
+/// @param members  the way to it, as in &Draft::c, &Case::title
+template <typename... Members>
+Entry bound(Entry entry, Members... members)
+{
+  constexpr std::array types{Type::boolean, Type::integer, Type::number,   Type::text,
+                             Type::vector3, Type::numbers, Type::snapshots}; // of the alternatives of Value
+  const Draft draft;
+  const Value value = value_of((draft.*....*members), entry.choices);
+  entry.type = entry.choices.empty() ? types.at(value.index()) : Type::choice;
+  if (!entry.required && entry.unset.empty())
+    entry.fallback = value;
+  entry.fill = [choices = entry.choices, members...](Draft& target, const Value& given)
+  { fill((target.*....*members), given, choices); };
+  return entry;
+}
 
 /// Keys of one body, "lower" or "upper": shape, texture, material.
 [[nodiscard]] std::vector<Entry> body_entries(const std::string& body);
@@ -27,6 +96,11 @@ inline Range between(double min, double max)
 inline Range inside(double min, double max)
 {
   return {.min = min, .max = max, .min_allowed = false, .max_allowed = false};
+}
+/// More than `min`, up to `max`.
+inline Range up_to(double min, double max)
+{
+  return {.min = min, .max = max, .min_allowed = false};
 }
 
 } // namespace brinell::io

@@ -20,137 +20,101 @@ std::vector<Entry> root_entries()
        .text = "What is computed. tugging: the upper body is carried along x past the lower one at constant height "
                "or under a load; indentation: the upper body is pressed into the lower one; rolling: it rolls over "
                "it along x under load."},
-      {.key = "title",
-       .type = Type::text,
-       .unset = "no title",
-       .text = "Free text, copied into the results.",
-       .example = R"("What this run is to show")"},
+      bound({.key = "title", .unset = "no title", .text = "Free text, copied into the results."}, &Draft::c,
+            &Case::title),
   };
 }
 
 std::vector<Entry> grid_entries()
 {
-  const simulation::Numerics defaults;
+  using simulation::Numerics;
   return {
-      {.key = "grid.spacing",
-       .type = Type::vector3,
-       .dimension = dimension::length,
-       .range = above(0.0),
-       .unset = "from resolution",
-       .text = "Size of the cells [dx, dy, dz]: along the motion, across it, in depth.",
-       .excludes = "grid.resolution",
-       .example = R"(["10 um", "10 um", "5 um"])"},
-      {.key = "grid.resolution",
-       .type = Type::number,
-       .range = between(1.0, 1000.0),
-       .fallback = defaults.resolution,
-       .fallback_in = {{"tugging", simulation::TuggingCase().resolution}},
-       .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
-               "Tugging: the "
-               "elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
-       .excludes = "grid.spacing"},
-      {.key = "grid.extent",
-       .type = Type::number,
-       .range = between(0.5, 10.0),
-       .fallback = defaults.extent,
-       .text = "Factor on the first extent of the grids around contact and plastic zone; they grow where that is not "
-               "enough."},
+      bound({.key = "grid.spacing",
+             .dimension = dimension::length,
+             .range = above(0.0),
+             .unset = "from resolution",
+             .text = "Size of the cells [dx, dy, dz]: along the motion, across it, in depth.",
+             .excludes = "grid.resolution"},
+            &Draft::numerics, &Numerics::spacing),
+      bound({.key = "grid.resolution",
+             .range = between(1.0, 1000.0),
+             .fallback_in = {{"tugging", simulation::TuggingCase().resolution}},
+             .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
+                     "Tugging: the elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
+             .excludes = "grid.spacing"},
+            &Draft::numerics, &Numerics::resolution),
+      bound({.key = "grid.extent",
+             .range = between(0.5, 10.0),
+             .text = "Factor on the first extent of the grids around contact and plastic zone; they grow where that is "
+                     "not enough."},
+            &Draft::numerics, &Numerics::extent),
   };
 }
 
 std::vector<Entry> solver_entries()
 {
-  const elastoplastic::Settings defaults;
-  return {
-      {.key = "solver.yield_tolerance",
-       .type = Type::number,
-       .range = inside(0.0, 0.1),
-       .fallback = defaults.yield_tolerance,
-       .text = "Largest violation of the yield condition, relative to the yield stress."},
-      {.key = "solver.displacement_tolerance",
-       .type = Type::number,
-       .range = inside(0.0, 0.1),
-       .fallback = defaults.displacement_tolerance,
-       .text = "Largest change of the residual displacement in the last iteration, relative to the approach at first "
-               "yield."},
-      {.key = "solver.contact_tolerance",
-       .type = Type::number,
-       .range = inside(0.0, 0.1),
-       .fallback = defaults.contact_tolerance,
-       .text = "Complementarity of the contact: largest gap under pressure, relative to the largest approach."},
-      {.key = "solver.max_iterations",
-       .type = Type::integer,
-       .range = between(1, 100000),
-       .fallback = std::int64_t{defaults.max_iterations},
-       .text = "Iterations of an increment before it is split."},
-      {.key = "solver.anderson_depth",
-       .type = Type::integer,
-       .range = between(0, 50),
-       .fallback = std::int64_t{defaults.anderson_depth},
-       .text = "Earlier iterates used to accelerate the iteration; 0: plain fixed point."},
-      {.key = "solver.integration",
-       .type = Type::choice,
-       .choices = {"path", "backward_euler"},
-       .fallback = defaults.integration == elastoplastic::Integration::path ? "path" : "backward_euler",
-       .text = "Plastic strain of one step. path: along the path of the trial stress, second order in the step; "
-               "backward_euler: one radial return at its end, first order, as in the paper."},
-      {.key = "solver.mirror",
-       .type = Type::boolean,
-       .fallback = defaults.mirror,
-       .text =
-           "Two asperities that are alike stay mirror images of each other under exact kinematics, and bodies of one "
-           "material have the same strain in pure rolling and indentation: solve one of them. false: solve both (a "
-           "check; the "
-           "results agree to the tolerances)."},
-      {.key = "solver.shortcuts",
-       .type = Type::boolean,
-       .fallback = defaults.shortcuts,
-       .text = "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all "
-               "of them, so that no yield is missed. false: every layer and every cell in every evaluation (a check; "
-               "the results agree to the tolerances)."},
+  using elastoplastic::Settings;
+  const auto entry =
+      [](const char* key, auto member, Range range, const char* text, std::vector<std::string> choices = {})
+  {
+    return bound({.key = std::string("solver.") + key, .range = range, .choices = std::move(choices), .text = text},
+                 &Draft::numerics, &simulation::Numerics::solver, member);
   };
-}
-
-std::vector<Entry> accuracy_entries()
-{
   return {
-      {.key = "solver.accuracy",
-       .type = Type::number,
-       .range = {.min = 0.0, .max = 0.5, .min_allowed = false},
-       .percent = true,
-       .unset = "one run, with the cells as given",
-       .text =
-           "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then run with "
-           "coarser cells first, up to those given and, if need be, with finer ones, until the estimate of the error "
-           "by "
-           "the differences between them stays below it; summary.json tells each number's interval.",
-       .example = R"("2 %")"},
+      entry("yield_tolerance", &Settings::yield_tolerance, inside(0.0, 0.1),
+            "Largest violation of the yield condition, relative to the yield stress."),
+      entry("displacement_tolerance", &Settings::displacement_tolerance, inside(0.0, 0.1),
+            "Largest change of the residual displacement in the last iteration, relative to the approach at first "
+            "yield."),
+      entry("contact_tolerance", &Settings::contact_tolerance, inside(0.0, 0.1),
+            "Complementarity of the contact: largest gap under pressure, relative to the largest approach."),
+      entry("max_iterations", &Settings::max_iterations, between(1, 100000),
+            "Iterations of an increment before it is split."),
+      entry("anderson_depth", &Settings::anderson_depth, between(0, 50),
+            "Earlier iterates used to accelerate the iteration; 0: plain fixed point."),
+      entry("integration", &Settings::integration, {},
+            "Plastic strain of one step. path: along the path of the trial stress, second order in the step; "
+            "backward_euler: one radial return at its end, first order, as in the paper.",
+            {"path", "backward_euler"}),
+      entry("mirror", &Settings::mirror, {},
+            "Two asperities that are alike stay mirror images of each other under exact kinematics, and bodies of one "
+            "material have the same strain in pure rolling and indentation: solve one of them. false: solve both (a "
+            "check; the results agree to the tolerances)."),
+      entry("shortcuts", &Settings::shortcuts, {},
+            "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all "
+            "of them, so that no yield is missed. false: every layer and every cell in every evaluation (a check; the "
+            "results agree to the tolerances)."),
+      bound({.key = "solver.accuracy",
+             .range = up_to(0.0, 0.5),
+             .percent = true,
+             .unset = "one run, with the cells as given",
+             .text = "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then "
+                     "run with coarser cells first, up to those given and, if need be, with finer ones, until the "
+                     "estimate of the error by the differences between them stays below it; summary.json tells each "
+                     "number's interval."},
+            &Draft::c, &Case::accuracy),
   };
 }
 
 std::vector<Entry> output_entries()
 {
   return {
-      {.key = "output.snapshots",
-       .type = Type::snapshots,
-       .fallback = SnapshotRule{},
-       .text = "Steps whose fields are stored, beside the final state, which always is. \"aligned\": the step nearest "
-               "to the middle of each pass; in an indentation the steps that reach an entry of the list."},
-      {.key = "output.directory",
-       .type = Type::text,
-       .unset = "results/NAME",
-       .text = "Folder of the results, from the current directory; -o on the command line wins. NAME is that of the "
-               "case file, or of "
-               "its folder if the file is called case.toml.",
-       .example = R"("results/first")"},
-      {.key = "output.checkpoint_interval",
-       .type = Type::number,
-       .dimension = {.time = 1},
-       .range = at_least(0.0),
-       .fallback = 30.0,
-       .text =
-           "Time after which the state is stored again while the run goes on, so that brinell run --resume can go on "
-           "from there. It is stored also when the run is interrupted."},
+      bound({.key = "output.snapshots",
+             .text =
+                 "Steps whose fields are stored, beside the final state, which always is. \"aligned\": the step "
+                 "nearest to the middle of each pass; in an indentation the steps that reach an entry of the list."},
+            &Draft::c, &Case::snapshots),
+      bound({.key = "output.directory",
+             .unset = "results/NAME",
+             .text = "Folder of the results, from the current directory; -o on the command line wins. NAME is that of "
+                     "the case file, or of its folder if the file is called case.toml."},
+            &Draft::c, &Case::directory),
+      bound({.key = "output.checkpoint_interval",
+             .dimension = {.time = 1},
+             .range = at_least(0.0),
+             .text = "Time after which the state is stored again while the run goes on, so that brinell run --resume "
+                     "can go on from there. It is stored also when the run is interrupted."},
+            &Draft::c, &Case::checkpoint_interval),
   };
 }
 
@@ -158,7 +122,7 @@ std::vector<Entry> build_schema()
 {
   std::vector<Entry> schema;
   for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(), grid_entries(),
-                    solver_entries(), accuracy_entries(), output_entries()})
+                    solver_entries(), output_entries()})
     schema.insert(schema.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return schema;
 }

@@ -105,56 +105,36 @@ std::optional<Unit> find_unit(std::string_view symbol)
   return std::nullopt;
 }
 
-bool is_digit(char c)
-{
-  return c >= '0' && c <= '9';
-}
-
 void skip_spaces(std::string_view& text)
 {
   while (text.starts_with(' ') || text.starts_with('\t'))
     text.remove_prefix(1);
 }
 
-/// Takes the longest number off the front; split into mantissa and decimal exponent.
+/// A decimal number, split so that the power of a unit can be added to its exponent.
 struct Number
 {
   std::string mantissa;
   int exponent = 0;
 };
 
+/// Takes the longest number off the front.
 std::optional<Number> take_number(std::string_view& text)
 {
-  std::string_view rest = text;
-  Number number;
-  if (rest.starts_with('+') || rest.starts_with('-'))
-  {
-    if (rest.front() == '-')
-      number.mantissa = "-";
-    rest.remove_prefix(1);
-  }
-  bool has_digit = false;
-  for (bool has_point = false; !rest.empty(); rest.remove_prefix(1))
-  {
-    const char c = rest.front();
-    if (!is_digit(c) && (c != '.' || has_point))
-      break;
-    has_point = has_point || c == '.';
-    has_digit = has_digit || is_digit(c);
-    number.mantissa += c;
-  }
-  if (!has_digit)
-    return std::nullopt;
-  if (rest.size() > 1 && (rest[0] == 'e' || rest[0] == 'E'))
-  {
-    const char* first = rest.data() + (rest[1] == '+' ? 2 : 1);
-    const auto [end, error] = std::from_chars(first, rest.data() + rest.size(), number.exponent);
-    if (error == std::errc{} && std::abs(number.exponent) < 10000)
-      rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    else
+  const bool has_plus = text.starts_with('+');
+  const char *first = text.data() + (has_plus ? 1 : 0), *last = text.data() + text.size();
+  double ignored = 0.0;
+  const char* end = std::from_chars(first, last, ignored).ptr;
+  const std::string_view digits(first, static_cast<std::size_t>(end - first));
+  if (digits.empty() || digits.find_first_not_of("-+.0123456789eE") != digits.npos || (has_plus && *first == '-'))
+    return std::nullopt; // also inf and nan
+  const auto e = digits.find_first_of("eE");
+  Number number{std::string(digits.substr(0, e))};
+  if (e != digits.npos)
+    if (const char* power = first + e + (first[e + 1] == '+' ? 2 : 1);
+        std::from_chars(power, end, number.exponent).ec != std::errc{} || std::abs(number.exponent) > 9999)
       return std::nullopt;
-  }
-  text = rest;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return number;
 }
 

@@ -58,7 +58,7 @@ struct Case
   std::string title; ///< may be empty
   Scenario scenario;
   SnapshotRule snapshots;
-  double checkpoint_interval = 0.0;               ///< [s]
+  double checkpoint_interval = 30.0;              ///< [s]
   std::optional<double> accuracy;                 ///< to be reached by a series of finer and finer cells
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
   /// 1 / (1/R1 + 1/R2) [m] if it is the same in all directions; of a tugging that in the plane of motion.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Case files to begin with, for `brinell new`: written from the schema, so that they know every key of it.
+/// Case files to begin with, for `brinell new`: the keys are those of src/io/templates, the schema explains them.
 namespace brinell::io
 {
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,8 +14,8 @@
 #include <vector>
 
 /// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and
-/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/schema_*.cpp), and
-/// the line in src/io/case_*.cpp that puts its value where it belongs.
+/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/schema_*.cpp), which
+/// also says which member it fills; only what takes judgement is read by functions (src/io/case_*.cpp).
 namespace brinell::io
 {
 
@@ -72,6 +73,9 @@ struct Condition
   std::vector<std::string> values;
 };
 
+/// A case while it is read.
+struct Draft;
+
 /// One key of the case file.
 struct Entry
 {
@@ -90,7 +94,7 @@ struct Entry
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
   std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
-  std::string example{};  ///< a sensible value as TOML, where there is no default
+  std::function<void(Draft&, const Value&)> fill{}; ///< puts the value where it belongs; empty: a reader does
 };
 
 /// The default of a key in a scenario.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
-#include "io/key_depth.hpp"
-#include "io/read_file.hpp"
+#include "io/files.hpp"
+#include "io/raw_case.hpp"
 #include "sample.hpp"
 
 #include <sys/stat.h>

@@ -2,9 +2,8 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/result_directory.hpp"
 #include "brinell/io/summary_json.hpp"
-#include "io/checksum.hpp"
-#include "io/hdf5.hpp"
-#include "io/replace_file.hpp"
+#include "io/files.hpp"
+#include "io/results/hdf5.hpp"
 #include "sample.hpp"
 
 #include <array>
@@ -210,7 +209,7 @@ TEST(Results, OnlyFilesOfARunAreRemoved)
   const sample::TemporaryFolder folder;
   const Case c = sample::parsed();
   for (const char* name : {"summary.json", "history.csv", "result.vtkhdf", "resolved.toml", "checkpoint.h5",
-                           "result.h5", "contact.xdmf", "snapshots/index.json", "snapshots/000012.h5", "snapshots"})
+                           "result.h5", "contact.xdmf", "snapshots/000012.h5", "snapshots"})
   {
     const fs::path place = folder.path() / "of-somebody";
     fs::remove_all(place);
@@ -247,8 +246,7 @@ TEST(Results, WhatElseIsBesideTheStoredStepsStays)
   write_complete(folder.path(), sample::parsed());
   EXPECT_EQ(sample::file_text(folder.path() / "snapshots" / "2024.txt"), "mine");
   EXPECT_TRUE(fs::exists(folder.path() / "snapshots" / "holidays"));
-  EXPECT_FALSE(fs::exists(folder.path() / "snapshots" / "000000.h5") ||
-               fs::exists(folder.path() / "snapshots" / "index.json"));
+  EXPECT_FALSE(fs::exists(folder.path() / "snapshots" / "000000.h5"));
 }
 
 // Also one that is damaged: the others say that it is of a run.
@@ -299,7 +297,7 @@ TEST(Results, EveryDamagedBitIsSeen)
   write_stopped(folder.path());
   EXPECT_EQ(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).checkpoint()->at("field"),
             sample::numbered(5, 3, 2));
-  for (const char* name : {"checkpoint.h5", "history.csv", "snapshots/000000.h5", "snapshots/index.json"})
+  for (const char* name : {"checkpoint.h5", "history.csv", "snapshots/000000.h5"})
   {
     const fs::path file = folder.path() / name;
     const std::string whole = sample::file_text(file);

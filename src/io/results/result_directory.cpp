@@ -3,11 +3,9 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/versions.hpp"
-#include "checksum.hpp"
 #include "earlier_result.hpp"
 #include "hdf5.hpp"
-#include "read_file.hpp"
-#include "replace_file.hpp"
+#include "io/files.hpp"
 #include "result_file.hpp"
 
 #include <algorithm>
@@ -80,12 +78,6 @@ std::string program()
   return versions.brinell + " " + versions.git_hash;
 }
 
-/// Ends a checkpoint: what comes before it is as it was written.
-std::string seal(std::string_view sum)
-{
-  return fmt::format("\n{} {}\n", checkpoint_mark, sum);
-}
-
 void write_checkpoint(const fs::path& path, int step, const std::string& history_sum, const Archive::Fields& fields)
 {
   h5::Handle file = h5::create_file_in_memory();
@@ -94,35 +86,7 @@ void write_checkpoint(const fs::path& path, int step, const std::string& history
   h5::write_attribute(file, "history", history_sum);
   for (const auto& [name, values] : fields)
     h5::write_numbers(file, name, values);
-  std::string image = h5::file_image(std::move(file));
-  image += seal(checksum(image)); // HDF5 does not mind what comes after its own
-  replace_file(path, image);
-}
-
-IoError damaged_checkpoint(const fs::path& path, std::string_view how)
-{
-  return IoError(fmt::format("{}: is damaged{}{}; run without --resume", path.string(), how.empty() ? "" : ": ", how));
-}
-
-/// HDF5 itself trusts what it reads: a file goes to it only if it is as it was written.
-void require_seal(const fs::path& path)
-{
-  const std::uintmax_t length = seal(checksum("")).size();
-  const std::uintmax_t size = std::max(fs::file_size(path), length);
-  Checksum sum;
-  std::string end;
-  std::uintmax_t seen = 0;
-  read_blocks(path, std::numeric_limits<std::size_t>::max(),
-              [&](std::string_view block)
-              {
-                const std::uintmax_t body = size - length - std::min(seen, size - length);
-                const std::size_t inside = static_cast<std::size_t>(std::min<std::uintmax_t>(block.size(), body));
-                sum.add(block.substr(0, inside));
-                end += block.substr(inside);
-                seen += block.size();
-              });
-  if (end != seal(sum.text()))
-    throw damaged_checkpoint(path, "");
+  replace_sealed_file(path, h5::file_image(std::move(file)), checkpoint_mark);
 }
 
 /// The number of the last step, as the state has it.
@@ -145,23 +109,17 @@ Checkpoint content_of_checkpoint(const fs::path& path)
   for (const std::string& name : h5::names(file))
     checkpoint.fields[name] = h5::read_numbers(file, name);
   if (checkpoint.step < 0 || last_step(checkpoint.fields) != checkpoint.step)
-    throw damaged_checkpoint(
+    throw damaged_file(
         path, fmt::format("it is of step {}, but its state of step {}", checkpoint.step, last_step(checkpoint.fields)));
   return checkpoint;
 }
 
+/// HDF5 itself trusts what it reads: a file goes to it only if it is as it was written.
 std::optional<Checkpoint> read_checkpoint(const fs::path& path)
 {
   if (!fs::exists(path))
     return std::nullopt;
-  try
-  {
-    require_seal(path);
-  }
-  catch (const InputError& error)
-  {
-    throw damaged_checkpoint(path, fmt::format("it {}", error.what()));
-  }
+  require_seal(path, checkpoint_mark);
   try
   {
     return content_of_checkpoint(path);
@@ -169,7 +127,7 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& path)
   catch (const IoError& error)
   {
     const std::string text = error.what();
-    throw text.starts_with(path.string()) ? error : damaged_checkpoint(path, text);
+    throw text.starts_with(path.string()) ? error : damaged_file(path, text);
   }
 }
 
@@ -196,9 +154,7 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
     throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
   if (!fs::is_regular_file(folder / "resolved.toml"))
     throw nothing_to_resume(folder);
-  std::string text;
-  read_blocks(folder / "resolved.toml", std::numeric_limits<std::size_t>::max(),
-              [&](std::string_view block) { text += block; });
+  const std::string text = input_text(folder / "resolved.toml", std::numeric_limits<std::size_t>::max());
   if (without_extent(text) != without_extent(resolved_text(c.values)))
     throw InputError(fmt::format("{}: the run that was stopped there is of another case: compare resolved.toml there "
                                  "with what brinell check prints; without --resume it is replaced",
@@ -223,7 +179,7 @@ struct ResultDirectory::State
         replaced(!checkpoint && remove_earlier_result(path) && mode == Mode::replace),
         history(path / "history.csv", columns_of(c.scenario), finished_steps(),
                 checkpoint ? checkpoint->history_sum : ""),
-        result(path, c, finished_steps(), history.columns())
+        result(path, c, history.columns(), fields ? &*fields : nullptr)
   {
     replace_file(path / "resolved.toml", resolved_text(c.values));
   }
@@ -278,7 +234,11 @@ void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, con
 
 void ResultDirectory::add_checkpoint(int step, const Archive::Fields& fields)
 {
-  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), fields);
+  Archive archive;
+  archive("result", state_->result);
+  Archive::Fields all = std::move(archive).fields();
+  all.insert(fields.begin(), fields.end());
+  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), all);
 }
 
 void ResultDirectory::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/archive.hpp"
 #include "brinell/simulation/scenario.hpp"
 #include "hdf5.hpp"
 
@@ -18,6 +19,8 @@ struct BodyLayout
   VolumeGrid grid;
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
   bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false;
+
+  void exchange(Archive& archive);
 };
 
 /// The contact's grid takes cells of the lower body's surface.
@@ -25,12 +28,16 @@ struct ContactLayout
 {
   int nx = 0, ny = 0;
   int column = 0, row = 0; ///< of the lower body, where the contact's first ones are
+
+  void exchange(Archive& archive);
 };
 
 struct StateLayout
 {
   BodyLayout lower, upper;
   ContactLayout contact;
+
+  void exchange(Archive& archive);
 };
 
 [[nodiscard]] StateLayout layout_of(const simulation::Snapshot& snapshot);

@@ -256,6 +256,36 @@ BodyLayout layout_of(const simulation::BodySnapshot& body)
 
 } // namespace
 
+void BodyLayout::exchange(Archive& archive)
+{
+  archive("nx", grid.surface.nx);
+  archive("ny", grid.surface.ny);
+  archive("nz", grid.nz);
+  archive("dx", grid.surface.dx);
+  archive("dy", grid.surface.dy);
+  archive("dz", grid.dz);
+  archive("x0", x0);
+  archive("y0", y0);
+  archive("has_residual_displacement", has_residual_displacement);
+  archive("has_plastic_strain", has_plastic_strain);
+  archive("has_stress", has_stress);
+}
+
+void ContactLayout::exchange(Archive& archive)
+{
+  archive("nx", nx);
+  archive("ny", ny);
+  archive("column", column);
+  archive("row", row);
+}
+
+void StateLayout::exchange(Archive& archive)
+{
+  archive("lower", lower);
+  archive("upper", upper);
+  archive("contact", contact);
+}
+
 StateLayout layout_of(const simulation::Snapshot& snapshot)
 {
   const simulation::BodySnapshot& lower = snapshot.lower;

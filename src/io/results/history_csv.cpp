@@ -2,8 +2,7 @@
 #include "brinell/io/history_csv.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "checksum.hpp"
-#include "replace_file.hpp"
+#include "io/files.hpp"
 
 #include <cerrno>
 #include <charconv>

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "body_options.hpp"
+
+#include <numbers>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+using constitutive::HardeningLaw;
+using simulation::Shape;
+using simulation::Texture;
+using Number = const double*;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// Of the numbers in these places.
+template <typename Product, typename Struct, std::size_t... Place>
+Product of(Number x)
+{
+  return Struct{x[Place]...};
+}
+
+} // namespace
+
+const std::vector<Option<Shape>>& shape_options()
+{
+  using namespace simulation;
+  static const std::vector<Option<Shape>> options{
+      {"sphere", {"radius"}, of<Shape, Paraboloid, 0, 0>},
+      {"ellipsoid", {"radius_x", "radius_y"}, of<Shape, Paraboloid, 0, 1>},
+      {"cylinder", {"radius", "length"}, of<Shape, Roller, 0, 1>},
+      {"cone",
+       {"half_angle", "tip_radius"},
+       [](Number x) -> Shape {
+         return Cone{x[0] * degree, x[1]};
+       }},
+      {"vickers",
+       {"tip_radius"},
+       [](Number x) -> Shape {
+         return Pyramid{4, 68.0 * degree, x[0]};
+       }},
+      {"berkovich",
+       {"tip_radius"},
+       [](Number x) -> Shape {
+         return Pyramid{3, 65.27 * degree, x[0]};
+       }},
+      {"flat", {}, of<Shape, Plane>},
+  };
+  return options;
+}
+
+const std::vector<Option<Texture>>& texture_options()
+{
+  using namespace simulation;
+  static const std::vector<Option<Texture>> options{
+      {"smooth", {}, of<Texture, Smooth>},
+      {"dent", {"x", "y", "depth", "radius"}, of<Texture, Dent, 0, 1, 2, 3>},
+      {"bump",
+       {"x", "y", "height", "radius"},
+       [](Number x) -> Texture {
+         return Dent{x[0], x[1], -x[2], x[3]};
+       }},
+      {"height_map", {"x", "y"}},
+  };
+  return options;
+}
+
+const std::vector<Option<HardeningLaw>>& law_options()
+{
+  using namespace constitutive;
+  const std::vector<std::string> power{"coefficient", "offset", "exponent"};
+  const std::vector<std::string> power_from_yield{"yield_stress", "coefficient", "exponent"};
+  static const std::vector<Option<HardeningLaw>> options{
+      {"perfect", {"yield_stress"}, of<HardeningLaw, PerfectPlasticity, 0>},
+      {"linear", {"yield_stress", "modulus"}, of<HardeningLaw, LinearHardening, 0, 1>},
+      {"swift", power, of<HardeningLaw, SwiftHardening, 0, 1, 2>},
+      {"swift_microstrain", power, [](Number x) -> HardeningLaw { return swift_of_microstrain(x[0], x[1], x[2]); }},
+      {"hollomon", power_from_yield, [](Number x) -> HardeningLaw { return hollomon(x[0], x[1], x[2]); }},
+      {"ludwik", power_from_yield, of<HardeningLaw, LudwikHardening, 0, 1, 2>},
+      {"voce", {"yield_stress", "saturation", "rate"}, of<HardeningLaw, VoceHardening, 0, 1, 2>},
+      {"table", {}},
+  };
+  return options;
+}
+
+} // namespace brinell::io

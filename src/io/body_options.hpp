@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/constitutive/hardening.hpp"
+#include "brinell/simulation/shape.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What a body may be in the case file: the schema has the words and the keys from here, the reader what they make.
+namespace brinell::io
+{
+
+/// One shape, texture or hardening law.
+template <typename Product>
+struct Option
+{
+  std::string name;                                ///< the choice in the case file
+  std::vector<std::string> keys;                   ///< its numbers
+  Product (*make)(const double* number) = nullptr; ///< of these numbers; nullptr: not of numbers alone
+};
+
+[[nodiscard]] const std::vector<Option<simulation::Shape>>& shape_options();
+[[nodiscard]] const std::vector<Option<simulation::Texture>>& texture_options();
+[[nodiscard]] const std::vector<Option<constitutive::HardeningLaw>>& law_options();
+
+/// Names of those with that key, of all without one.
+template <typename Product>
+std::vector<std::string> names_of(const std::vector<Option<Product>>& options, std::string_view key = "")
+{
+  std::vector<std::string> names;
+  for (const Option<Product>& option : options)
+    if (key.empty() || std::find(option.keys.begin(), option.keys.end(), key) != option.keys.end())
+      names.push_back(option.name);
+  return names;
+}
+
+} // namespace brinell::io

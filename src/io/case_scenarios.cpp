@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/reference/hertz.hpp"
+#include "case_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+/// What of the scenarios takes judgement: bodies that go together, drives in several units, grids that fit them.
+namespace brinell::io
+{
+
+namespace
+{
+
+using contact::Drive;
+using simulation::IndentationCase;
+using simulation::RollingCase;
+using simulation::ShapedBody;
+using simulation::TuggingCase;
+
+/// What can be computed, but is seldom meant.
+void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c)
+{
+  constexpr double softest = 1e5;   // a gel
+  constexpr double stiffest = 1e15; // a thousand times diamond; far beyond it small numbers of the fields are lost
+  const double E = material.elastic.young_modulus;
+  if (E < softest)
+    c.warnings.push_back(
+        {"soft_material",
+         fmt::format(
+             "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
+             name, E, E)});
+  if (std::isfinite(E) && E > stiffest)
+    c.warnings.push_back(
+        {"stiff_material",
+         fmt::format(
+             "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit "
+             "right? What is not meant to deform has rigid = true",
+             name, E)});
+  if (material.hardening && constitutive::initial_yield_stress(*material.hardening) > 0.1 * E)
+    c.warnings.push_back(
+        {"hard_material",
+         fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name)});
+}
+
+/// Contact modulus and first yield, the latter if the bodies are round.
+void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, Case& c)
+{
+  c.contact_modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
+  c.equivalent_radius = equivalent_radius(lower.shape, upper.shape);
+  if (!c.equivalent_radius)
+    return;
+  if (const auto yield = simulation::nominal_yield(lower.material, upper.material))
+    c.first_yield = FirstYield{
+        reference::critical_values(*c.equivalent_radius, c.contact_modulus, yield->pressure_ratio, yield->yield_stress),
+        yield->body};
+}
+
+/// Both bodies, and what follows from them alone.
+/// @param passing  each must be a circle in the plane of motion, as passing another one takes
+void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper, bool passing = false)
+{
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+  {
+    *body = read_body(reader, name);
+    if (passing && !simulation::passing_radius(body->shape))
+      reader.add(fmt::format("{}.shape.type", name), "cannot pass another body; allowed with scenario = \"tugging\": "
+                                                     "\"sphere\", \"ellipsoid\" or \"cylinder\"");
+  }
+  reader.problems.throw_if_any();
+  warn_of_material("lower", lower.material, c);
+  warn_of_material("upper", upper.material, c);
+  if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
+    reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
+  if (!simulation::contact_is_finite(lower.shape, upper.shape))
+    reader.add("upper.shape.type",
+               "on this lower body touches neither in a point nor in a line of finite length; allowed: "
+               "a sum of curvatures > 0 along x and y, a tip, or a cylinder of finite length on a flat "
+               "or on another cylinder");
+  set_first_yield(lower, upper, c);
+}
+
+double smallest_radius(const ShapedBody& body)
+{
+  const auto k = simulation::curvature(body.shape);
+  const double largest = k ? std::max(std::abs((*k)[0]), std::abs((*k)[1])) : 0.0;
+  return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
+}
+
+/// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`. Then the size of
+/// the contact is known: the bodies are computed as half spaces, and neither cells nor steps may be larger than it.
+template <typename ScenarioCase>
+void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario, const std::string& key,
+                double ScenarioCase::Plan::*half_x, double ScenarioCase::Plan::*half_y)
+try
+{
+  constexpr double large = 0.3;
+  const auto plan = simulation::plan(scenario);
+  const double radius = std::min(smallest_radius(scenario.lower), smallest_radius(scenario.upper));
+  if (plan.*half_x > large * radius)
+    c.warnings.push_back(
+        {"large_contact",
+         fmt::format(
+             "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
+             "half spaces",
+             plan.*half_x, radius)});
+  if (scenario.spacing)
+    if (const auto reason = simulation::reason_against_cells(*scenario.spacing, plan.*half_x, plan.*half_y))
+      reader.problems.add(c.grid_source, *reason);
+  if constexpr (requires { scenario.shift; })
+    if (scenario.shift)
+      if (const auto reason = simulation::reason_against_shift(*scenario.shift, plan.*half_x))
+        reader.add(reader.get<std::string>("scenario") + ".shift", *reason);
+}
+catch (const GridError& error)
+{
+  reader.problems.add(c.grid_source, error.what());
+}
+catch (const InputError& error)
+{
+  reader.add(key, fmt::format("does not fit: {}", error.what()));
+}
+
+/// Interference or load, whichever is given; of a load, the approach that elastic spheres would have.
+void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
+{
+  const bool by_load = reader.has("tugging.load");
+  const std::string key = by_load ? "tugging.load" : "tugging.interference";
+  if (!reader.has(key))
+  {
+    reader.problems.add(reader.place(key),
+                        "tugging.interference is missing; allowed: number > 0 in critical interferences, or with "
+                        "tugging.normalised = false a length; or tugging.load instead");
+    return;
+  }
+  const bool normalised = reader.get<bool>("tugging.normalised");
+  if (normalised && !c.first_yield)
+  {
+    const bool round = equivalent_radius(tugging.lower.shape, tugging.upper.shape).has_value();
+    reader.add(key, fmt::format("is in units of the critical {}, but {}, so there is none; allowed: "
+                                "tugging.normalised = false with a {}{}",
+                                by_load ? "load P_c" : "interference alpha_c",
+                                round ? "neither body can yield" : "the bodies are not round where they touch",
+                                by_load ? "force" : "length", round ? ", or a yield stress for a body" : ""));
+    return;
+  }
+  const double given = reader.get<double>(key);
+  if (by_load)
+  {
+    tugging.load = normalised ? given * c.first_yield->critical.load : given;
+    tugging.interference = simulation::elastic_approach(tugging.lower, tugging.upper, *tugging.load);
+    if (tugging.kinematics == simulation::Kinematics::paper)
+      reader.add("tugging.kinematics", "goes with a constant height only; allowed with tugging.load: \"exact\"");
+  }
+  else
+    tugging.interference = normalised ? given * c.first_yield->critical.interference : given;
+  const double limit =
+      std::min(*simulation::passing_radius(tugging.lower.shape), *simulation::passing_radius(tugging.upper.shape));
+  if (!(tugging.interference < limit))
+    reader.add(key, fmt::format("makes {:.4g} m, more than the radius of a body; allowed: < {:.4g} m{}",
+                                tugging.interference, limit,
+                                normalised && !by_load
+                                    ? fmt::format(" = {:.4g} alpha_c", limit / c.first_yield->critical.interference)
+                                    : ""));
+}
+
+/// Loads or approaches, whichever are given.
+std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const IndentationCase& indentation)
+{
+  const std::string key = reader.has("indentation.load") ? "indentation.load" : "indentation.approach";
+  if (!reader.has(key))
+  {
+    reader.problems.add(reader.place(key),
+                        "indentation needs one of indentation.load and indentation.approach, a list as "
+                        "[\"10 N\", 0] or [\"2 um\", 0]");
+    return {};
+  }
+  const bool by_load = key == "indentation.load";
+  double unit = 1.0;
+  if (reader.get<bool>("indentation.normalised"))
+  {
+    if (!c.first_yield)
+    {
+      reader.add(key,
+                 "is in units of first yield, which exists for round bodies only, one of which can yield; allowed: "
+                 "indentation.normalised = false with units");
+      return {};
+    }
+    unit = by_load ? c.first_yield->critical.load : c.first_yield->critical.interference;
+  }
+  std::vector<Drive> drives;
+  for (const double value : reader.get<std::vector<double>>(key))
+    drives.push_back({by_load ? Drive::Kind::load : Drive::Kind::approach, value * unit});
+  if (std::none_of(drives.begin(), drives.end(), [](const Drive& d) { return d.value > 0.0; }))
+    reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
+  const bool repeats = indentation.cycles > 1 || indentation.places.size() > 1;
+  if (repeats && drives.back().value != 0.0)
+    reader.add(key, "must end with 0 if there are several cycles or places");
+  return drives;
+}
+
+/// Load whose elastic contact has that peak pressure.
+double load_of_hertz_pressure(const CaseReader& reader, const Case& c, const RollingCase& rolling)
+{
+  const std::string key = "rolling.hertz_pressure";
+  const double pressure = reader.get<double>(key);
+  const auto k = simulation::relative_curvature(rolling.lower.shape, rolling.upper.shape);
+  const double length = simulation::roller_length(rolling.lower.shape, rolling.upper.shape);
+  if (k && (*k)[0] > 0.0 && (*k)[1] == 0.0 && std::isfinite(length))
+    return pressure * pressure * std::numbers::pi * length / ((*k)[0] * c.contact_modulus);
+  if (k && (*k)[0] > 0.0 && (*k)[1] > 0.0)
+  {
+    const double of_one_newton =
+        reference::elliptical_contact_at_load(1.0 / (*k)[0], 1.0 / (*k)[1], c.contact_modulus, 1.0).peak_pressure;
+    return std::pow(pressure / of_one_newton, 3);
+  }
+  reader.add(key, "has no meaning for these shapes; allowed: rolling.load or rolling.approach");
+  return 1.0;
+}
+
+Drive rolling_drive(const CaseReader& reader, const Case& c, const RollingCase& rolling)
+{
+  std::vector<std::string> given;
+  for (const char* key : {"rolling.load", "rolling.hertz_pressure", "rolling.approach"})
+    if (reader.has(key))
+      given.emplace_back(key);
+  if (given.size() != 1)
+  {
+    reader.problems.add(reader.place(given.empty() ? "rolling.load" : given[1]),
+                        fmt::format("{} of rolling.load, rolling.hertz_pressure and rolling.approach {}; one is needed",
+                                    given.empty() ? "none" : "more than one",
+                                    given.size() > 1 ? "are given" : "is given"));
+    return {};
+  }
+  if (given[0] == "rolling.hertz_pressure")
+    return {Drive::Kind::load, load_of_hertz_pressure(reader, c, rolling)};
+  return {given[0] == "rolling.load" ? Drive::Kind::load : Drive::Kind::approach, reader.get<double>(given[0])};
+}
+
+void complete(const CaseReader& reader, Case& c, TuggingCase& t)
+{
+  read_pair(reader, c, t.lower, t.upper, true);
+  reader.problems.throw_if_any();
+  c.equivalent_radius = 1.0 / (*simulation::relative_curvature(t.lower.shape, t.upper.shape))[0];
+  set_drive(reader, c, t);
+  if (reader.problems.empty())
+    check_plan(reader, c, t, t.load ? "tugging.load" : "tugging.interference",
+               &simulation::TuggingPlan::elastic_contact_radius, &simulation::TuggingPlan::elastic_contact_radius_y);
+}
+
+void complete(const CaseReader& reader, Case& c, IndentationCase& i)
+{
+  read_pair(reader, c, i.lower, i.upper);
+  i.sequence = sequence(reader, c, i);
+  if (reader.problems.empty())
+    check_plan(reader, c, i, "indentation.steps", &simulation::IndentationPlan::contact_radius,
+               &simulation::IndentationPlan::contact_radius_y);
+}
+
+void complete(const CaseReader& reader, Case& c, RollingCase& r)
+{
+  read_pair(reader, c, r.lower, r.upper);
+  r.drive = rolling_drive(reader, c, r);
+  if (reader.problems.empty())
+    check_plan(reader, c, r, "rolling.distance", &simulation::RollingPlan::half_width_x,
+               &simulation::RollingPlan::half_width_y);
+}
+
+} // namespace
+
+void complete(const CaseReader& reader, Draft& draft)
+{
+  const auto take = [&](auto& scenario)
+  {
+    static_cast<simulation::Numerics&>(scenario) = draft.numerics;
+    complete(reader, draft.c, scenario);
+    draft.c.scenario = scenario;
+  };
+  const auto& name = reader.get<std::string>("scenario");
+  if (name == "tugging")
+    take(draft.tugging);
+  else if (name == "indentation")
+    take(draft.indentation);
+  else
+    take(draft.rolling);
+}
+
+} // namespace brinell::io

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/citations.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+/// Sources in the order of their first use; a second use is added to the first one.
+class Sources
+{
+public:
+  explicit Sources(const Case& c) : case_(c) {}
+
+  /// @param key  of references.bib
+  void add(std::string_view key, std::string_view use)
+  {
+    const auto has_key = [&](const auto& of) { return of.key == key; };
+    const auto known = std::find_if(citations_.begin(), citations_.end(),
+                                    [&](const Citation& citation) { return has_key(citation.reference); });
+    if (known == citations_.end())
+    {
+      const auto& all = all_references();
+      const auto reference = std::find_if(all.begin(), all.end(), has_key);
+      if (reference == all.end())
+        throw InternalError(fmt::format("references.bib has no entry {}", key));
+      citations_.push_back({*reference, std::string(use)});
+    }
+    else if (known->use.find(use) == known->use.npos) // both bodies may have the same law
+      known->use += fmt::format("; {}", use);
+  }
+
+  /// Whether the key of the case has that word.
+  [[nodiscard]] bool is(std::string_view key, std::string_view word) const
+  {
+    const Value* value = case_.values.find(key);
+    return value && std::get<std::string>(*value) == word;
+  }
+  [[nodiscard]] bool has(std::string_view key) const { return case_.values.find(key) != nullptr; }
+  [[nodiscard]] std::vector<Citation> take() && { return std::move(citations_); }
+
+private:
+  const Case& case_;
+  std::vector<Citation> citations_;
+};
+
+/// Whether a body is a cone or a pyramid.
+bool has_tip(const Case& c)
+{
+  return std::visit([](const auto& scenario)
+                    { return !relative_curvature(scenario.lower.shape, scenario.upper.shape).has_value(); },
+                    c.scenario);
+}
+
+void cite_scenario(Sources& sources, bool yields, int passes)
+{
+  if (sources.is("scenario", "tugging"))
+    sources.add("boucly2006", "tugging of two asperities, their motion and forces");
+  if (sources.is("tugging.kinematics", "paper"))
+    sources.add("boucly2006", "kinematics of Eqs. 9 to 13");
+  if (sources.is("scenario", "rolling"))
+    sources.add("boucly2006", "rolling: both surfaces and their strain are carried past the contact");
+  if (sources.is("scenario", "rolling") && yields && passes > 1)
+    sources.add("johnson1985", "shakedown under repeated passes");
+}
+
+void cite_contact(Sources& sources, const Case& c)
+{
+  sources.add("love1929", "surface displacement and stress under the pressure of a cell");
+  sources.add("liu2000", "convolutions with zero padding (DC-FFT)");
+  sources.add("polonsky1999", "contact by constrained conjugate gradients");
+  if (has_tip(c))
+    sources.add("sneddon1965", "elastic contact of a tip, from which the grid is sized");
+  else
+    sources.add("hertz1882", sources.has("rolling.hertz_pressure")
+                                 ? "load from the peak pressure of the elastic contact"
+                                 : "elastic contact, from which the grid is sized");
+  if (c.first_yield)
+    sources.add("green2005", "values at first yield, alpha_c, P_c and U_c");
+}
+
+/// A constant, a straight line or points need no source.
+void cite_hardening(Sources& sources, const std::string& body, const constitutive::Material& material)
+{
+  const auto is_law = [&](std::string_view law) { return sources.is(body + ".material.hardening.law", law); };
+  if (is_law("hollomon"))
+    sources.add("hollomon1945", "hardening law");
+  if (is_law("swift") || is_law("swift_microstrain"))
+    sources.add("swift1952", "hardening law");
+  if (is_law("swift_microstrain"))
+    sources.add("jacq2002", "hardening law in millionths of strain");
+  if (is_law("ludwik"))
+    sources.add("ludwik1909", "hardening law");
+  if (is_law("voce"))
+    sources.add("voce1948", "hardening law");
+  const auto& terms = material.kinematic;
+  const auto recalls = [](const constitutive::KinematicTerm& term) { return term.recall > 0.0; };
+  if (!std::all_of(terms.begin(), terms.end(), recalls))
+    sources.add("prager1956", "linear kinematic hardening");
+  if (std::any_of(terms.begin(), terms.end(), recalls))
+    sources.add("armstrong1966", "kinematic hardening with recall");
+  if (terms.size() > 1)
+    sources.add("chaboche1986", "several back stresses");
+}
+
+void cite_solver(Sources& sources, const elastoplastic::Settings& solver)
+{
+  sources.add("jacq2002", "elastic-plastic contact by half-space solutions; residual displacement by reciprocity");
+  sources.add("chiu1978", "residual stress of plastic strain in a half space, here by wavenumber");
+  if (solver.integration == elastoplastic::Integration::path)
+    sources.add("ortiz1985", "plastic strain of a step, of second order (generalised trapezoidal rule)");
+  else
+  {
+    sources.add("wilkins1964", "plastic strain of a step by radial return");
+    sources.add("simo1998", "return mapping by backward Euler");
+  }
+  if (solver.anderson_depth > 0)
+  {
+    sources.add("anderson1965", "acceleration of the iteration");
+    sources.add("walker2011", "acceleration of the iteration (type II)");
+  }
+}
+
+} // namespace
+
+std::vector<Citation> citations(const Case& c)
+{
+  Sources sources(c);
+  std::visit(
+      [&](const auto& scenario)
+      {
+        const bool yields = scenario.lower.material.is_plastic() || scenario.upper.material.is_plastic();
+        int passes = 1;
+        if constexpr (requires { scenario.passes; })
+          passes = scenario.passes;
+        cite_scenario(sources, yields, passes);
+        cite_contact(sources, c);
+        for (const char* type : {"dent", "bump"})
+          if (sources.is("lower.texture.type", type) || sources.is("upper.texture.type", type))
+            sources.add("ville1999", "shape of dents and bumps");
+        cite_hardening(sources, "lower", scenario.lower.material);
+        cite_hardening(sources, "upper", scenario.upper.material);
+        if (yields)
+          cite_solver(sources, scenario.solver);
+      },
+      c.scenario);
+  return std::move(sources).take();
+}
+
+std::vector<std::string> citation_lines(const Case& c)
+{
+  std::vector<std::string> lines{fmt::format("{} [the program]", reference_text(brinell_reference()))};
+  for (const Citation& citation : citations(c))
+    lines.push_back(fmt::format("{} [{}]", reference_text(citation.reference), citation.use));
+  return lines;
+}
+
+} // namespace brinell::io

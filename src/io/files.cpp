@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+
+/// What comes behind the content of a sealed file.
+std::string seal(std::string_view mark, std::string_view sum)
+{
+  return fmt::format("\n{} {}\n", mark, sum);
+}
+
+} // namespace
+
+void read_blocks(const fs::path& file, std::size_t largest, const std::function<void(std::string_view)>& take)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status))
+    throw InputError("is a folder; allowed: a file");
+  if (fs::exists(status) && !fs::is_regular_file(status)) // a pipe would keep us waiting
+    throw InputError("is a device or a pipe; allowed: a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError("cannot be opened: no such file, or not readable");
+  const InputError too_large(fmt::format("is too large; allowed: up to {} MB", largest / 1'000'000));
+  if (const std::uintmax_t size = fs::file_size(file, error); !error && size > largest)
+    throw too_large;
+  std::vector<char> block(1 << 20);
+  std::size_t size = 0;
+  while (stream.read(block.data(), std::ssize(block)) || stream.gcount() > 0)
+  {
+    const auto got = static_cast<std::size_t>(stream.gcount());
+    size += got;
+    if (size > largest) // some of /proc tell no size
+      throw too_large;
+    take({block.data(), got});
+  }
+  if (stream.bad())
+    throw IoError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+}
+
+std::string input_text(const fs::path& file, std::size_t largest)
+{
+  std::string text;
+  read_blocks(file, largest, [&](std::string_view block) { text += block; });
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  if (text.starts_with(mark))
+    text.erase(0, mark.size());
+  return text;
+}
+
+void replace_file(const fs::path& path, std::string_view content)
+{
+  fs::path part = path;
+  part += ".part";
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  const int cause = errno;
+  std::error_code error;
+  if (stream)
+    fs::rename(part, path, error);
+  if (stream && !error)
+    return;
+  std::error_code ignored;
+  fs::remove(part, ignored);
+  throw IoError(
+      fmt::format("{}: cannot be written: {}", path.string(), error ? error.message() : std::strerror(cause)));
+}
+
+/// Multiplication by an odd number carries damage upwards, the shift brings it down again.
+void Checksum::mix(std::uint64_t word)
+{
+  state_ = (state_ ^ word) * 0xff51afd7ed558ccd;
+  state_ ^= state_ >> 32;
+}
+
+void Checksum::add(std::string_view bytes)
+{
+  constexpr std::size_t size = sizeof(word_);
+  while (!bytes.empty())
+  {
+    const std::size_t filled = size_ % size;
+    if (filled == 0 && bytes.size() >= size)
+    {
+      std::uint64_t word = 0;
+      std::memcpy(&word, bytes.data(), size);
+      mix(word);
+      size_ += size;
+      bytes.remove_prefix(size);
+      continue;
+    }
+    word_ |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes.front())) << (8 * filled);
+    ++size_;
+    bytes.remove_prefix(1);
+    if (size_ % size == 0)
+      mix(std::exchange(word_, 0));
+  }
+}
+
+std::string Checksum::text() const
+{
+  Checksum whole = *this;
+  whole.mix(word_);
+  whole.mix(size_);
+  return fmt::format("{:016x}", whole.state_);
+}
+
+std::string checksum(std::string_view bytes)
+{
+  Checksum sum;
+  sum.add(bytes);
+  return sum.text();
+}
+
+void replace_sealed_file(const fs::path& path, std::string image, std::string_view mark)
+{
+  image += seal(mark, checksum(image));
+  replace_file(path, image);
+}
+
+void require_seal(const fs::path& path, std::string_view mark)
+{
+  const std::size_t length = seal(mark, checksum("")).size();
+  Checksum sum;
+  std::string end; // what may be the seal
+  try
+  {
+    read_blocks(path, no_limit,
+                [&](std::string_view block)
+                {
+                  end += block;
+                  const std::size_t inside = end.size() - std::min(end.size(), length);
+                  sum.add(std::string_view(end).substr(0, inside));
+                  end.erase(0, inside);
+                });
+  }
+  catch (const InputError& error) // no regular file
+  {
+    throw damaged_file(path, fmt::format("it {}", error.what()));
+  }
+  if (end != seal(mark, sum.text()))
+    throw damaged_file(path);
+}
+
+IoError damaged_file(const fs::path& path, std::string_view how)
+{
+  return IoError(fmt::format("{}: is damaged{}{}; run without --resume", path.string(), how.empty() ? "" : ": ", how));
+}
+
+std::size_t valid_utf8(std::string_view text)
+{
+  /// The well-formed characters, by their first two bytes (Unicode, table 3-7); all other bytes are 80 to BF.
+  struct Form
+  {
+    unsigned char first, last, second_first, second_last;
+    std::size_t length;
+  };
+  constexpr Form forms[] = {{0x00, 0x7f, 0x00, 0x00, 1}, {0xc2, 0xdf, 0x80, 0xbf, 2}, {0xe0, 0xe0, 0xa0, 0xbf, 3},
+                            {0xe1, 0xec, 0x80, 0xbf, 3}, {0xed, 0xed, 0x80, 0x9f, 3}, {0xee, 0xef, 0x80, 0xbf, 3},
+                            {0xf0, 0xf0, 0x90, 0xbf, 4}, {0xf1, 0xf3, 0x80, 0xbf, 4}, {0xf4, 0xf4, 0x80, 0x8f, 4}};
+  const auto is_between = [&](std::size_t i, unsigned char low, unsigned char high)
+  {
+    const auto byte = i < text.size() ? static_cast<unsigned char>(text[i]) : 0xff; // which no character has
+    return byte >= low && byte <= high;
+  };
+  std::size_t i = 0;
+  while (i < text.size())
+  {
+    const auto form =
+        std::find_if(std::begin(forms), std::end(forms), [&](const Form& f) { return is_between(i, f.first, f.last); });
+    if (form == std::end(forms))
+      return i;
+    for (std::size_t k = 1; k < form->length; ++k)
+      if (!(k == 1 ? is_between(i + 1, form->second_first, form->second_last) : is_between(i + k, 0x80, 0xbf)))
+        return i;
+    i += form->length;
+  }
+  return i;
+}
+
+} // namespace brinell::io

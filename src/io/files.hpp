@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/error.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+/// Files as a whole: read, replaced in one piece, recognised as undamaged.
+namespace brinell::io
+{
+
+/// Files of a case are read whole, with all that is made of them: far beyond any that a person writes or an instrument measures.
+inline constexpr std::size_t largest_input = 100'000'000; // bytes
+
+/// Hands the content to `take`, block by block. Devices and pipes may have no end, or never begin: they are refused.
+/// @throws InputError if there is no such file, it is not a regular one or larger than `largest`: says so after the file's
+/// name, that the caller puts before it; IoError, with the name, if it cannot be read
+void read_blocks(const std::filesystem::path& file, std::size_t largest,
+                 const std::function<void(std::string_view)>& take);
+
+/// The content, without the mark that may say that it is UTF-8 (BOM).
+/// @throws as read_blocks
+[[nodiscard]] std::string input_text(const std::filesystem::path& file, std::size_t largest = largest_input);
+
+/// Replaces a file in one piece: readers see the old content or the new one. @throws IoError
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
+/// 64 bits of what has been added, in whatever pieces. Every step is one to one, so that no single damaged word goes unnoticed;
+/// of other damage one in 2^64 does. It is no signature: who damages on purpose can mend the checksum too.
+class Checksum
+{
+public:
+  void add(std::string_view bytes);
+  /// Sixteen hexadecimal digits.
+  [[nodiscard]] std::string text() const;
+
+private:
+  void mix(std::uint64_t word);
+
+  std::uint64_t state_ = 0x9e3779b97f4a7c15; // any number that is not 0
+  std::uint64_t size_ = 0;
+  std::uint64_t word_ = 0; ///< bytes that do not make a word yet
+};
+
+[[nodiscard]] std::string checksum(std::string_view bytes);
+
+/// Replaces an HDF5 file by its bytes and their checksum, under a mark: HDF5 does not mind what comes after its own.
+void replace_sealed_file(const std::filesystem::path& path, std::string image, std::string_view mark);
+
+/// @throws IoError unless the file is as it was written
+void require_seal(const std::filesystem::path& path, std::string_view mark);
+
+[[nodiscard]] IoError damaged_file(const std::filesystem::path& path, std::string_view how = "");
+
+/// Where the first byte is that is not UTF-8; the size if there is none.
+[[nodiscard]] std::size_t valid_utf8(std::string_view text);
+
+} // namespace brinell::io

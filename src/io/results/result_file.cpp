@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "result_file.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/foundation/sym_tensor.hpp"
+#include "brinell/io/citations.hpp"
+#include "brinell/io/versions.hpp"
+#include "earlier_result.hpp"
+#include "hdf5.hpp"
+#include "io/files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr int format_version = 2;
+constexpr const char* file_name = "result.vtkhdf";
+constexpr const char* piece_group = "state";
+constexpr std::size_t most_shown = 30; ///< states in /VTKHDF of an unfinished file, which is written anew for each
+
+constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
+
+using TensorField = std::array<std::vector<double>, 6>;
+
+/// Bodies that stay elastic may leave fields empty; then there is no dataset.
+bool is_stored(const std::vector<double>& field)
+{
+  return !field.empty();
+}
+bool is_stored(const TensorField& field)
+{
+  return std::all_of(field.begin(), field.end(), [](const auto& f) { return is_stored(f); });
+}
+
+void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field,
+                  std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
+                  h5::Storage storage)
+{
+  if (!is_stored(field))
+    return;
+  const h5::Handle group = h5::create_group(parent, name);
+  for (std::size_t c = 0; c < components.size(); ++c)
+    h5::write_dataset(group, components[c], field[c], shape, units, fmt::format("{}, {}", long_name, components[c]),
+                      storage);
+}
+
+std::vector<double> von_mises_field(const TensorField& stress)
+{
+  const std::size_t size = stress[0].size();
+  std::vector<double> result(size);
+#pragma omp parallel for
+  for (std::size_t i = 0; i < size; ++i)
+    result[i] =
+        von_mises(SymTensor{stress[0][i], stress[1][i], stress[2][i], stress[3][i], stress[4][i], stress[5][i]});
+  return result;
+}
+
+void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapshot)
+{
+  const h5::Handle group = h5::create_group(parent, "contact");
+  const SurfaceGrid& grid = snapshot.contact;
+  h5::write_attribute(group, "spacing", std::array{grid.dx, grid.dy});
+  h5::write_attribute(group, "origin", std::array{snapshot.x0, snapshot.y0});
+  const std::array shape{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};
+  h5::write_dataset(group, "pressure", snapshot.pressure, shape, "Pa", "contact pressure, compression positive");
+  h5::write_dataset(group, "gap", snapshot.gap, shape, "m", "gap between the deformed surfaces");
+}
+
+void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body)
+{
+  const h5::Handle group = h5::create_group(parent, name);
+  const VolumeGrid& grid = body.grid;
+  const std::array spacing{grid.surface.dx, grid.surface.dy, grid.dz};
+  const std::array origin{body.x0, body.y0, 0.5 * grid.dz};
+  h5::write_attribute(group, "spacing", spacing);
+  h5::write_attribute(group, "origin", origin);
+  h5::write_attribute(group, "contact_x", body.contact_x);
+  const std::array volume{static_cast<std::size_t>(grid.nz), static_cast<std::size_t>(grid.surface.ny),
+                          static_cast<std::size_t>(grid.surface.nx)};
+  const std::span surface = std::span(volume).subspan(1);
+  if (is_stored(body.residual_displacement))
+    h5::write_dataset(group, "residual_displacement", body.residual_displacement, surface, "m",
+                      "residual displacement of the surface, into the body");
+  if (is_stored(body.equivalent_plastic_strain))
+    h5::write_dataset(group, "equivalent_plastic_strain", body.equivalent_plastic_strain, volume, "1",
+                      "accumulated equivalent plastic strain");
+  write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain", h5::Storage::deflated);
+  write_tensor(group, "stress", body.stress, volume, "Pa",
+               "stress of contact, plastic strain and before the first load, tension positive", h5::Storage::plain);
+  if (is_stored(body.stress))
+    h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress",
+                      h5::Storage::plain);
+}
+
+/// The fields of a step, and its row of the history as attributes, as docs/reference/results-format.md says.
+/// @throws IoError; InternalError if a field does not fit its grid
+void write_snapshot(const h5::Handle& group, const std::vector<NamedNumber>& columns,
+                    const simulation::Snapshot& snapshot)
+{
+  for (const NamedNumber& column : columns)
+    std::visit([&](auto number) { h5::write_attribute(group, std::string(column.name).c_str(), number); },
+               column.value);
+  write_contact(group, snapshot);
+  write_body(group, "lower", snapshot.lower);
+  write_body(group, "upper", snapshot.upper);
+}
+
+void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history)
+{
+  const h5::Handle group = h5::create_ordered_group(file, "history");
+  for (const HistoryColumn& column : history)
+  {
+    if (column.values.empty())
+      continue; // no step is finished yet
+    const std::string name(column.name);
+    const std::array shape{column.values.size()};
+    if (column.is_integer)
+      h5::write_dataset(group, name.c_str(), std::vector<int>(column.values.begin(), column.values.end()), shape,
+                        column.unit, column.text);
+    else
+      h5::write_dataset(group, name.c_str(), column.values, shape, column.unit, column.text);
+  }
+}
+
+fs::path part_of(fs::path path)
+{
+  return path += ".part";
+}
+
+} // namespace
+
+void ResultFile::Piece::exchange(Archive& archive)
+{
+  archive("step", step, 0, std::numeric_limits<int>::max());
+  layout.exchange(archive);
+}
+
+std::string ResultFile::Piece::file() const
+{
+  return is_final ? final_piece : fmt::format("{:06}.h5", step);
+}
+
+std::string ResultFile::Piece::group() const
+{
+  return is_final ? "/final" : fmt::format("/steps/{:06}", step);
+}
+
+ResultFile::ResultFile(fs::path folder, const Case& c, const std::vector<HistoryColumn>& history,
+                       const Archive::Fields* checkpoint)
+    : folder_(std::move(folder)), case_text_(resolved_text(c.values)),
+      sources_(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),
+      scenario_(c.values.get<std::string>("scenario")), title_(c.title), history_(history)
+{
+  if (checkpoint)
+  {
+    Archive archive(*checkpoint);
+    archive("result", *this);
+  }
+  for (const Piece& piece : pieces_)
+    require_seal(path_of(piece), piece_mark);
+  write_linked();
+}
+
+fs::path ResultFile::path_of(const Piece& piece) const
+{
+  return folder_ / pieces_folder / piece.file();
+}
+
+void ResultFile::add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+{
+  add({step, false}, columns, snapshot);
+}
+
+void ResultFile::add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+{
+  add({step, true}, columns, snapshot);
+}
+
+void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+{
+  std::error_code error;
+  fs::create_directories(folder_ / pieces_folder, error); // a failure shows when the file is created
+  h5::Handle file = h5::create_file_in_memory();
+  write_snapshot(h5::create_group(file, piece_group), columns, snapshot);
+  replace_sealed_file(path_of(piece), h5::file_image(std::move(file)), piece_mark);
+  piece.layout = layout_of(snapshot);
+  pieces_.push_back(std::move(piece));
+  write_linked();
+}
+
+/// HDF5 crashes when a full disk does not let it close a file: better to know before.
+void ResultFile::require_space() const
+{
+  std::uintmax_t needed = 0;
+  std::error_code error;
+  for (const Piece& piece : pieces_)
+  {
+    const std::uintmax_t size = fs::file_size(path_of(piece), error);
+    needed += error ? 0 : size;
+  }
+  const fs::space_info space = fs::space(folder_, error);
+  if (!error && space.available < needed)
+    throw IoError(
+        fmt::format("{}: cannot be written: it needs {:.1f} MB, the disk has {:.1f} MB; the finished steps are "
+                    "in {}",
+                    (folder_ / file_name).string(), static_cast<double>(needed) * 1e-6,
+                    static_cast<double>(space.available) * 1e-6, (folder_ / pieces_folder).string()));
+}
+
+/// What a result file holds besides the fields.
+void ResultFile::write_description(const h5::Handle& file) const
+{
+  const Versions versions = library_versions();
+  h5::write_attribute(file, "format", "brinell-result");
+  h5::write_attribute(file, "format_version", format_version);
+  h5::write_attribute(file, "brinell_version", versions.brinell);
+  h5::write_attribute(file, "git_hash", versions.git_hash);
+  h5::write_attribute(file, "fftw_version", versions.fftw);
+  h5::write_attribute(file, "hdf5_version", versions.hdf5);
+  h5::write_attribute(file, "scenario", scenario_);
+  h5::write_attribute(file, "title", title_);
+  h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
+  h5::write_text(file, "case", case_text_);
+  h5::write_text(file, "sources", sources_);
+  write_history(file, history_);
+}
+
+/// Writes result.vtkhdf anew, with links to the pieces. Its cost must grow little with each of them: thirty in /VTKHDF take
+/// some 15 ms, a plain link or a row of the history some microseconds.
+void ResultFile::write_linked() const
+{
+  h5::Handle file = h5::create_file_in_memory();
+  write_description(file);
+  std::vector<StoredState> states;
+  {
+    // The group must be closed before the file is.
+    const h5::Handle steps = h5::create_group(file, "steps");
+    for (const Piece& piece : pieces_)
+    {
+      const std::string name = fmt::format("{}/{}", pieces_folder, piece.file());
+      const std::string group = fmt::format("/{}", piece_group);
+      h5::link_external(file, piece.group(), name, group);
+      states.push_back({piece.time(), name, group, piece.layout});
+    }
+  }
+  if (states.size() > most_shown)
+    states.erase(states.begin(), states.end() - most_shown);
+  write_vtkhdf(file, states);
+  replace_file(folder_ / file_name, h5::file_image(std::move(file)));
+}
+
+/// Writes result.vtkhdf anew, with the content of the pieces.
+void ResultFile::merge(const std::string& summary)
+{
+  require_space();
+  const fs::path path = folder_ / file_name;
+  h5::Handle file = h5::create_file(part_of(path));
+  write_description(file);
+  h5::write_text(file, "summary", summary);
+  std::vector<StoredState> states;
+  {
+    const h5::Handle steps = h5::create_group(file, "steps");
+    for (const Piece& piece : pieces_)
+    {
+      require_seal(path_of(piece), piece_mark); // it is copied as it is
+      states.push_back({piece.time(), ".", piece.group(), piece.layout});
+      h5::copy_group(h5::open_file(path_of(piece)), piece_group, file, piece.group());
+    }
+  }
+  write_vtkhdf(file, states);
+  h5::close_file(std::move(file));
+  {
+    const h5::Handle written = h5::open_file(part_of(path));
+    for (const Piece& piece : pieces_)
+      h5::require_same_datasets(h5::open_group(h5::open_file(path_of(piece)), piece_group),
+                                h5::open_group(written, piece.group()));
+  }
+  std::error_code error;
+  fs::rename(part_of(path), path, error);
+  if (error)
+    throw IoError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+}
+
+} // namespace brinell::io

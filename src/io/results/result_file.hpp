@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/io/case_file.hpp"
+#include "brinell/io/history_csv.hpp"
+#include "vtkhdf.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace brinell::io
+{
+
+/// result.vtkhdf. An HDF5 file that is open when its process is killed may be lost as a whole, so each step becomes a sealed file
+/// of its own, complete before it gets its name, and result.vtkhdf an index of links that is replaced in one piece. `merge`
+/// copies the pieces into one file at the end.
+class ResultFile
+{
+public:
+  /// Writes an index of the steps of a checkpoint, of none in a new folder. @throws IoError (all members)
+  /// @param history     its rows are written with each index; must outlive this object.
+  /// @param checkpoint  nullptr: a new run
+  ResultFile(std::filesystem::path folder, const Case& c, const std::vector<HistoryColumn>& history,
+             const Archive::Fields* checkpoint);
+
+  void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  /// The state after the last step.
+  void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  /// The pieces stay: nothing else can be resumed from.
+  void merge(const std::string& summary);
+
+  /// The steps that are stored.
+  void exchange(Archive& archive) { archive.list("pieces", pieces_); }
+
+private:
+  /// A stored state: a file in snapshots/ and a group in result.vtkhdf.
+  struct Piece
+  {
+    int step = 0;
+    bool is_final = false;
+    StateLayout layout{};
+
+    void exchange(Archive& archive);
+    [[nodiscard]] std::string file() const;
+    [[nodiscard]] std::string group() const;
+    [[nodiscard]] double time() const { return is_final ? step + 1.0 : step; }
+  };
+  [[nodiscard]] std::filesystem::path path_of(const Piece& piece) const;
+  void add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  void require_space() const;
+  void write_linked() const;
+  void write_description(const h5::Handle& file) const;
+
+  std::filesystem::path folder_;
+  std::string case_text_, sources_, scenario_, title_;
+  const std::vector<HistoryColumn>& history_;
+  std::vector<Piece> pieces_;
+};
+
+} // namespace brinell::io
