@@ -89,7 +89,7 @@ def test_a_file_that_is_not_there_is_an_error(tmp_path: Path) -> None:
 
 
 def test_a_grid_beyond_all_memory_is_refused_before_anything_is_written(case: brinell.Case, tmp_path: Path) -> None:
-    huge = case.with_values({"grid.resolution": 900})
+    huge = case.with_values({"grid.resolution": 400})
     for call in (huge.check, lambda: huge.run(tmp_path / "huge")):
         with pytest.raises(brinell.InputError, match="grid.resolution"):
             call()

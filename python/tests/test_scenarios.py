@@ -85,7 +85,8 @@ def test_a_tugging_of_rough_ellipsoids_runs() -> None:
     keys: dict[str, Any] = {"normalised": False, "grid": {"resolution": 4}, "output": {"snapshots": "none"}}
     run = brinell.Tugging(lower, upper, "4 nm", **keys).run()
     smooth = brinell.Tugging(brinell.Body(brinell.Ellipsoid("10 um", "20 um"), STEEL), upper, "4 nm", **keys).run()
-    assert run.summary is not None and smooth.summary is not None
+    assert run.summary is not None
+    assert smooth.summary is not None
     ratio = run.summary["forces"]["peak_F_Z_N"] / smooth.summary["forces"]["peak_F_Z_N"]
     assert abs(ratio - 1) < 0.2
     assert ratio != 1

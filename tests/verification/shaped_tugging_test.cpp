@@ -160,6 +160,24 @@ TEST(TexturedTugging, ElasticBodiesGiveEverythingBack)
   }
 }
 
+TEST(TexturedTugging, UnderALoadTheUpperBodyRidesOverTheBump)
+{
+  const double a = contact_radius(4.0);
+  TuggingCase t = elastic_case(4.0, slow_build ? 4.0 : 8.0);
+  t.load = 8.0 * critical().load; // that of the interference
+  const TuggingRun smooth = computed(t);
+  t.lower.texture = bump(4.0, 0.3, 0.0, 2.0 * a);
+  t.upper.texture = bump(4.0, 0.1, 0.3 * a, 1.5 * a);
+  const TuggingRun rough = computed(t);
+  EXPECT_NEAR(rough.aligned().F_n, *t.load, 1e-6 * *t.load);
+  test::expect_within("rise over a bump / its height",
+                      (smooth.aligned().interference - rough.aligned().interference) / (0.3 * t.interference), 0.02,
+                      1.0, "bound: lifted, by less than a stiff body would be");
+  // As under a constant height; F_X and the rise of the body work together.
+  test::expect_close("net work over bumps under a load / largest", rough.summary.work / largest_work(rough), 0.0, 2e-3,
+                     "exact: nothing is lost");
+}
+
 TEST(TexturedTugging, EnergyBalances)
 {
   const double a = contact_radius(6.0);

@@ -63,8 +63,8 @@ struct Case
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
   /// 1 / (1/R1 + 1/R2) [m] if it is the same in all directions; of a tugging that in the plane of motion.
   std::optional<double> equivalent_radius;
-  double contact_modulus = 0.0;                   ///< E' [Pa]
-  std::optional<FirstYield> first_yield;          ///< empty if both bodies are elastic, or not round
+  double contact_modulus = 0.0;          ///< E' [Pa]
+  std::optional<FirstYield> first_yield; ///< empty if both bodies are elastic, or not round
   CaseValues values;
   std::string grid_source; ///< "file:line: grid.spacing = ..." for messages about the size of the grid
   std::vector<Warning> warnings;

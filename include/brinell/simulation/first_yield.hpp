@@ -32,8 +32,8 @@ struct PairYield
 [[nodiscard]] std::optional<PairYield> nominal_yield(const constitutive::Material& lower,
                                                      const constitutive::Material& upper);
 
-/// By the smallest yield stress at any depth: up to that pressure nothing yields, however deep the softest layer lies. Grids,
-/// tolerances and warnings go by it. The same as the nominal one without profiles.
+/// By the smallest yield stress at any depth: up to that pressure nothing yields, but for initial stresses, however deep the
+/// softest layer lies. Grids, tolerances and warnings go by it. The same as the nominal one without profiles.
 [[nodiscard]] std::optional<PairYield> earliest_yield(const constitutive::Material& lower,
                                                       const constitutive::Material& upper);
 
