@@ -23,7 +23,7 @@ std::vector<double> rigid_gap(const SurfaceGrid& g, double factor)
     {
       const double x = (i - 0.5 * (g.nx - 1)) * g.dx;
       const double y = (j - 0.5 * (g.ny - 1)) * g.dy;
-      gap[static_cast<std::size_t>(i + g.nx * j)] = x * x + y * y - factor * 2.0 * radius * radius;
+      gap[g.index(i, j)] = x * x + y * y - factor * 2.0 * radius * radius;
     }
   return gap;
 }

@@ -261,7 +261,7 @@ def test_keys_are_completed() -> None:
     assert offered("check", "case.toml", "--set", "grid.") == ["grid.spacing=", "grid.resolution=", "grid.extent="]
     assert offered("cite", "--set", "title=x", "--set", "solver.integration=b") == ["solver.integration=backward_euler"]
     shell = ShellComplete(cli.root, {}, "brinell", completion.VARIABLE)
-    assert shell.get_completions(["run", "--set"], "tugging.passes")[0].help.startswith("How often the upper sphere")
+    assert shell.get_completions(["run", "--set"], "tugging.passes")[0].help.startswith("How often the upper body")
 
 
 def test_scenarios_are_completed() -> None:

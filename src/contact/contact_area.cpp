@@ -75,7 +75,7 @@ public:
 
 private:
   [[nodiscard]] bool has(const Cell& c) const { return c.i >= 0 && c.j >= 0 && c.i < grid_.nx && c.j < grid_.ny; }
-  [[nodiscard]] std::size_t at(const Cell& c) const { return static_cast<std::size_t>(c.i + grid_.nx * c.j); }
+  [[nodiscard]] std::size_t at(const Cell& c) const { return grid_.index(c.i, c.j); }
 
   const SurfaceGrid& grid_;
   std::span<const double> pressure_, gap_;

@@ -2,6 +2,7 @@
 #include "brinell/contact/elastic_contact.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "coarser_contact.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 
@@ -17,6 +18,8 @@ ElasticContact::ElasticContact(const halfspace::SurfaceCompliance& compliance)
       image_(compliance.grid().size()), displacement_(compliance.grid().size())
 {
 }
+
+ElasticContact::~ElasticContact() = default;
 
 namespace
 {
@@ -180,7 +183,18 @@ Report touching(std::span<const double> distance, std::span<double> pressure, st
 
 } // namespace
 
-/// A pressure to begin with: the guess, or if there is none the cells that overlap, at the stiffness of a single cell; under a
+/// Nothing presses yet: the pressure of the contact on larger cells, on large grids.
+void ElasticContact::guess(std::span<const double> distance, const Drive& drive, double tolerance,
+                           std::span<double> pressure, const std::function<bool()>& wants_stop)
+{
+  if (touches(pressure) || !CoarserContact::helps(compliance_.grid()))
+    return;
+  if (!coarser_)
+    coarser_ = std::make_unique<CoarserContact>(compliance_);
+  coarser_->guess(distance, drive, tolerance, pressure, wants_stop);
+}
+
+/// A pressure to begin with: the guess, or if there is none the cells that overlap, at the stiffness against the most compliant wave; under a
 /// load that has not pressed anything yet, the cell that touches first.
 void ElasticContact::start(std::span<const double> distance, const Drive& drive, std::span<double> pressure)
 {
@@ -289,6 +303,7 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
   const bool load_given = drive.kind == Drive::Kind::load;
   if (load_given && !(drive.value > 0.0))
     return touching(distance, pressure, gap);
+  guess(distance, drive, tolerance, pressure, wants_stop);
   start(distance, drive, pressure);
   std::fill(direction_.begin(), direction_.end(), 0.0);
   const auto is_good = [&](const Report& r)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
 
-#include "brinell/foundation/error.hpp"
+#include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -204,7 +204,7 @@ bool Body::update(std::span<const double> pressure)
           const std::size_t cell = active_.cell(a);
           const Deviator increment = deviator_at(state_.plastic_strain, n, cell) - active_.start(a);
           const Deviator g = deviator_at(stress_, n, cell) + stiffness_ * increment;
-          active_.set_image(a, g);
+          active_.set_mapped(a, g);
           // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
           if (active_.equivalent(a) == 0.0 &&
               von_mises(g - centre(cell)) <= law_of(law, layer_of(cell)).yield_stress_at(state_.equivalent[cell]))
@@ -232,7 +232,7 @@ double Body::yield_error() const
         {
           const double yield = law_of(law, layer_of(active_.cell(a)))
                                    .yield_stress_at(state_.equivalent[active_.cell(a)] + active_.equivalent(a));
-          const Deviator g = active_.image(a);
+          const Deviator g = active_.mapped(a);
           const double size = von_mises(g - centre(active_.cell(a)));
           if (!std::isfinite(size))
             error = size;
@@ -249,18 +249,19 @@ double Body::locked_in_energy(std::span<const double> pressure) const
   // 1/2 eps H eps - s0 eps, with H eps = (stress of the pressure + initial stress s0 - stress); the first part by Betti
   // on the surface. The energy of s0 itself is left out: it is there from the start.
   const std::size_t n = grid().size();
-  double volume_work = 0.0;
-  for (std::size_t cell = 0; cell < n; ++cell)
+  const auto work_in = [&](std::size_t first, std::size_t last)
   {
-    const Deviator strain = deviator_at(state_.plastic_strain, n, cell);
-    const double relieved =
-        initial_stress_[cell / grid().surface.size()] * (strain[Deviator::xx] + strain[Deviator::yy]);
-    volume_work += contract(deviator_at(stress_, n, cell), strain) + relieved;
-  }
-  double surface_work = 0.0;
-  for (std::size_t i = 0; i < pressure.size(); ++i)
-    surface_work += pressure[i] * displacement_[i];
-  return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
+    double work = 0.0;
+    for (std::size_t cell = first; cell < last; ++cell)
+    {
+      const Deviator strain = deviator_at(state_.plastic_strain, n, cell);
+      const double relieved = initial_stress_[layer_of(cell)] * (strain[Deviator::xx] + strain[Deviator::yy]);
+      work += contract(deviator_at(stress_, n, cell), strain) + relieved;
+    }
+    return work;
+  };
+  const double volume_work = sum_of_pieces(n, work_in);
+  return 0.5 * (dot(pressure, displacement_) * grid().surface.cell_area() - volume_work * grid().cell_volume());
 }
 
 double Body::energy(std::span<const double> pressure) const
@@ -292,9 +293,9 @@ void Body::commit(std::span<const double> pressure)
   state_.residual_displacement = displacement_;
   state_.locked_in_energy = locked_in_energy(pressure);
   guessed_cells_ = active_.cells();
-  guessed_q_ = active_.images();
+  guessed_q_ = active_.mapped();
   for (std::size_t a = 0; a < active_.size(); ++a)
-    store(active_.image(a), stress_, n, active_.cell(a));
+    store(active_.mapped(a), stress_, n, active_.cell(a));
   in_increment_ = false;
 }
 

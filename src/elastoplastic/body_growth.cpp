@@ -21,11 +21,8 @@ void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector
     for (int k = 0; k < small.nz; ++k)
       for (int j = 0; j < s.ny; ++j)
       {
-        const double* row = from.data() + field * small.size() +
-                            static_cast<std::size_t>(s.nx) * static_cast<std::size_t>(j + s.ny * k);
-        const std::size_t at = field * large.size() +
-                               static_cast<std::size_t>(l.nx) * static_cast<std::size_t>(j + rows + l.ny * k) +
-                               static_cast<std::size_t>(columns);
+        const double* row = from.data() + field * small.size() + small.index(0, j, k);
+        const std::size_t at = field * large.size() + large.index(columns, j + rows, k);
         std::copy_n(row, s.nx, to.begin() + static_cast<std::ptrdiff_t>(at));
       }
 }

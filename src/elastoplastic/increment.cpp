@@ -4,11 +4,11 @@
 #include "brinell/elastoplastic/anderson.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
+#include "foundation/sharing.hpp"
 #include "unknowns.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace brinell::elastoplastic
@@ -149,7 +149,7 @@ Outgrown CoupledContact::outgrown() const
 std::pair<bool, bool> CoupledContact::pressed_edges() const
 {
   const SurfaceGrid& g = grid();
-  const auto pressed = [&](int i, int j) { return pressure_[static_cast<std::size_t>(i + g.nx * j)] > 0.0; };
+  const auto pressed = [&](int i, int j) { return pressure_[g.index(i, j)] > 0.0; };
   bool ends = false;
   bool sides = false;
   for (int i = 0; i < g.nx; ++i)
@@ -184,8 +184,8 @@ void CoupledContact::continue_from(History history)
   const int columns = columns_added(grid().nx, history.contact.nx);
   const int rows = columns_added(grid().ny, history.contact.ny);
   for (int j = 0; j < history.contact.ny; ++j)
-    std::copy_n(history.pressure.begin() + static_cast<std::ptrdiff_t>(j) * history.contact.nx, history.contact.nx,
-                pressure_.begin() + columns + static_cast<std::ptrdiff_t>(j + rows) * grid().nx);
+    std::copy_n(history.pressure.data() + history.contact.index(0, j), history.contact.nx,
+                pressure_.data() + grid().index(columns, j + rows));
   approach_ = history.approach;
   placement_ = history.placement;
   placement_.lower.column += columns_added(lower().grid().surface.nx, history.lower_grid.surface.nx) - columns;
@@ -205,7 +205,7 @@ void CoupledContact::spread(const Placement& placement)
 
 double CoupledContact::load() const
 {
-  return std::accumulate(pressure_.begin(), pressure_.end(), 0.0) * grid().cell_area();
+  return sum(pressure_) * grid().cell_area();
 }
 
 double CoupledContact::elastic_energy() const
@@ -213,10 +213,7 @@ double CoupledContact::elastic_energy() const
   std::vector<double> displacement(pressure_.size());
   halfspace::SurfaceCompliance::Scratch scratch = compliance_.make_scratch();
   compliance_.apply({.pressure = pressure_}, {.z = displacement}, scratch);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    sum += pressure_[i] * displacement[i];
-  return 0.5 * sum * grid().cell_area();
+  return 0.5 * dot(pressure_, displacement) * grid().cell_area();
 }
 
 namespace
@@ -259,9 +256,7 @@ double CoupledContact::energy(double approach) const
 {
   // The contact's part as the dual value -(1/2 p A p + p distance), whose error is of second order in that of the pressure.
   // An imposed approach adds its work, which does not change in the increment only if the load is imposed.
-  double work = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    work += pressure_[i] * (distance_[i] - approach);
+  const double work = dot(pressure_, distance_) - approach * sum(pressure_);
   double bodies = 0.0;
   for (const Side& side : sides_)
     bodies += side.body.energy(side.pressure);
@@ -376,7 +371,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       if (report.energy_rose)
         break;
     }
-    else if (stall_rule.stalls(report.yield_error, grew || report.evaluations == 1))
+    else if (strategy.anderson_depth > 0 && stall_rule.stalls(report.yield_error, grew || report.evaluations == 1))
       break;
     unknowns.grow(sides_);
     unknowns.pack(sides_, x, g);

@@ -27,14 +27,14 @@ void add_depth(const SurfaceGrid& body, std::span<const double> displacement, st
   {
     if (column < 0 || column >= body.nx)
       return 0.0;
-    const auto n = static_cast<std::size_t>(column + body.nx * j);
+    const auto n = body.index(column, j);
     return displacement[n] + (texture.empty() ? 0.0 : texture[n]);
   };
   const std::array<double, 4> weights = interpolation_weights(place.fraction);
   for (int j = 0; j < contact.ny; ++j)
     for (int i = 0; i < contact.nx; ++i)
     {
-      double& value = out[static_cast<std::size_t>(i + contact.nx * j)];
+      double& value = out[contact.index(i, j)];
       const int column = i + place.column;
       if (place.fraction == 0.0)
         value += depth(column, j);
@@ -53,7 +53,7 @@ bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressur
   for (int j = 0; j < contact.ny; ++j)
     for (int i = 0; i < contact.nx; ++i)
     {
-      const double p = pressure[static_cast<std::size_t>(i + contact.nx * j)];
+      const double p = pressure[contact.index(i, j)];
       const int column = i + place.column;
       if (p <= 0.0)
         continue;

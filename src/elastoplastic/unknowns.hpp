@@ -21,7 +21,7 @@ concept Participant = requires(Part& part, const Part& fixed)
     part.trial()
     } -> std::same_as<std::vector<double>&>;
   {
-    fixed.image()
+    fixed.mapped()
     } -> std::same_as<const std::vector<double>&>;
 };
 static_assert(Participant<Body>);
@@ -41,7 +41,7 @@ public:
   }
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Trials to x and images to g.
+  /// Trials to x, and what they are mapped to, to g.
   template <typename Sides>
   void pack(Sides& sides, std::vector<double>& x, std::vector<double>& g) const
   {
@@ -50,11 +50,11 @@ public:
     for (std::size_t part = 0; part < places_.size(); ++part)
     {
       const std::vector<double>& trial = sides[part].body.trial();
-      const std::vector<double>& image = sides[part].body.image();
+      const std::vector<double>& mapped = sides[part].body.mapped();
       for (std::size_t i = 0; i < trial.size(); ++i)
       {
         x[places_[part][i]] = trial[i];
-        g[places_[part][i]] = image[i];
+        g[places_[part][i]] = mapped[i];
       }
     }
   }

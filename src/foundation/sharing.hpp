@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <span>
 #include <vector>
 
 namespace brinell
@@ -51,6 +53,18 @@ template <typename Part>
   for (const Sum& sum : parts)
     total += sum;
   return total;
+}
+
+/// Sums over the cells, the same for any number of threads.
+[[nodiscard]] inline double sum(std::span<const double> field)
+{
+  return sum_of_pieces(field.size(), [&](std::size_t first, std::size_t last)
+                       { return std::accumulate(field.begin() + first, field.begin() + last, 0.0); });
+}
+[[nodiscard]] inline double dot(std::span<const double> a, std::span<const double> b)
+{
+  return sum_of_pieces(a.size(), [&](std::size_t first, std::size_t last)
+                       { return std::inner_product(a.begin() + first, a.begin() + last, b.begin() + first, 0.0); });
 }
 
 } // namespace brinell

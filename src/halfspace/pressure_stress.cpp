@@ -59,9 +59,8 @@ std::vector<SymTensor> quadrant_stress(const VolumeGrid& grid, int layer, double
     for (int j = 0; j < s.ny; ++j)
       for (int i = 0; i < s.nx; ++i)
         for (std::size_t c = 0; c < 6; ++c)
-          quadrant[static_cast<std::size_t>(i + s.nx * j)][c] +=
-              gauss_weight[g] *
-              (corner_at(i + 1, j + 1)[c] + corner_at(i, j)[c] - corner_at(i + 1, j)[c] - corner_at(i, j + 1)[c]);
+          quadrant[s.index(i, j)][c] += gauss_weight[g] * (corner_at(i + 1, j + 1)[c] + corner_at(i, j)[c] -
+                                                           corner_at(i + 1, j)[c] - corner_at(i, j + 1)[c]);
   }
   return quadrant;
 }
@@ -95,7 +94,7 @@ void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& 
     for (int j = 1 - s.ny; j < s.ny; ++j)
       for (int i = 1 - s.nx; i < s.nx; ++i)
       {
-        const SymTensor& t = quadrant[static_cast<std::size_t>(std::abs(i) + s.nx * std::abs(j))];
+        const SymTensor& t = quadrant[s.index(std::abs(i), std::abs(j))];
         const std::array<double, kernel_count> value{t[0] - t[2], t[1] - t[2], t[3], t[4], t[5], t[0] + t[1] + t[2]};
         const double sign = (odd_x && i < 0 ? -1.0 : 1.0) * (odd_y && j < 0 ? -1.0 : 1.0);
         plane[static_cast<std::size_t>((j + py) % py * px + (i + px) % px)] =

@@ -51,15 +51,17 @@ struct SurfaceCompliance::Operator
   BlockedFft fft;
   int rows;                       ///< stored rows of the spectrum, ky >= 0
   AlignedVector<double> spectrum; ///< of the operator [m/Pa], real and even: [block][row][lane]
+  double contact_modulus;         ///< E' [Pa]
   double largest = 0.0, longest_wave = 0.0;
 
-  Operator(const SurfaceGrid& grid, double contact_modulus);
+  Operator(const SurfaceGrid& grid, double modulus);
   void apply_to_block(int block, AlignedVector<Complex>& values, BlockedFft::Scratch& own) const;
 };
 
-SurfaceCompliance::Operator::Operator(const SurfaceGrid& grid, double contact_modulus)
+SurfaceCompliance::Operator::Operator(const SurfaceGrid& grid, double modulus)
     : fft(grid, fast_length(2 * grid.nx - 1), fast_length(2 * grid.ny - 1), 1), rows(fft.py() / 2 + 1),
-      spectrum(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows) * lane_count, 0.0)
+      spectrum(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows) * lane_count, 0.0),
+      contact_modulus(modulus)
 {
   const PaddedFft padded(grid, fft.px(), fft.py());
   AlignedVector<double> kernel = wrapped_kernel(padded, contact_modulus);
@@ -111,6 +113,11 @@ SurfaceCompliance::Scratch& SurfaceCompliance::Scratch::operator=(Scratch&&) noe
 const SurfaceGrid& SurfaceCompliance::grid() const
 {
   return operator_->fft.grid();
+}
+
+SurfaceCompliance SurfaceCompliance::on(const SurfaceGrid& grid) const
+{
+  return {grid, operator_->contact_modulus};
 }
 
 double SurfaceCompliance::largest() const

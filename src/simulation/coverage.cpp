@@ -37,7 +37,7 @@ void widen(Coverage& coverage, const elastoplastic::CoupledContact& pair)
   int left = grid.nx, right = -1, front = grid.ny, back = -1;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      if (pair.pressure()[static_cast<std::size_t>(i + grid.nx * j)] > 0.0)
+      if (pair.pressure()[grid.index(i, j)] > 0.0)
       {
         left = std::min(left, i);
         right = std::max(right, i);

@@ -11,14 +11,15 @@ namespace
 {
 
 /// Central difference along one direction, one-sided at the edge of the grid.
-double slope(std::span<const double> field, int index, int stride, int position, int count, double spacing)
+double slope(std::span<const double> field, std::size_t index, int stride, int position, int count, double spacing)
 {
-  const int low = position > 0 ? index - stride : index;
-  const int high = position < count - 1 ? index + stride : index;
+  const auto step = static_cast<std::size_t>(stride);
+  const std::size_t low = position > 0 ? index - step : index;
+  const std::size_t high = position < count - 1 ? index + step : index;
   if (low == high)
     return 0.0;
   const double cells = static_cast<double>(high - low) / stride;
-  return (field[static_cast<std::size_t>(high)] - field[static_cast<std::size_t>(low)]) / (cells * spacing);
+  return (field[high] - field[low]) / (cells * spacing);
 }
 
 } // namespace
@@ -30,8 +31,8 @@ Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure,
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {
-      const int n = i + grid.nx * j;
-      const double p = pressure[static_cast<std::size_t>(n)] * grid.cell_area();
+      const std::size_t n = grid.index(i, j);
+      const double p = pressure[n] * grid.cell_area();
       if (p == 0.0)
         continue;
       const double lower_x = slope(lower.displacement, n, 1, i, grid.nx, grid.dx);
@@ -60,8 +61,8 @@ double rolling_resistance(const SurfaceGrid& grid, std::span<const double> press
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {
-      const int n = i + grid.nx * j;
-      const double p = pressure[static_cast<std::size_t>(n)] * grid.cell_area();
+      const std::size_t n = grid.index(i, j);
+      const double p = pressure[n] * grid.cell_area();
       if (p != 0.0)
         force -= p * (slope(lower_depth, n, 1, i, grid.nx, grid.dx) +
                       upper_share * slope(upper_depth, n, 1, i, grid.nx, grid.dx));

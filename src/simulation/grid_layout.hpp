@@ -32,12 +32,6 @@ struct Extents
 /// @throws GridError if they are beyond all measure
 void lay_out(const std::array<double, 3>& cells, const Extents& extents, Plan& plan);
 
-/// Where a row is on either body [m]: all grids lie with their middle row on y = 0. Columns move; `Lattice` has them.
-[[nodiscard]] inline double row_y(const SurfaceGrid& grid, int row)
-{
-  return (row - 0.5 * (grid.ny - 1)) * grid.dy;
-}
-
 /// Columns or rows of a grid that has been outgrown: at least a third more, as many at either end.
 [[nodiscard]] int grown(int cells);
 

@@ -108,7 +108,9 @@ double depth_of(const HeightMap& map, double x, double y)
   const auto at = [&](int column, int row)
   {
     const bool inside = column >= 0 && column < map.nx && row >= 0 && row < map.ny;
-    return inside ? map.heights[static_cast<std::size_t>(column + map.nx * row)] : 0.0;
+    return inside ? map.heights[static_cast<std::size_t>(column) +
+                                static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(row)]
+                  : 0.0;
   };
   const double s = u - i;
   const double t = v - j;

@@ -32,7 +32,7 @@ BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, d
   BodySnapshot s;
   s.grid = body.grid();
   s.x0 = origin;
-  s.y0 = row_y(s.grid.surface, 0);
+  s.y0 = s.grid.surface.y(0);
   s.contact_x = contact_x;
   if (body.material().elastic.is_rigid())
     return s;

@@ -165,7 +165,7 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
 void Stepper::bisect(const std::function<Target(double)>& path, double begin, double end, double finest)
 {
   if (end - begin < 1.5 * finest)
-    return guard(path(end));
+    return descend(path(end));
   const double middle = 0.5 * (begin + end);
   for (const auto& [from, to] : {std::pair{begin, middle}, {middle, end}})
     if (!attempt(path(to)))
@@ -200,7 +200,7 @@ bool Stepper::attempt(const Target& target)
   return false;
 }
 
-void Stepper::guard(const Target& target)
+void Stepper::descend(const Target& target)
 {
   const elastoplastic::Settings& s = setup_.solver;
   IncrementReport report;
@@ -301,7 +301,7 @@ void Stepper::place(const Frame& frame)
   const SurfaceGrid& g = pair_->grid();
   for (int j = 0; j < g.ny; ++j)
     for (int i = 0; i < g.nx; ++i)
-      distance_[static_cast<std::size_t>(i + g.nx * j)] = setup_.distance(frame.x0 + i * g.dx, row_y(g, j));
+      distance_[g.index(i, j)] = setup_.distance(frame.x0 + i * g.dx, g.y(j));
 }
 
 double Stepper::clearance(const Centre& centre)
@@ -335,7 +335,7 @@ std::pair<double, double> Stepper::residual_range(const Centre& centre) const
   for (int j = 0; j < s.ny; ++j)
     for (int i = first; i < last; ++i)
     {
-      const double u = residual[static_cast<std::size_t>(i + s.nx * j)];
+      const double u = residual[s.index(i, j)];
       range = {std::min(range.first, u), std::max(range.second, u)};
     }
   return range;
@@ -371,7 +371,7 @@ Snapshot Stepper::snapshot(const Centre& centre) const
   Snapshot s;
   s.contact = pair_->grid();
   s.x0 = frame.x0;
-  s.y0 = row_y(s.contact, 0);
+  s.y0 = s.contact.y(0);
   s.pressure.assign(pair_->pressure().begin(), pair_->pressure().end());
   s.gap.assign(pair_->gap().begin(), pair_->gap().end());
   s.lower = body_snapshot(pair_->lower(), lattice_.lower_origin(), centre.lower);
@@ -397,8 +397,7 @@ std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, do
   std::vector<double> depths(grid.size());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      depths[static_cast<std::size_t>(i + grid.nx * j)] =
-          cell_depth(texture, x0 + i * grid.dx, row_y(grid, j), grid.dx, grid.dy);
+      depths[grid.index(i, j)] = cell_depth(texture, x0 + i * grid.dx, grid.y(j), grid.dx, grid.dy);
   return depths;
 }
 

@@ -106,7 +106,7 @@ private:
   void bisect(const std::function<Target(double)>& path, double begin, double end, double finest);
   bool attempt(const Target& target);
   [[nodiscard]] elastoplastic::IncrementReport solved(const Target& target, const elastoplastic::Strategy& strategy);
-  void guard(const Target& target);
+  void descend(const Target& target);
   void place(const Frame& frame);
   [[nodiscard]] std::unique_ptr<elastoplastic::CoupledContact> make_pair() const;
   void grow(const elastoplastic::Outgrown& outgrown);

@@ -15,7 +15,7 @@ namespace
 std::size_t middle(const VolumeGrid& grid, int layer)
 {
   const SurfaceGrid& s = grid.surface;
-  return static_cast<std::size_t>((s.nx - 1) / 2 + s.nx * ((s.ny - 1) / 2 + s.ny * layer));
+  return grid.index((s.nx - 1) / 2, (s.ny - 1) / 2, layer);
 }
 
 } // namespace
@@ -57,8 +57,7 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
   RollingPass pass;
   pass.rut_depth = lower.residual_displacement[middle(grid, 0)];
   for (int j = 0; j < s.ny; ++j)
-    pass.shoulder_height = std::max(pass.shoulder_height,
-                                    -lower.residual_displacement[static_cast<std::size_t>((s.nx - 1) / 2 + s.nx * j)]);
+    pass.shoulder_height = std::max(pass.shoulder_height, -lower.residual_displacement[s.index((s.nx - 1) / 2, j)]);
   for (const elastoplastic::BodyState* body : {&lower, &upper})
     pass.max_equivalent_plastic_strain = std::max(pass.max_equivalent_plastic_strain,
                                                   *std::max_element(body->equivalent.begin(), body->equivalent.end()));

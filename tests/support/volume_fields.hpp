@@ -39,7 +39,7 @@ inline Deviator deviator_at(const std::vector<double>& field, std::size_t cell)
 
 inline std::size_t cell_index(const VolumeGrid& g, int i, int j, int k)
 {
-  return static_cast<std::size_t>(i + g.surface.nx * (j + g.surface.ny * k));
+  return g.index(i, j, k);
 }
 
 /// The field strain * profile(x, y, z), sampled at the cell centres; x = y = 0 is the centre of cell (0, 0).

@@ -60,8 +60,7 @@ public:
       for (int i = 0; i < g.nx; ++i)
       {
         const double x = (i - 0.5 * (g.nx - 1)) * g.dx, y = (j - 0.5 * (g.ny - 1)) * g.dy;
-        gap_[static_cast<std::size_t>(i + g.nx * j)] =
-            x * x + y * y - ratio * exact_critical().interference; // 2R = 1 m
+        gap_[g.index(i, j)] = x * x + y * y - ratio * exact_critical().interference; // 2R = 1 m
       }
     const IncrementReport report = pair_.advance(gap_, {}, {}, {Integration::path, 100, 6});
     if (!report.converged || !std::isfinite(load()))

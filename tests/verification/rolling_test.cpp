@@ -198,9 +198,8 @@ TEST(Rolling, SidesOfTheTrackAreAlike)
   double asymmetry = 0.0;
   for (int j = 0; j < s.ny; ++j)
     for (int i = 0; i < s.nx; ++i)
-      asymmetry = std::max(asymmetry,
-                           std::abs(body.residual_displacement[static_cast<std::size_t>(i + s.nx * j)] -
-                                    body.residual_displacement[static_cast<std::size_t>(i + s.nx * (s.ny - 1 - j))]));
+      asymmetry = std::max(asymmetry, std::abs(body.residual_displacement[s.index(i, j)] -
+                                               body.residual_displacement[s.index(i, s.ny - 1 - j)]));
   test::expect_close("left against right of the track", asymmetry / run.summary.max_residual_lower, 0.0, 1e-4,
                      "exact: symmetry; tolerances");
 }

@@ -4,7 +4,9 @@
 #include "brinell/halfspace/surface_compliance.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
+#include <vector>
 
 /// Frictionless, non-adhesive contact of two surfaces: pressure and gap from the shape between them.
 namespace brinell::contact
@@ -34,6 +36,8 @@ struct Report
   double penetration = 0.0; ///< largest negative gap where none acts [m]
 };
 
+class CoarserContact;
+
 /// Contact by the constrained conjugate gradient method (Polonsky, Keer 1999).
 ///
 /// Finds p >= 0, gap = distance - approach + A p >= 0, p * gap = 0 with A the surface compliance; the approach is given, or
@@ -42,10 +46,16 @@ struct Report
 /// While no cell comes into contact or leaves it, the displacement follows the pressure by the image of the direction that
 /// the iteration has anyway, and an iteration costs one product with A. Whatever is reported comes of a product with the
 /// pressure itself.
+///
+/// Without a guess the pressure of the contact on larger cells is one, on large grids; what converges is the same.
 class ElasticContact
 {
 public:
+  /// @param compliance  must outlive this object.
   explicit ElasticContact(const halfspace::SurfaceCompliance& compliance);
+  ~ElasticContact();
+  ElasticContact(const ElasticContact&) = delete;
+  ElasticContact& operator=(const ElasticContact&) = delete;
 
   /// @param distance   of the undeformed surfaces at no approach [m].
   /// @param tolerance  largest |gap| under pressure and largest penetration elsewhere [m].
@@ -70,6 +80,8 @@ private:
     bool cut = false, added = false; ///< cells that lost contact or came (back) into it
     double sum = 0.0;                ///< of the pressure
   };
+  void guess(std::span<const double> distance, const Drive& drive, double tolerance, std::span<double> pressure,
+             const std::function<bool()>& wants_stop);
   void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure);
   void scale_to_load(double load, double sum, std::span<double> pressure);
   [[nodiscard]] State settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
@@ -80,8 +92,9 @@ private:
 
   const halfspace::SurfaceCompliance& compliance_;
   halfspace::SurfaceCompliance::Scratch scratch_;
-  std::vector<double> direction_, image_; ///< of the pressure, and its displacement
-  std::vector<double> displacement_;      ///< of the pressure [m]
+  std::vector<double> direction_, image_;   ///< of the pressure, and its displacement
+  std::vector<double> displacement_;        ///< of the pressure [m]
+  std::unique_ptr<CoarserContact> coarser_; ///< once it has been needed
 };
 
 } // namespace brinell::contact

@@ -11,7 +11,7 @@ namespace brinell::elastoplastic
 {
 
 /// The cells of a body that may yield in the increment at hand, with the unknowns of the fixed point, the trial deviators q
-/// and their images g(q), and with the plastic flow that follows from them. All is packed, in the order in which the cells
+/// and what the fixed point maps them to, g(q), and with the plastic flow that follows from them. All is packed, in the order in which the cells
 /// have become active.
 class ActiveCells
 {
@@ -22,7 +22,7 @@ public:
   ActiveCells(std::size_t cells, std::size_t terms) : is_active_(cells, 0), terms_(terms) {}
 
   void clear();
-  /// A cell joins; its image is its trial deviator.
+  /// A cell joins; its trial deviator is mapped to itself until an evaluation says otherwise.
   /// @param start  plastic strain before the increment
   void add(std::size_t cell, const Deviator& q, const Deviator& start);
 
@@ -38,12 +38,12 @@ public:
   [[nodiscard]] std::size_t deepest() const;
 
   [[nodiscard]] Deviator trial(std::size_t a) const { return at(q_, a); }
-  [[nodiscard]] Deviator image(std::size_t a) const { return at(g_, a); }
+  [[nodiscard]] Deviator mapped(std::size_t a) const { return at(g_, a); }
   void set_trial(std::size_t a, const Deviator& q) { set(q_, a, q); }
-  void set_image(std::size_t a, const Deviator& g) { set(g_, a, g); }
+  void set_mapped(std::size_t a, const Deviator& g) { set(g_, a, g); }
   /// All of them, [active][component].
   [[nodiscard]] std::vector<double>& trials() { return q_; }
-  [[nodiscard]] const std::vector<double>& images() const { return g_; }
+  [[nodiscard]] const std::vector<double>& mapped() const { return g_; }
 
   /// Equivalent plastic strain [-] and plastic work [J/m^3] of the increment.
   [[nodiscard]] double equivalent(std::size_t a) const { return equivalent_[a]; }

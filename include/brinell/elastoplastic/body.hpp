@@ -92,8 +92,8 @@ public:
   [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
-  [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }             ///< q, unknowns() values
-  [[nodiscard]] const std::vector<double>& image() const { return active_.images(); } ///< g(q)
+  [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
+  [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
   /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
   [[nodiscard]] double yield_error() const;
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }

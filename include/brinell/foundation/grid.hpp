@@ -16,6 +16,14 @@ struct SurfaceGrid
   double dy = 0.0; ///< cell size along y [m]
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
+  /// Place of cell (i, j) in memory; 64 bits, as all that counts cells.
+  [[nodiscard]] std::size_t index(int i, int j) const
+  {
+    return static_cast<std::size_t>(i) + static_cast<std::size_t>(nx) * static_cast<std::size_t>(j);
+  }
+  /// Centre of column i and of row j from the middle of the grid [m].
+  [[nodiscard]] double x(int i) const { return (i - 0.5 * (nx - 1)) * dx; }
+  [[nodiscard]] double y(int j) const { return (j - 0.5 * (ny - 1)) * dy; }
   [[nodiscard]] double cell_area() const { return dx * dy; }
   bool operator==(const SurfaceGrid&) const = default;
 };
@@ -29,6 +37,10 @@ struct VolumeGrid
   double dz = 0.0; ///< layer thickness [m]
 
   [[nodiscard]] std::size_t size() const { return surface.size() * static_cast<std::size_t>(nz); }
+  [[nodiscard]] std::size_t index(int i, int j, int k) const
+  {
+    return surface.index(i, j) + static_cast<std::size_t>(k) * surface.size();
+  }
   [[nodiscard]] double cell_volume() const { return surface.cell_area() * dz; }
   bool operator==(const VolumeGrid&) const = default;
 };

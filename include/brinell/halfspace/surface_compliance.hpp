@@ -29,6 +29,8 @@ public:
   [[nodiscard]] Scratch make_scratch() const;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
+  /// Of the same bodies on another grid.
+  [[nodiscard]] SurfaceCompliance on(const SurfaceGrid& grid) const;
   /// Displacement [m] of the load: symmetric and positive definite.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;
   /// Largest response of a wave [m/Pa], and that of the longest wave along x.

@@ -132,7 +132,7 @@ struct RunTotals : RunningTotals
 {
   int steps = 0;
   long iterations = 0;
-  int split_increments = 0;             ///< increments that had to be split or redone with the guarded scheme
+  int split_increments = 0;             ///< increments that had to be split or solved by plain descent
   double energy_balance_error = 0.0;    ///< (work - dissipation - stored energy) / largest work reached
   std::vector<GridChange> grid_changes; ///< in the course of the run
   double memory_bytes = 0.0;            ///< of the grids at the end, estimate

@@ -37,8 +37,7 @@ Solved solved(const SurfaceGrid& grid, const Surface& distance, double load)
   std::vector<double> d(grid.size());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      d[static_cast<std::size_t>(i + grid.nx * j)] =
-          distance((i - 0.5 * (grid.nx - 1)) * grid.dx, (j - 0.5 * (grid.ny - 1)) * grid.dy);
+      d[grid.index(i, j)] = distance((i - 0.5 * (grid.nx - 1)) * grid.dx, (j - 0.5 * (grid.ny - 1)) * grid.dy);
   const Report report = contact.solve(d, {Drive::Kind::load, load}, 1e-10, 5000, s.pressure, s.gap);
   EXPECT_TRUE(report.converged);
   return s;
@@ -191,8 +190,8 @@ TEST(ContactArea, StraightEdgeIsExact)
       for (int i = 0; i < grid.nx; ++i)
       {
         const double inside = width - std::abs((i - 5.5) * grid.dx);
-        s.pressure[static_cast<std::size_t>(i + grid.nx * j)] = 1e-3 * std::sqrt(std::max(0.0, inside));
-        s.gap[static_cast<std::size_t>(i + grid.nx * j)] = 4e-3 / 3.0 * std::pow(std::max(0.0, -inside), 1.5);
+        s.pressure[grid.index(i, j)] = 1e-3 * std::sqrt(std::max(0.0, inside));
+        s.gap[grid.index(i, j)] = 4e-3 / 3.0 * std::pow(std::max(0.0, -inside), 1.5);
       }
     // Along y the strip reaches the ends of the grid.
     EXPECT_NEAR(area(grid, s) / (2.0 * width * grid.ny * grid.dy), 1.0, 1e-9) << width;

@@ -45,7 +45,7 @@ std::vector<double> paraboloid(const SurfaceGrid& g, double approach, double uni
     for (int i = 0; i < g.nx; ++i)
     {
       const double x = (i - 0.5 * (g.nx - 1)) * g.dx, y = (j - 0.5 * (g.ny - 1)) * g.dy;
-      gap[static_cast<std::size_t>(i + g.nx * j)] = 0.5 * (x * x + y * y) / unit - approach;
+      gap[g.index(i, j)] = 0.5 * (x * x + y * y) / unit - approach;
     }
   return gap;
 }

@@ -223,6 +223,23 @@ TEST(IncrementTest, FailedIncrementLeavesEverythingAsItWas)
   }
 }
 
+TEST(IncrementTest, ThePlainIterationIsGivenTheEvaluationsItNeeds)
+{
+  // Its steps are short, so that its error takes many evaluations to halve: that is no reason to end it.
+  PressOptions options;
+  options.hardening_modulus = 2e9;
+  SpherePress press(options);
+  ASSERT_TRUE(press.press(2.0).converged);
+  Strategy plain;
+  plain.integration = Integration::backward_euler;
+  plain.anderson_depth = 0;
+  plain.stiffness_share = 40.0;
+  plain.max_evaluations = 5000;
+  const IncrementReport report = press.press(4.0, plain);
+  EXPECT_TRUE(report.converged) << report.evaluations << " evaluations, yield error " << report.yield_error;
+  EXPECT_GT(report.evaluations, 100);
+}
+
 TEST(IncrementTest, SameGapAgainChangesNothing)
 {
   PressOptions options;

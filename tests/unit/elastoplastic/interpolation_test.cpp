@@ -46,7 +46,7 @@ TEST(InterpolationTest, CubicsAreExact)
     contact.add_lower_depth({column, fraction}, depth);
     for (int j = 0; j < contact_grid.ny; ++j)
       for (int i = 0; i < contact_grid.nx; ++i)
-        EXPECT_NEAR(depth[static_cast<std::size_t>(i + contact_grid.nx * j)], cubic(i + column + fraction, j), 1e-12);
+        EXPECT_NEAR(depth[contact_grid.index(i, j)], cubic(i + column + fraction, j), 1e-12);
   }
 }
 

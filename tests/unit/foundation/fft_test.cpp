@@ -133,7 +133,7 @@ TEST_P(PaddedFftTest, PaddedInputIsTheGridWithZeros)
   AlignedVector<double> padded(static_cast<std::size_t>(fft.px() * fft.py()), 0.0);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
-      padded[static_cast<std::size_t>(i + fft.px() * j)] = field[static_cast<std::size_t>(i + grid.nx * j)];
+      padded[static_cast<std::size_t>(i + fft.px() * j)] = field[grid.index(i, j)];
   const AlignedVector<Complex> a = forward(fft, field), b = forward_padded(fft, padded);
   for (int k = 0; k < fft.kx() * fft.py(); ++k)
     EXPECT_LE(std::abs(a[static_cast<std::size_t>(k)] - b[static_cast<std::size_t>(k)]),
@@ -147,7 +147,7 @@ TEST_P(PaddedFftTest, SpectrumOfOneCellIsAWaveOfThoseWavenumbers)
   const PaddedFft fft(grid);
   const int i0 = grid.nx - 1, j0 = grid.ny / 2;
   std::vector<double> field(grid.size(), 0.0);
-  field[static_cast<std::size_t>(i0 + grid.nx * j0)] = 1.0;
+  field[grid.index(i0, j0)] = 1.0;
   const AlignedVector<Complex> spectrum = forward(fft, field);
   for (int j = 0; j < fft.py(); ++j)
     for (int i = 0; i < fft.kx(); ++i)

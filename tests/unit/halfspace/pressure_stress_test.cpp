@@ -56,7 +56,7 @@ TEST_P(PressureStressTest, EqualsTheSumOfRectanglesMeanOverALayer)
               const SymTensor part =
                   green::rectangle_stress((i - l) * s.dx, (j - m) * s.dy, (k + 0.5 + point) * g.dz, s.dx, s.dy, nu);
               for (std::size_t c = 0; c < 6; ++c)
-                sum[c] += weight * pressure[static_cast<std::size_t>(l + s.nx * m)] * part[c];
+                sum[c] += weight * pressure[s.index(l, m)] * part[c];
             }
         const SymTensor found = fast.at(cell_index(g, i, j, k));
         for (std::size_t c = 0; c < 6; ++c) // round-off of the transforms; stresses and pressures of order one

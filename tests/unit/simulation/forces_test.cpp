@@ -26,7 +26,7 @@ protected:
   }
   double& at(std::vector<double>& field, int i, int j) const
   {
-    return field[static_cast<std::size_t>(i + grid.nx * j)];
+    return field[grid.index(i, j)];
   }
   void tilt(std::vector<double>& field, double slope_x, double slope_y) const
   {

@@ -63,7 +63,7 @@ public:
   /// Shares of the way that were tried, in their order.
   [[nodiscard]] const std::vector<double>& tried() const { return tried_; }
   /// Whether the plain fixed point was called for: it takes the same piece again.
-  [[nodiscard]] bool was_guarded() const { return std::adjacent_find(tried_.begin(), tried_.end()) != tried_.end(); }
+  [[nodiscard]] bool was_descended() const { return std::adjacent_find(tried_.begin(), tried_.end()) != tried_.end(); }
   /// The shares of the way at which the pieces ended that converged: those after which the way went on.
   [[nodiscard]] std::vector<double> pieces() const
   {
@@ -148,7 +148,7 @@ TEST(StepperTest, AnIncrementThatFailsWholeIsHalvedAndEndsWhereShorterOnesEnd)
     EXPECT_EQ(split.stepper().split_increments(), 1);
     EXPECT_GT(split.pieces().size(), 1U);
     EXPECT_EQ(split.stepper().pair().approach(), most * alpha_c); // it went all the way
-    EXPECT_FALSE(split.was_guarded());                            // halving was enough
+    EXPECT_FALSE(split.was_descended());                            // halving was enough
     expect_alike(split, in_pieces(split, most));
 
     // The next increment is not affected: it goes whole if it is short, as in the run without a limit.
@@ -172,7 +172,7 @@ TEST(StepperTest, APieceThatCannotBeHalvedIsSolvedByThePlainFixedPoint)
     const int evaluations = split.go(most, 1.0 / 4);
     // Each of the four pieces is tried, and then tried again the other way.
     EXPECT_EQ(split.tried(), (std::vector{1.0, 0.5, 0.25, 0.25, 0.5, 0.5, 1.0, 0.75, 0.75, 1.0, 1.0}));
-    EXPECT_TRUE(split.was_guarded());
+    EXPECT_TRUE(split.was_descended());
     EXPECT_GT(evaluations, 7 * 2 * few); // of the tries
     EXPECT_EQ(split.stepper().split_increments(), 1);
     expect_alike(split, in_pieces(split, most, kinematic), kinematic.empty() ? 1e-5 : 1e-3);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/elastic_contact.hpp"
+
+#include <vector>
+
+namespace brinell::contact
+{
+
+/// The same contact on cells twice as large, which gives a guess of the pressure where there is none.
+class CoarserContact
+{
+public:
+  /// Whether a guess from larger cells saves more than it costs.
+  [[nodiscard]] static bool helps(const SurfaceGrid& fine);
+
+  explicit CoarserContact(const halfspace::SurfaceCompliance& fine);
+
+  /// @param tolerance  of the finer solution; this one is not solved as well
+  /// @param pressure   out: on the finer grid [Pa]
+  void guess(std::span<const double> distance, const Drive& drive, double tolerance, std::span<double> pressure,
+             const std::function<bool()>& wants_stop);
+
+private:
+  [[nodiscard]] double interpolated(int i, int j) const;
+
+  SurfaceGrid fine_;
+  halfspace::SurfaceCompliance compliance_;
+  ElasticContact contact_;
+  std::vector<double> distance_, pressure_, gap_;
+};
+
+} // namespace brinell::contact
