@@ -12,7 +12,7 @@
 namespace brinell::contact
 {
 
-/// What is imposed on two bodies; the other one of the two is found.
+/// Approach or load: one of them is imposed on two bodies, the other one is found.
 struct Drive
 {
   enum class Kind
@@ -43,11 +43,12 @@ class CoarserContact;
 /// Finds p >= 0, gap = distance - approach + A p >= 0, p * gap = 0 with A the surface compliance; the approach is given, or
 /// the sum of p dx dy is: docs/theory/contact.md (complementarity).
 ///
-/// While no cell comes into contact or leaves it, the displacement follows the pressure by the image of the direction that
-/// the iteration has anyway, and an iteration costs one product with A. Whatever is reported comes of a product with the
-/// pressure itself.
+/// While no cell comes into contact or leaves the contact, the displacement follows the pressure by the image of the
+/// direction that the iteration has anyway, and an iteration costs one product with A. The gap that is reported always comes
+/// of a product with the pressure itself. The iteration, step by step: docs/theory/contact.md.
 ///
-/// Without a guess the pressure of the contact on larger cells is one, on large grids; what converges is the same.
+/// Where nothing presses yet, a large grid begins with the pressure of the contact on larger cells; what the iteration
+/// converges to is the same.
 class ElasticContact
 {
 public:
@@ -59,10 +60,11 @@ public:
 
   /// @param distance   of the undeformed surfaces at no approach [m].
   /// @param tolerance  largest |gap| under pressure and largest penetration elsewhere [m].
+  /// @param max_iterations  after so many, the report says that the contact has not converged.
   /// @param pressure   in: a guess (zeros are one); out: the pressure [Pa].
   /// @param gap        out: [m].
   /// @param wants_stop asked every few iterations.
-  /// @throws Interrupted if it says so; InternalError if a field does not have one value per cell.
+  /// @throws Interrupted if `wants_stop` says so; InternalError if a field does not have one value per cell.
   [[nodiscard]] Report solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap,
                              const std::function<bool()>& wants_stop = {});

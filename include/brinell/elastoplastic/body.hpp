@@ -61,18 +61,19 @@ public:
   /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): with isotropic hardening.
   [[nodiscard]] bool has_energy() const { return material_.kinematic.empty(); }
 
-  /// Starts an increment: the guess of q is the last one, carried along by `shift` cells in x with the contact.
-  /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. 1 is enough to make the plain fixed point descend always
-  ///                         (docs/theory/elastoplastic.md); a cell's own stiffness, near 0.6, converges faster.
+  /// Starts an increment. The guess for q comes from the last increment and moves along with the contact, by `shift` cells
+  /// in x.
+  /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. With 1 the plain fixed point descends from any start in the
+  ///                         continuum (docs/theory/elastoplastic.md); a cell's own stiffness, near 0.6, converges faster.
   void begin(int shift, double stiffness_share);
-  /// From now on, until cells are found that had not been active, evaluations compute the stress in all layers: an increment
-  /// may only be committed after one in which that found nothing.
+  /// From now on, until new cells become active, evaluations compute the stress in all layers. An increment may only be
+  /// committed after an evaluation that has computed all layers and has found no new active cell.
   void compute_all_layers();
   /// Whether the evaluations compute the stress in all layers.
   [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz; }
-  /// Puts back what an increment that is not committed has changed; after a commit, nothing.
+  /// Undoes everything that an increment without a commit has changed; does nothing after a commit.
   void restore();
-  /// Integrates the plastic strain for the present q and computes the residual displacement it gives.
+  /// Integrates the plastic strain for the present q and computes the residual displacement of that strain.
   void integrate(Integration integration);
   /// Stress under `pressure` (on the whole surface grid) and, from it, the next fixed-point value g of q.
   /// @returns whether cells outside the active set yield; they have been added to it.
@@ -83,7 +84,7 @@ public:
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);
 
-  /// Edges of the grid that the plastic zone of the present trial has reached: what lies beyond them would be lost.
+  /// Edges of the grid that the plastic zone of the present trial has reached: strain beyond them would be lost.
   [[nodiscard]] Edges reached_edges() const;
 
   /// Takes over the history of the same body from a smaller grid whose middle is the middle of this one. Stress and residual

@@ -36,8 +36,8 @@ struct IncrementReport
   double approach = 0.0; ///< imposed, or found for the load imposed [m]
   int evaluations = 0;   ///< of the elastic-plastic operator of both bodies
   int contact_iterations = 0;
-  double yield_error = 0.0;        ///< relative to the yield stress
-  double displacement_error = 0.0; ///< last change of residual displacement [m]
+  double yield_error = 0.0;        ///< largest |g(q) - q| over the yield stress
+  double displacement_error = 0.0; ///< largest change of residual displacement in the last evaluation [m]
   double gap_error = 0.0;          ///< contact complementarity [m]
   double energy = 0.0;             ///< locked-in, elastic and dissipated energy: what backward Euler minimises [J]
   bool energy_rose = false;        ///< stopped by Strategy::watch_energy
@@ -46,8 +46,9 @@ struct IncrementReport
 /// Reference lengths of the tolerances [m].
 struct Scales
 {
-  double displacement = 0.0; ///< approach at first yield: for the change of residual displacement
-  double gap = 0.0;          ///< largest approach: for complementarity
+  /// For the change of residual displacement: approach at first yield, in plans between 1 % and all of the largest approach.
+  double displacement = 0.0;
+  double gap = 0.0; ///< for complementarity: largest approach
 };
 
 /// Heights that the surfaces had before the first load, on the material grids, as depth into the body [m]; empty: smooth.
@@ -64,11 +65,12 @@ struct Strategy
   int anderson_depth = 6;
   /// c / (2 mu) in q = s + c d_eps, see Body::begin.
   double stiffness_share = 0.6;
-  /// Give up as soon as the energy of the increment's convex problem, docs/theory/elastoplastic.md (energy), rises
-  /// (backward Euler, plain fixed point): the caller then retries with a larger stiffness share, that is with shorter steps.
+  /// Compute all layers in each evaluation, and give up as soon as the energy of the increment's convex problem,
+  /// docs/theory/elastoplastic.md (energy), rises (backward Euler, plain fixed point): the caller then tries a larger stiffness
+  /// share, that is shorter steps of the iteration. Otherwise the stall rule ends an iteration that runs in circles.
   bool watch_energy = false;
   /// Do not commit a solution that has outgrown a grid: `converged` then is false, and the caller is to continue on larger
-  /// grids. Otherwise what lies beyond an edge is lost.
+  /// grids. Without this, strain beyond an edge is lost.
   bool stay_within_grids = false;
   std::function<bool()> wants_stop{}; ///< asked before each evaluation and while the contact is solved
 };

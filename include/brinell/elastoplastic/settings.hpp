@@ -12,14 +12,16 @@ using constitutive::Integration;
 struct Settings
 {
   double yield_tolerance = 1e-4;        ///< largest violation of the yield condition, relative to the yield stress
-  double displacement_tolerance = 1e-5; ///< largest change of residual displacement, relative to alpha_c
-  double contact_tolerance = 1e-7;      ///< complementarity of the contact: gap relative to the interference
+  double displacement_tolerance = 1e-5; ///< largest change of residual displacement, relative to Scales::displacement
+  double contact_tolerance = 1e-7;      ///< complementarity of the contact: gap relative to Scales::gap
   int max_iterations = 60;              ///< evaluations per increment before it is split
   int anderson_depth = 6;               ///< 0: plain fixed point
   Integration integration = Integration::path;
-  bool mirror = true; ///< of two bodies that are mirror images of each other, solve one
-  /// Compute the stress only in the layers of the active cells, those near yield, until the increment is nearly solved; the
-  /// evaluation that ends it computes all of it, and finds every cell that yields. false: all layers, every cell active.
+  /// Of two bodies that keep mirrored or equal fields, solve one: docs/theory/elastoplastic.md.
+  bool mirror = true;
+  /// Compute the stress only down to the deepest active cell (near yield) and one layer more, until the increment is nearly
+  /// solved; the evaluation that ends the increment computes all layers, and finds every cell that yields. false: all layers
+  /// in every evaluation, every cell active.
   bool shortcuts = true;
 };
 

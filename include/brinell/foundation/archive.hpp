@@ -23,9 +23,9 @@ class Archive
 public:
   using Fields = std::map<std::string, std::vector<double>>;
 
-  /// Takes in what it is shown.
+  /// An empty archive: stores every number that it is shown.
   Archive() = default;
-  /// Gives back what was taken in.
+  /// A filled archive: gives the stored numbers back to the members that it is shown.
   explicit Archive(Fields fields) : fields_(std::move(fields)), gives_(true) {}
 
   /// @throws InputError if there is no such field, or it has another size than the member it belongs to.

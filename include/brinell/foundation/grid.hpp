@@ -6,8 +6,8 @@
 namespace brinell
 {
 
-/// Regular cell-centred grid of a surface. Cell (i, j) is the rectangle dx * dy around
-/// (x0 + i dx, y0 + j dy); x runs fastest in memory: index = i + nx * j.
+/// Regular cell-centred grid of a surface; x runs fastest in memory: index = i + nx * j. Cell (i, j) is a rectangle dx * dy.
+/// The grid does not know where its cell (0, 0) lies: its owner does. Axes and signs: docs/theory/frame.md.
 struct SurfaceGrid
 {
   int nx = 0;      ///< cells along x (rolling or sliding direction)

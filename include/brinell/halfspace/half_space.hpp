@@ -15,9 +15,9 @@ namespace brinell::halfspace
 
 /// One elastic body with its surface load and its plastic strain.
 ///
-/// The stress of an increment is asked for in two steps, as the load on the surface depends on the displacement that the
-/// plastic strain gives it: `load` transforms the strain, and what that returns gives the displacement and, for any load,
-/// the stress.
+/// The stress of an increment is asked for in two steps, because the load on the surface depends on the displacement that
+/// the plastic strain gives to the surface: `load` transforms the strain and returns a `Loaded`, which gives the displacement
+/// and, for any surface load, the stress.
 class HalfSpace
 {
 public:
@@ -37,8 +37,9 @@ public:
 
   /// Plastic strain that has been transformed, and waits for the load on the surface.
   class Loaded;
-  /// Takes in the plastic strain [-] of all layers and prepares its stress in the layers [0, layers).
-  /// What is returned refers to `plastic_strain`, `work` and this object, and lasts until `work` is used again.
+  /// Transforms the plastic strain [-] of all layers and prepares its stress in the layers [0, layers).
+  /// The `Loaded` that is returned refers to `plastic_strain`, `work` and this object, and lasts until `work` is used again:
+  /// later calls of its functions throw InternalError. The order of the calls: docs/theory/half-space.md.
   [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work) const;
   /// Deviator and trace of the stress [Pa] in all layers, for output.
   void full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,

@@ -17,10 +17,10 @@ struct Forces
   double F_X_lower = 0.0, F_X_upper = 0.0; ///< Eq. 18 on the slope of each body's own residual surface [N]
 };
 
-/// Residual displacement of one body under the contact grid, and its share of the arc.
+/// Depth of the surface of one body under the contact grid, and the body's share of the arc.
 struct ResidualSurface
 {
-  std::span<const double> displacement; ///< into the body positive [m]
+  std::span<const double> displacement; ///< residual displacement and texture, into the body positive [m]
   double share = 0.5;                   ///< R_i / (R1 + R2)
 };
 

@@ -27,8 +27,9 @@ struct Position
   void exchange(Archive& archive);
 };
 
-/// Passing of two spheres (paper, Eqs. 1-14), or of any two bodies that are circles in the plane of motion. Bodies do not rotate: while theta grows by d_theta the contact moves by
-/// R1 d_theta along the lower and by -R2 d_theta along the upper body, whatever the radii.
+/// Passing of two spheres (paper, Eqs. 1-14), or of any two bodies that are circles in the plane of motion. Bodies do not
+/// rotate: while theta grows by d_theta the contact moves by R1 d_theta along the lower and by -R2 d_theta along the upper
+/// body, whatever the radii.
 class Passing
 {
 public:

@@ -132,25 +132,27 @@ struct RunTotals : RunningTotals
 {
   int steps = 0;
   long iterations = 0;
-  int split_increments = 0;             ///< increments that had to be split or solved by plain descent
+  int split_increments = 0;             ///< steps that did not converge whole: split, or solved by plain descent
   double energy_balance_error = 0.0;    ///< (work - dissipation - stored energy) / largest work reached
   std::vector<GridChange> grid_changes; ///< in the course of the run
   double memory_bytes = 0.0;            ///< of the grids at the end, estimate
   Snapshot final_state;                 ///< has the grids of the end
 };
 
-/// What a caller is told and asked in the midst of a step. Empty functions are skipped.
+/// The messages to a caller, and the questions, in the midst of a step. Empty functions are skipped.
 struct Watch
 {
   /// A grid grows: before the step that needs it is reported.
   std::function<void(const GridChange&)> on_grid_change{};
   /// Up to which grids may grow [bytes].
   double available_memory = std::numeric_limits<double>::infinity();
-  /// Asked between two evaluations of a step; then the run ends with `Interrupted`, without a checkpoint of its own.
+  /// Asked before each evaluation of a step and while the contact is solved; if the answer is true, the run ends with
+  /// `Interrupted`, without a checkpoint of its own.
   std::function<bool()> wants_stop{};
 };
 
-/// How a caller watches a whole run. Empty functions are skipped; after each step they are called in this order.
+/// How a caller watches a whole run. Empty functions are skipped; after each step the functions below are called in this
+/// order, those of `Watch` in the midst of the step.
 template <typename Record>
 struct Observer : Watch
 {
