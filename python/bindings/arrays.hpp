@@ -73,28 +73,13 @@ inline void store(const SymTensor& t, std::vector<double>& fields, std::size_t n
     fields[c * n + i] = t[c];
 }
 
-/// Deviator plus a third of a trace.
-inline SymTensor six(const Deviator& d, double trace = 0.0)
-{
-  using D = Deviator;
-  const double mean = trace / 3.0;
-  return {d[D::xx] + mean, d[D::yy] + mean, mean - d[D::xx] - d[D::yy], d[D::yz], d[D::xz], d[D::xy]};
-}
-
-/// The deviatoric part.
-inline Deviator five(const SymTensor& t)
-{
-  const SymTensor d = deviator(t);
-  return {{d[0], d[1], d[3], d[4], d[5]}};
-}
-
 /// Six fields of a field of deviators, with a third of a trace if there is one.
 inline std::vector<double> six_fields(std::span<const double> deviators, std::span<const double> trace = {})
 {
   const std::size_t n = deviators.size() / Deviator::size;
   std::vector<double> fields(6 * n);
   for (std::size_t i = 0; i < n; ++i)
-    store(six(deviator_at(deviators, n, i), trace.empty() ? 0.0 : trace[i]), fields, n, i);
+    store(to_tensor(deviator_at(deviators, n, i), trace.empty() ? 0.0 : trace[i]), fields, n, i);
   return fields;
 }
 

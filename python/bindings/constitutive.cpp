@@ -58,7 +58,7 @@ struct Points
 
   [[nodiscard]] Deviator back(std::size_t term, std::size_t i) const
   {
-    return five(tensor_at(backstress.subspan(6 * n * term, 6 * n), n, i));
+    return to_deviator(tensor_at(backstress.subspan(6 * n * term, 6 * n), n, i));
   }
 };
 
@@ -84,21 +84,21 @@ Increments increments(const Material& material, const Law& law, const Points& po
   for (std::size_t i = 0; i < n; ++i)
   {
     const SymTensor trial = tensor_at(points.trial, n, i);
-    const Deviator q = five(trial);
-    const Deviator s0 = five(tensor_at(points.stress, n, i));
+    const Deviator q = to_deviator(trial);
+    const Deviator s0 = to_deviator(tensor_at(points.stress, n, i));
     const double e = points.equivalent[i];
     for (std::size_t term = 0; term < terms; ++term)
       back[term] = points.back(term, i);
     const constitutive::PlasticIncrement increment = constitutive::flow(
         law, material.kinematic, path ? constitutive::Integration::path : constitutive::Integration::backward_euler, s0,
         q, e, 2.0 * mu, back);
-    store(six(increment.strain), result.strain, n, i);
+    store(to_tensor(increment.strain), result.strain, n, i);
     result.equivalent[i] = increment.equivalent;
     result.dissipation[i] = increment.dissipation;
-    store(six(q - (2.0 * mu) * increment.strain, trace(trial)), result.stress, n, i);
+    store(to_tensor(q - (2.0 * mu) * increment.strain, trace(trial)), result.stress, n, i);
     for (std::size_t term = 0; term < terms; ++term)
       for (std::size_t c = 0; c < 6; ++c)
-        result.backstress[(6 * term + c) * n + i] = six(back[term])[c];
+        result.backstress[(6 * term + c) * n + i] = to_tensor(back[term])[c];
   }
   return result;
 }

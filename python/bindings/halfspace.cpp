@@ -48,7 +48,7 @@ std::vector<double> traceless(std::span<const double> fields)
     if (!(std::abs(trace(t)) <= rounding * (std::abs(t[0]) + std::abs(t[1]) + std::abs(t[2]))))
       throw InputError(fmt::format(
           "eigenstrain has the trace {:g} in cell {}; it must be plastic, with xx + yy + zz = 0", trace(t), i));
-    const Deviator d = five(t);
+    const Deviator d = to_deviator(t);
     for (int c = 0; c < Deviator::size; ++c)
       result[static_cast<std::size_t>(c) * n + i] = d[c];
   }

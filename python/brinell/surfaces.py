@@ -138,8 +138,8 @@ def sampled(
 
     Args:
         height: of the surface at a place (x, y) on the body, out of it positive; all in m.
-        spacing: (dx, dy), distances of the points [m]: as fine as the cells, or finer; they are made a little smaller to
-            fit into the intervals.
+        spacing: (dx, dy), distances of the points [m]: as fine as the cells or finer; made a little smaller to fit into
+            the intervals.
         x: from, to [m]; outside, the surface is smooth, so the heights should fade to zero towards the ends.
         y: the same along y.
 
@@ -150,7 +150,9 @@ def sampled(
     axes, steps = [], []
     for name, (start, end), distance in (("x", x, distances[0]), ("y", y, distances[1])):
         if not (np.isfinite([start, end]).all() and start < end and distance > 0):
-            raise InputError(f"{name} = ({start}, {end}) with points every {distance} m; allowed: from < to, spacing > 0")
+            raise InputError(
+                f"{name} = ({start}, {end}) with points every {distance} m; allowed: from < to, spacing > 0"
+            )
         axes.append(np.linspace(start, end, 1 + int(np.ceil((end - start) / distance - 1e-9))))
         steps.append(float(axes[-1][1] - axes[-1][0]))
     heights = np.empty((len(axes[1]), len(axes[0])))

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 import re
 import tomllib
 from dataclasses import fields
@@ -70,6 +71,30 @@ def test_a_rolling_over_a_dent_runs() -> None:
     ).run()
     assert len(run.passes) == 1
     assert run.case("lower", "texture", "depth") == pytest.approx(0.2e-6)
+
+
+def test_a_tugging_of_rough_ellipsoids_runs() -> None:
+    waves = brinell.surfaces.sampled(
+        lambda x, y: 2e-10 * math.cos(x / 4e-8) * math.exp(-((x / 2e-7) ** 2) - (y / 2e-7) ** 2),
+        (2e-8, 4e-8),
+        x=(-4e-7, 4e-7),
+        y=(-4e-7, 4e-7),
+    )
+    lower = brinell.Body(brinell.Ellipsoid("10 um", "20 um"), STEEL, waves)
+    upper = brinell.Body(brinell.Cylinder("10 um", "10 um"), STEEL)
+    keys: dict[str, Any] = {"normalised": False, "grid": {"resolution": 4}, "output": {"snapshots": "none"}}
+    run = brinell.Tugging(lower, upper, "4 nm", **keys).run()
+    smooth = brinell.Tugging(brinell.Body(brinell.Ellipsoid("10 um", "20 um"), STEEL), upper, "4 nm", **keys).run()
+    assert run.summary is not None and smooth.summary is not None
+    ratio = run.summary["forces"]["peak_F_Z_N"] / smooth.summary["forces"]["peak_F_Z_N"]
+    assert abs(ratio - 1) < 0.2
+    assert ratio != 1
+    assert run.equivalent_radius == pytest.approx(5e-6)  # in the plane of motion
+    assert not run.has_critical_values
+    with pytest.raises(brinell.InputError, match="not round where they touch"):
+        brinell.Tugging(lower, upper, 4)
+    with pytest.raises(brinell.InputError, match="cannot pass another body"):
+        brinell.Tugging(lower, brinell.Body(brinell.Vickers(), STEEL), "4 nm", normalised=False)
 
 
 def test_a_grid_that_turns_out_too_small_grows() -> None:

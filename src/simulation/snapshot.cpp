@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot.hpp"
 
+#include "grid_layout.hpp"
+
 namespace brinell::simulation
 {
 
 namespace
 {
 
-/// Six components of a deviator field plus a third of a trace.
-std::array<std::vector<double>, 6> expand(const std::vector<double>& deviator, const std::vector<double>& trace)
+/// Six fields of a field of deviators plus a third of a trace.
+std::array<std::vector<double>, 6> six_fields(const std::vector<double>& deviators, const std::vector<double>& trace)
 {
-  using D = Deviator;
-  const std::size_t n = trace.size();
-  const auto component = [&](int c, std::size_t i) { return deviator[static_cast<std::size_t>(c) * n + i]; };
-  std::array<std::vector<double>, 6> out;
-  for (auto& field : out)
-    field.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
+  const std::size_t cells = trace.size();
+  std::array<std::vector<double>, 6> fields;
+  for (std::vector<double>& field : fields)
+    field.resize(cells);
+  for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    const double mean = trace[i] / 3.0;
-    out[0][i] = component(D::xx, i) + mean;
-    out[1][i] = component(D::yy, i) + mean;
-    out[2][i] = mean - component(D::xx, i) - component(D::yy, i);
-    out[3][i] = component(D::yz, i);
-    out[4][i] = component(D::xz, i);
-    out[5][i] = component(D::xy, i);
+    const SymTensor tensor = to_tensor(deviator_at(deviators, cells, cell), trace[cell]);
+    for (std::size_t c = 0; c < fields.size(); ++c)
+      fields[c][cell] = tensor[c];
   }
-  return out;
+  return fields;
 }
 
 } // namespace
@@ -36,20 +32,20 @@ BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, d
   BodySnapshot s;
   s.grid = body.grid();
   s.x0 = origin;
-  s.y0 = -0.5 * (s.grid.surface.ny - 1) * s.grid.surface.dy;
+  s.y0 = row_y(s.grid.surface, 0);
   s.contact_x = contact_x;
   if (body.material().elastic.is_rigid())
     return s;
   elastoplastic::BodyState state = body.state();
   s.equivalent_plastic_strain = std::move(state.equivalent);
   s.residual_displacement = std::move(state.residual_displacement);
-  s.plastic_strain = expand(state.plastic_strain, std::vector<double>(s.grid.size()));
+  s.plastic_strain = six_fields(state.plastic_strain, std::vector<double>(s.grid.size()));
   return s;
 }
 
 void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot)
 {
-  snapshot.stress = expand(stress.deviator, stress.trace);
+  snapshot.stress = six_fields(stress.deviator, stress.trace);
 }
 
 } // namespace brinell::simulation

@@ -301,8 +301,7 @@ void Stepper::place(const Frame& frame)
   const SurfaceGrid& g = pair_->grid();
   for (int j = 0; j < g.ny; ++j)
     for (int i = 0; i < g.nx; ++i)
-      distance_[static_cast<std::size_t>(i + g.nx * j)] =
-          setup_.distance(frame.x0 + i * g.dx, row_y(g, j));
+      distance_[static_cast<std::size_t>(i + g.nx * j)] = setup_.distance(frame.x0 + i * g.dx, row_y(g, j));
 }
 
 double Stepper::clearance(const Centre& centre)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/constitutive/user_hardening.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,8 +14,8 @@
 ///   yield_stress_at(e)  sigma_y(e) [Pa], > 0, non-decreasing;
 ///   modulus_at(e)       d sigma_y / d e [Pa], >= 0; may be infinite at e = 0;
 ///   work(e)             integral of sigma_y from 0 to e [J/m^3]: the potential of the increment's convex problem,
-/// and one line in the variant below. The return mapping is the same for all. How a law gets into the case file:
-/// docs/developer/hardening-laws.md.
+/// and one line in the variant below. The return mapping is the same for all. A law of a user's own goes without that line,
+/// in a `UserHardening`. How a law gets into the case file: docs/developer/hardening-laws.md.
 namespace brinell::constitutive
 {
 
@@ -141,7 +143,7 @@ private:
 };
 
 using HardeningLaw = std::variant<PerfectPlasticity, LinearHardening, SwiftHardening, LudwikHardening, VoceHardening,
-                                  TabulatedHardening>;
+                                  TabulatedHardening, UserHardening>;
 
 /// A law times a factor: the same material, harder or softer.
 template <typename Law>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/sym_tensor.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -65,6 +67,20 @@ inline void store(const Deviator& d, std::span<double> field, std::size_t cells,
 {
   for (int c = 0; c < Deviator::size; ++c)
     field[static_cast<std::size_t>(c) * cells + cell] = d[c];
+}
+
+/// All six components: the deviator plus a third of a trace.
+[[nodiscard]] inline SymTensor to_tensor(const Deviator& d, double trace = 0.0)
+{
+  using D = Deviator;
+  const double mean = trace / 3.0;
+  return {d[D::xx] + mean, d[D::yy] + mean, mean - d[D::xx] - d[D::yy], d[D::yz], d[D::xz], d[D::xy]};
+}
+/// The deviatoric part of a tensor.
+[[nodiscard]] inline Deviator to_deviator(const SymTensor& t)
+{
+  const SymTensor d = deviator(t);
+  return {{d[0], d[1], d[3], d[4], d[5]}};
 }
 
 /// Double contraction a : b of two deviators.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace brinell::constitutive
@@ -15,13 +16,21 @@ namespace
 
 constexpr double yield = 0.9;
 
+/// Infinitely steep at its start, and without an integral.
+struct OwnLaw
+{
+  [[nodiscard]] static double yield_stress_at(double e) { return yield + std::sqrt(e); }
+  [[nodiscard]] static double modulus_at(double e) { return 0.5 / std::sqrt(e); }
+};
+
 /// Plain numbers, of order one.
 std::vector<HardeningLaw> every_law()
 {
   return {PerfectPlasticity{yield},         LinearHardening{yield, 3.0},
           SwiftHardening{2.0, 0.003, 0.15}, swift_of_microstrain(0.4, 20.0, 0.08),
           hollomon(yield, 1.8, 0.2),        LudwikHardening{yield, 1.1, 0.4},
-          VoceHardening{yield, 0.5, 12.0},  TabulatedHardening({0.0, 0.004, 0.05, 0.3}, {yield, 1.1, 1.3, 1.3})};
+          VoceHardening{yield, 0.5, 12.0},  TabulatedHardening({0.0, 0.004, 0.05, 0.3}, {yield, 1.1, 1.3, 1.3}),
+          UserHardening(OwnLaw{})};
 }
 
 TEST(HardeningTest, ModulusIsTheSlopeOfTheYieldStressAndWorkItsIntegral)
@@ -52,6 +61,44 @@ TEST(HardeningTest, ModulusIsTheSlopeOfTheYieldStressAndWorkItsIntegral)
           EXPECT_EQ(law.yield_stress_at(0.0), initial_yield_stress(any));
         },
         any);
+}
+
+TEST(HardeningTest, LawsOfAUserAreComparedWhereTheyCanBe)
+{
+  const UserHardening voce(VoceHardening{yield, 0.5, 12.0});
+  EXPECT_EQ(voce, UserHardening(VoceHardening{yield, 0.5, 12.0}));
+  EXPECT_NE(voce, UserHardening(VoceHardening{yield, 0.5, 13.0}));
+  EXPECT_NE(voce, UserHardening(PerfectPlasticity{yield}));
+  EXPECT_NE(HardeningLaw(voce), HardeningLaw(VoceHardening{yield, 0.5, 12.0}));
+  const UserHardening own(OwnLaw{}); // has no comparison
+  const UserHardening& copy = own;
+  EXPECT_EQ(own, UserHardening(copy));
+  EXPECT_NE(own, UserHardening(OwnLaw{}));
+  const auto constant = [](double) { return yield; };
+  const auto zero = [](double) { return 0.0; };
+  EXPECT_NE(UserHardening(constant, zero), UserHardening(constant, zero));
+  EXPECT_NEAR(UserHardening(constant, zero).work(0.3), 0.3 * yield, 1e-15);
+}
+
+TEST(HardeningTest, LawsOfAUserMustBeLaws)
+{
+  const auto refusal = [](auto yield_stress, auto modulus)
+  {
+    try
+    {
+      static_cast<void>(UserHardening(yield_stress, modulus));
+    }
+    catch (const InputError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto zero = [](double) { return 0.0; };
+  EXPECT_NE(refusal(zero, zero).find("yield stress 0 Pa at the plastic strain 0; allowed: > 0"), std::string::npos);
+  EXPECT_NE(refusal([](double e) { return 1.0 - 0.1 * e; }, zero).find("softening is not modelled"), std::string::npos);
+  EXPECT_NE(refusal([](double) { return 1.0; }, [](double) { return -1.0; }).find("slope -1 Pa"), std::string::npos);
+  EXPECT_EQ(refusal([](double) { return 1.0; }, zero), "");
 }
 
 TEST(HardeningTest, LawsInTheirOwnWords)

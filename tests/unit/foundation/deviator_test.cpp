@@ -36,6 +36,19 @@ TEST(DeviatorTest, UniaxialStressHasItselfAsVonMises)
   EXPECT_NEAR(von_mises(Deviator{{0.0, 0.0, 0.0, 0.0, 1.0}}), std::sqrt(3.0), rounding);
 }
 
+TEST(DeviatorTest, GoesToATensorAndBack)
+{
+  const Deviator d = random_deviator(3);
+  const SymTensor t = to_tensor(d, 1.8);
+  EXPECT_NEAR(trace(t), 1.8, rounding);
+  for (int i = 0; i < Deviator::size; ++i)
+    EXPECT_NEAR(to_deviator(t)[i], d[i], rounding);
+  const SymTensor expected = test::as_tensor(d);
+  const SymTensor traceless = to_tensor(d);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_EQ(traceless[i], expected[i]) << i;
+}
+
 TEST(DeviatorTest, IsALinearSpace)
 {
   const Deviator a = random_deviator(1), b = random_deviator(2);

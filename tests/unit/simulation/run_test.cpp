@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 namespace brinell::simulation
 {
 namespace
@@ -177,6 +180,34 @@ TYPED_TEST(RunTest, GoesNoFurtherAfterAStepThatFailed)
   stops = false;
   EXPECT_THROW(run.step(), InputError);
   EXPECT_THROW(static_cast<void>(run.checkpoint()), InputError);
+}
+
+/// Where textures touch follows from the case; how far earlier passes went beyond it does not.
+TEST(TexturedTugging, IsTakenUpAtAnyStep)
+{
+  TuggingCase c = tugging();
+  c.lower.shape = Paraboloid{1e-3, 2e-3};
+  c.lower.texture = Dent{.x = -1e-5, .depth = -2e-7, .radius = 3e-5};
+  c.upper.texture =
+      sampled([](double x, double y) { return 5e-8 * std::cos(1e5 * x) * std::cos(1e5 * y); }, 65, 33, 2e-6, 4e-6);
+  c.passes = 2;
+  simulation::Run<TuggingCase> whole(c);
+  std::vector<Archive::Fields> checkpoints;
+  while (!whole.is_done())
+  {
+    whole.step();
+    checkpoints.push_back(whole.checkpoint());
+  }
+  const TuggingSummary expected = whole.summary();
+  for (const std::size_t at : {std::size_t{0}, checkpoints.size() / 3, checkpoints.size() / 2, checkpoints.size() - 2})
+  {
+    simulation::Run<TuggingCase> later(c, {}, &checkpoints[at]);
+    while (!later.is_done())
+      later.step();
+    EXPECT_EQ(later.summary().steps, expected.steps) << at;
+    EXPECT_EQ(later.summary().work, expected.work) << at;
+    EXPECT_EQ(later.summary().last.F_n, 0.0);
+  }
 }
 
 } // namespace
