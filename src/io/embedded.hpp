@@ -7,8 +7,9 @@
 namespace brinell::io::embedded
 {
 
-extern const std::string_view references;                    ///< cite/references.bib
-extern const std::string_view tugging, indentation, rolling; ///< templates/*.toml: keys of the cases of `brinell new`
-extern const std::string_view common;                        ///< keys that all of them end with
+extern const std::string_view references; ///< cite/references.bib
+extern const std::string_view tugging, indentation,
+    rolling;                          ///< case/templates/*.toml: keys of the cases of `brinell new`
+extern const std::string_view common; ///< keys that all of them end with
 
 } // namespace brinell::io::embedded

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/io/schema.hpp"
 #include "brinell/reference/critical.hpp"
 #include "brinell/simulation/first_yield.hpp"
@@ -29,7 +30,13 @@ public:
 
   /// @throws InternalError if unset or of another type: a key that the schema does not declare that way.
   template <class T>
-  [[nodiscard]] const T& get(std::string_view key) const;
+  [[nodiscard]] const T& get(std::string_view key) const
+  {
+    const Value* value = find(key);
+    if (!value || !std::holds_alternative<T>(*value))
+      throw InternalError("the case has no value of that type for " + std::string(key));
+    return std::get<T>(*value);
+  }
 
   [[nodiscard]] const std::vector<std::pair<std::string, Value>>& all() const { return values_; }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Case files to begin with, for `brinell new`: the keys are those of src/io/templates, the schema explains them.
+/// Case files to begin with, for `brinell new`: the keys are those of src/io/case/templates, the schema explains them.
 namespace brinell::io
 {
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 /// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and
-/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/schema_*.cpp), which
-/// also says which member it fills; only what takes judgement is read by functions (src/io/case_*.cpp).
+/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/case/schema_*.cpp), which
+/// also says which member it fills; only what takes judgement is read by functions (src/io/case/{bodies,scenarios}.cpp).
 namespace brinell::io
 {
 

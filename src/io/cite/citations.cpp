@@ -2,6 +2,7 @@
 #include "brinell/io/citations.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "io/case/body_options.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -85,20 +86,22 @@ void cite_contact(Sources& sources, const Case& c)
     sources.add("green2005", "values at first yield, alpha_c, P_c and U_c");
 }
 
-/// A constant, a straight line or points need no source.
+/// The source of what a body has chosen; a constant, a straight line or points have none.
+template <typename Product>
+void cite_option(Sources& sources, const std::string& key, const std::vector<Option<Product>>& options,
+                 std::string_view use)
+{
+  for (const Option<Product>& option : options)
+    if (!option.source.empty() && sources.is(key, option.name))
+      sources.add(option.source, use);
+}
+
 void cite_hardening(Sources& sources, const std::string& body, const constitutive::Material& material)
 {
-  const auto is_law = [&](std::string_view law) { return sources.is(body + ".material.hardening.law", law); };
-  if (is_law("hollomon"))
-    sources.add("hollomon1945", "hardening law");
-  if (is_law("swift") || is_law("swift_microstrain"))
-    sources.add("swift1952", "hardening law");
-  if (is_law("swift_microstrain"))
+  const std::string law = body + ".material.hardening.law";
+  cite_option(sources, law, law_options(), "hardening law");
+  if (sources.is(law, "swift_microstrain"))
     sources.add("jacq2002", "hardening law in millionths of strain");
-  if (is_law("ludwik"))
-    sources.add("ludwik1909", "hardening law");
-  if (is_law("voce"))
-    sources.add("voce1948", "hardening law");
   const auto& terms = material.kinematic;
   const auto recalls = [](const constitutive::KinematicTerm& term) { return term.recall > 0.0; };
   if (!std::all_of(terms.begin(), terms.end(), recalls))
@@ -141,9 +144,8 @@ std::vector<Citation> citations(const Case& c)
           passes = scenario.passes;
         cite_scenario(sources, yields, passes);
         cite_contact(sources, c);
-        for (const char* type : {"dent", "bump"})
-          if (sources.is("lower.texture.type", type) || sources.is("upper.texture.type", type))
-            sources.add("ville1999", "shape of dents and bumps");
+        for (const char* key : {"lower.texture.type", "upper.texture.type"})
+          cite_option(sources, key, texture_options(), "shape of dents and bumps");
         cite_hardening(sources, "lower", scenario.lower.material);
         cite_hardening(sources, "upper", scenario.upper.material);
         if (yields)

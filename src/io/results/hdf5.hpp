@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <hdf5.h>
@@ -15,38 +14,32 @@
 namespace brinell::io::h5
 {
 
-/// An HDF5 identifier and the function that closes it.
+/// An HDF5 identifier of any kind.
 class Handle
 {
 public:
-  using Close = herr_t (*)(hid_t);
-
-  Handle(hid_t id, Close close) : id_(id), close_(close) {}
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  explicit Handle(hid_t id) : id_(id) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
   Handle& operator=(Handle&& other) noexcept
   {
     std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
     return *this;
   }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
   ~Handle()
   {
     if (id_ >= 0)
-      close_(id_);
+      H5Idec_ref(id_); // closes what it stands for
   }
   [[nodiscard]] hid_t id() const { return id_; }
 
 private:
   hid_t id_;
-  Close close_;
 };
 
 /// A new file, replacing what is there.
 /// @throws IoError (all of this header)
 [[nodiscard]] Handle create_file(const std::filesystem::path& path);
-/// A file in memory, to be written in one piece by `save_file`: HDF5 crashes when a full disk does not let it close a file.
+/// A file in memory, to be written in one piece: HDF5 crashes when a full disk does not let it close a file.
 [[nodiscard]] Handle create_file_in_memory();
 /// The bytes of a file in memory.
 [[nodiscard]] std::string file_image(Handle file);
@@ -75,12 +68,12 @@ enum class Storage
 };
 
 /// Writes numbers in chunks, with their unit and meaning.
-/// @param shape  slowest index first
-void write_dataset(const Handle& group, const char* name, const std::vector<double>& values,
+/// @param Number  double or int
+/// @param shape   slowest index first
+template <typename Number>
+void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
                    Storage storage = Storage::deflated);
-void write_dataset(const Handle& group, const char* name, const std::vector<int>& values,
-                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name);
 /// One text, UTF-8.
 void write_text(const Handle& group, const char* name, std::string_view text);
 
@@ -115,7 +108,6 @@ void write_numbers(const Handle& group, const std::string& name, const std::vect
 
 /// A link `name` in `group` to an object of the same file.
 void link_soft(const Handle& group, const std::string& name, const std::string& object);
-
 /// A link `name` in `group` to an object of another file, whose path is relative to the folder of this one.
 void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object);
 

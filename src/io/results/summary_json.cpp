@@ -3,7 +3,7 @@
 
 #include "brinell/io/versions.hpp"
 #include "brinell/simulation/columns.hpp"
-#include "io/value_text.hpp"
+#include "io/case/value_text.hpp"
 
 #include <limits>
 #include <nlohmann/json.hpp>

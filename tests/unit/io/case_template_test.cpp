@@ -4,7 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/schema.hpp"
-#include "io/value_text.hpp"
+#include "io/case/value_text.hpp"
 #include "sample.hpp"
 
 #include <regex>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "io/case/raw_case.hpp"
 #include "io/files.hpp"
-#include "io/raw_case.hpp"
 #include "sample.hpp"
 
 #include <sys/stat.h>

@@ -24,10 +24,10 @@ namespace fs = std::filesystem;
 std::vector<double> dataset(const fs::path& file, const std::string& path, std::vector<hsize_t>* shape = nullptr)
 {
   const h5::Handle h5 = h5::open_file(file);
-  const h5::Handle data(H5Dopen2(h5.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
+  const h5::Handle data(H5Dopen2(h5.id(), path.c_str(), H5P_DEFAULT));
   if (data.id() < 0)
     return {};
-  const h5::Handle space(H5Dget_space(data.id()), H5Sclose);
+  const h5::Handle space(H5Dget_space(data.id()));
   std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
   H5Dread(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
   if (shape)
@@ -41,8 +41,8 @@ std::vector<double> dataset(const fs::path& file, const std::string& path, std::
 std::vector<double> numbers_attribute(const fs::path& file, const std::string& object, const char* name)
 {
   const h5::Handle h5 = h5::open_file(file);
-  const h5::Handle attribute(H5Aopen_by_name(h5.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  const h5::Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  const h5::Handle attribute(H5Aopen_by_name(h5.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT));
+  const h5::Handle space(H5Aget_space(attribute.id()));
   std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
   H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, values.data());
   return values;
@@ -51,8 +51,8 @@ std::vector<double> numbers_attribute(const fs::path& file, const std::string& o
 std::string text_attribute(const fs::path& file, const std::string& object, const char* name)
 {
   const h5::Handle h5 = h5::open_file(file);
-  const h5::Handle attribute(H5Aopen_by_name(h5.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  const h5::Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  const h5::Handle attribute(H5Aopen_by_name(h5.id(), object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT));
+  const h5::Handle type(H5Aget_type(attribute.id()));
   char* data = nullptr;
   H5Aread(attribute.id(), type.id(), &data);
   std::string text = data ? data : "";
@@ -63,8 +63,8 @@ std::string text_attribute(const fs::path& file, const std::string& object, cons
 std::string text_dataset(const fs::path& file, const std::string& path)
 {
   const h5::Handle h5 = h5::open_file(file);
-  const h5::Handle data(H5Dopen2(h5.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
-  const h5::Handle type(H5Dget_type(data.id()), H5Tclose);
+  const h5::Handle data(H5Dopen2(h5.id(), path.c_str(), H5P_DEFAULT));
+  const h5::Handle type(H5Dget_type(data.id()));
   char* text = nullptr;
   H5Dread(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &text);
   std::string result = text ? text : "";
@@ -339,7 +339,7 @@ void change_checkpoint(const fs::path& file, const std::function<void(const h5::
   const std::size_t seal = content.rfind("\nbrinell-checkpoint ");
   std::ofstream(file, std::ios::binary) << content.substr(0, seal);
   {
-    const h5::Handle h5(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    const h5::Handle h5(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
     ASSERT_GE(h5.id(), 0);
     change(h5);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/schema.hpp"
 
-#include "io/suggestion.hpp"
+#include "io/case/suggestion.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

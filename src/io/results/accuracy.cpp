@@ -66,8 +66,7 @@ public:
   ScaleOf(const Case& c, const Numbers& numbers)
   {
     for (const auto& [name, value] : numbers)
-      if (const auto unit = unit_of(name); unit != largest_.end())
-        unit->second = std::max(unit->second, std::abs(value));
+      largest_[unit_of(name)] = std::max(largest_[unit_of(name)], std::abs(value));
     std::visit(
         [&](const auto& scenario)
         {
@@ -83,28 +82,23 @@ public:
   [[nodiscard]] double operator()(const std::string& name) const
   {
     constexpr double strain = 1e-4, ratio = 1e-3;
-    if (const auto unit = unit_of(name); unit != largest_.end())
-      return (unit->first == "_J" ? 1e-2 : 1e-3) * unit->second;
+    if (const auto unit = unit_of(name); !unit.empty())
+      return (unit == "_J" ? 1e-2 : 1e-3) * largest_.at(unit);
     return name.starts_with("load_ratio") ? ratio : strain;
   }
 
 private:
-  using Largest = std::map<std::string, double>;
-
-  /// The longest unit that the name ends with: N/m is no length.
-  template <typename Self>
-  static auto found(Self& largest, const std::string& name)
+  /// The longest unit that the name ends with: N/m is no length. Empty for a pure number.
+  [[nodiscard]] static std::string_view unit_of(std::string_view name)
   {
-    auto best = largest.end();
-    for (auto unit = largest.begin(); unit != largest.end(); ++unit)
-      if (name.ends_with(unit->first) && (best == largest.end() || unit->first.size() > best->first.size()))
-        best = unit;
-    return best;
+    std::string_view longest;
+    for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_N_per_m"})
+      if (name.ends_with(unit) && unit.size() > longest.size())
+        longest = unit;
+    return longest;
   }
-  [[nodiscard]] Largest::iterator unit_of(const std::string& name) { return found(largest_, name); }
-  [[nodiscard]] Largest::const_iterator unit_of(const std::string& name) const { return found(largest_, name); }
 
-  Largest largest_{{"_N", 0.0}, {"_J", 0.0}, {"_m", 0.0}, {"_Pa", 0.0}, {"_m2", 0.0}, {"_N_per_m", 0.0}};
+  std::map<std::string_view, double> largest_;
 };
 
 /// A cylinder is an odd number of cells long.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "case_values.hpp"
-
-#include "value_text.hpp"
+#include "case_reader.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -127,12 +125,8 @@ std::string choice(const Raw& raw, const Entry& entry)
 SnapshotRule rule_from_word(const std::string& word, const Entry& entry)
 {
   using Kind = SnapshotRule::Kind;
-  if (word == "none")
-    return {.kind = Kind::none};
-  if (word == "aligned")
-    return {.kind = Kind::aligned};
-  if (word == "all")
-    return {.kind = Kind::all};
+  if (const auto known = std::find(rule_words.begin(), rule_words.end(), word); known != rule_words.end())
+    return {.kind = static_cast<Kind>(known - rule_words.begin())};
   constexpr std::string_view every = "every ";
   int n = 0;
   if (word.starts_with(every))

@@ -3,12 +3,16 @@
 
 #include "brinell/io/schema.hpp"
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 namespace brinell::io
 {
+
+/// The first kinds of a SnapshotRule, in their order.
+inline constexpr std::array rule_words{"none", "aligned", "all"};
 
 /// A TOML string literal.
 [[nodiscard]] std::string toml_string(std::string_view text);

@@ -57,12 +57,13 @@ const std::vector<Option<Texture>>& texture_options()
   using namespace simulation;
   static const std::vector<Option<Texture>> options{
       {"smooth", {}, of<Texture, Smooth>},
-      {"dent", {"x", "y", "depth", "radius"}, of<Texture, Dent, 0, 1, 2, 3>},
+      {"dent", {"x", "y", "depth", "radius"}, of<Texture, Dent, 0, 1, 2, 3>, "ville1999"},
       {"bump",
        {"x", "y", "height", "radius"},
        [](Number x) -> Texture {
          return Dent{x[0], x[1], -x[2], x[3]};
-       }},
+       },
+       "ville1999"},
       {"height_map", {"x", "y"}},
   };
   return options;
@@ -76,11 +77,13 @@ const std::vector<Option<HardeningLaw>>& law_options()
   static const std::vector<Option<HardeningLaw>> options{
       {"perfect", {"yield_stress"}, of<HardeningLaw, PerfectPlasticity, 0>},
       {"linear", {"yield_stress", "modulus"}, of<HardeningLaw, LinearHardening, 0, 1>},
-      {"swift", power, of<HardeningLaw, SwiftHardening, 0, 1, 2>},
-      {"swift_microstrain", power, [](Number x) -> HardeningLaw { return swift_of_microstrain(x[0], x[1], x[2]); }},
-      {"hollomon", power_from_yield, [](Number x) -> HardeningLaw { return hollomon(x[0], x[1], x[2]); }},
-      {"ludwik", power_from_yield, of<HardeningLaw, LudwikHardening, 0, 1, 2>},
-      {"voce", {"yield_stress", "saturation", "rate"}, of<HardeningLaw, VoceHardening, 0, 1, 2>},
+      {"swift", power, of<HardeningLaw, SwiftHardening, 0, 1, 2>, "swift1952"},
+      {"swift_microstrain", power, [](Number x) -> HardeningLaw { return swift_of_microstrain(x[0], x[1], x[2]); },
+       "swift1952"},
+      {"hollomon", power_from_yield, [](Number x) -> HardeningLaw { return hollomon(x[0], x[1], x[2]); },
+       "hollomon1945"},
+      {"ludwik", power_from_yield, of<HardeningLaw, LudwikHardening, 0, 1, 2>, "ludwik1909"},
+      {"voce", {"yield_stress", "saturation", "rate"}, of<HardeningLaw, VoceHardening, 0, 1, 2>, "voce1948"},
       {"table", {}},
   };
   return options;

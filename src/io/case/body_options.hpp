@@ -20,6 +20,7 @@ struct Option
   std::string name;                                ///< the choice in the case file
   std::vector<std::string> keys;                   ///< its numbers
   Product (*make)(const double* number) = nullptr; ///< of these numbers; nullptr: not of numbers alone
+  std::string source{};                            ///< its entry in references.bib
 };
 
 [[nodiscard]] const std::vector<Option<simulation::Shape>>& shape_options();

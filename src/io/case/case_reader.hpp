@@ -12,6 +12,10 @@
 namespace brinell::io
 {
 
+/// Compares what is given with the schema: conditions, exclusions, types, units, ranges; fills in the defaults.
+/// What is wrong goes into `problems`; if there are any, the values are incomplete.
+[[nodiscard]] CaseValues resolved_values(const RawCase& raw_case, Problems& problems);
+
 /// What the readers of the parts of a case share.
 struct CaseReader
 {

@@ -2,7 +2,6 @@
 #include "brinell/io/case_file.hpp"
 
 #include "case_reader.hpp"
-#include "case_values.hpp"
 #include "io/files.hpp"
 
 #include <algorithm>
@@ -45,23 +44,6 @@ void CaseValues::replace(std::string_view key, std::vector<std::pair<std::string
   const auto found = std::find_if(values_.begin(), values_.end(), [&](const auto& item) { return item.first == key; });
   values_.insert(values_.erase(found), std::make_move_iterator(by.begin()), std::make_move_iterator(by.end()));
 }
-
-template <class T>
-const T& CaseValues::get(std::string_view key) const
-{
-  const Value* value = find(key);
-  if (!value || !std::holds_alternative<T>(*value))
-    throw InternalError(fmt::format("the case has no value of that type for {}", key));
-  return std::get<T>(*value);
-}
-
-template const bool& CaseValues::get(std::string_view) const;
-template const std::int64_t& CaseValues::get(std::string_view) const;
-template const double& CaseValues::get(std::string_view) const;
-template const std::string& CaseValues::get(std::string_view) const;
-template const std::vector<double>& CaseValues::get(std::string_view) const;
-template const Vector3& CaseValues::get(std::string_view) const;
-template const SnapshotRule& CaseValues::get(std::string_view) const;
 
 Case parse_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {

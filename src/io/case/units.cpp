@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <regex>
 
 namespace brinell::io
 {
@@ -138,36 +139,6 @@ std::optional<Number> take_number(std::string_view& text)
   return number;
 }
 
-/// Exponent behind a unit: "^2", "^-1", "2", a superscript; 1 if there is none.
-int take_exponent(std::string_view& text)
-{
-  if (text.starts_with("\u00b2") || text.starts_with("\u00b3")) // superscript 2, 3
-  {
-    const int exponent = text.starts_with("\u00b2") ? 2 : 3;
-    text.remove_prefix(2);
-    return exponent;
-  }
-  std::string_view digits = text.starts_with('^') ? text.substr(1) : text;
-  int exponent = 1;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-  if (error != std::errc{})
-    return 1;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return exponent;
-}
-
-std::string_view take_symbol(std::string_view& text)
-{
-  std::size_t n = 0;
-  while (n < text.size() && std::string_view("*/^ \t-+.0123456789").find(text[n]) == std::string_view::npos &&
-         !text.substr(n).starts_with("\u00b7") && !text.substr(n).starts_with("\u00b2") &&
-         !text.substr(n).starts_with("\u00b3"))
-    ++n;
-  const auto symbol = text.substr(0, n);
-  text.remove_prefix(n);
-  return symbol;
-}
-
 void multiply(Unit& product, const Unit& factor, int exponent)
 {
   product.power += factor.power * exponent;
@@ -177,10 +148,16 @@ void multiply(Unit& product, const Unit& factor, int exponent)
   product.dimension.temperature += factor.dimension.temperature * exponent;
 }
 
-/// Products and quotients of units; each "/" concerns the one unit behind it.
-Unit unit_expression(std::string_view text)
+std::string replaced(std::string text, std::string_view from, std::string_view to)
 {
-  const std::string_view whole = text;
+  for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// Products and quotients of units; each "/" concerns the one unit behind it.
+Unit unit_expression(std::string_view whole)
+{
   const auto bad = [&](std::string_view what)
   {
     return InputError(
@@ -188,28 +165,24 @@ Unit unit_expression(std::string_view text)
                     "as in \"mm\", \"GPa\", \"N/mm^2\"",
                     what, whole));
   };
+  static const std::regex factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
+  std::string text = replaced(std::string(whole), "\u00b7", "*"); // middle dot
+  text = replaced(replaced(std::move(text), "\u00b2", "^2"), "\u00b3", "^3");
   Unit product;
-  int sign = 1;
-  while (true)
+  std::smatch match;
+  for (auto place = text.cbegin(); place != text.cend(); place = match[0].second)
   {
-    skip_spaces(text);
-    const auto symbol = take_symbol(text);
-    const auto unit = find_unit(symbol);
+    const bool found = std::regex_search(place, text.cend(), match, factor, std::regex_constants::match_continuous);
+    const std::string symbol = match.str(2), sign = match.str(1);
+    const auto unit = found && (sign.empty() || place != text.cbegin()) ? find_unit(symbol) : std::nullopt;
     if (!unit)
       throw bad("unknown unit");
-    const int exponent = take_exponent(text);
+    const int exponent = match[3].matched ? std::stoi(match.str(3)) : 1;
     if (std::abs(exponent) > 9)
       throw bad("impossible unit");
-    multiply(product, *unit, sign * exponent);
-    skip_spaces(text);
-    if (text.empty())
-      return product;
-    sign = text.starts_with('/') ? -1 : 1;
-    if (text.starts_with('/') || text.starts_with('*'))
-      text.remove_prefix(1);
-    else if (text.starts_with("\u00b7")) // middle dot
-      text.remove_prefix(2);
+    multiply(product, *unit, sign == "/" ? -exponent : exponent);
   }
+  return product;
 }
 
 } // namespace

@@ -28,17 +28,8 @@ std::string number_text(double x)
 
 std::string rule_word(const SnapshotRule& rule)
 {
-  switch (rule.kind)
-  {
-  case SnapshotRule::Kind::none:
-    return "none";
-  case SnapshotRule::Kind::aligned:
-    return "aligned";
-  case SnapshotRule::Kind::all:
-    return "all";
-  default:
-    return fmt::format("every {}", rule.every);
-  }
+  return rule.kind == SnapshotRule::Kind::every ? fmt::format("every {}", rule.every)
+                                                : rule_words[static_cast<std::size_t>(rule.kind)];
 }
 
 } // namespace
