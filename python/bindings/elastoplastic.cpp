@@ -259,11 +259,13 @@ void bind_body_state(nb::class_<Pair>& pair)
       .def("stress", &Pair::stress, "upper"_a)
       .def(
           "dissipation",
-          [](Pair& p, bool upper) { return p.read(upper, [](const BodyView& b) { return b.solved().state().dissipation; }); },
+          [](Pair& p, bool upper)
+          { return p.read(upper, [](const BodyView& b) { return b.solved().state().dissipation; }); },
           "upper"_a)
       .def(
           "locked_in_energy",
-          [](Pair& p, bool upper) { return p.read(upper, [](const BodyView& b) { return b.solved().state().locked_in_energy; }); },
+          [](Pair& p, bool upper)
+          { return p.read(upper, [](const BodyView& b) { return b.solved().state().locked_in_energy; }); },
           "upper"_a);
 }
 

@@ -283,8 +283,10 @@ void complete(const CaseReader& reader, Draft& draft)
     take(draft.tugging);
   else if (name == "indentation")
     take(draft.indentation);
-  else
+  else if (name == "rolling")
     take(draft.rolling);
+  else
+    throw InternalError(fmt::format("the scenario {} is in the schema, but is not built", name));
 }
 
 } // namespace brinell::io

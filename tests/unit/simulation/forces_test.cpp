@@ -24,10 +24,7 @@ protected:
         at(pressure, i, j) = 1e9;
     load = 9.0 * 1e9 * grid.cell_area();
   }
-  double& at(std::vector<double>& field, int i, int j) const
-  {
-    return field[grid.index(i, j)];
-  }
+  double& at(std::vector<double>& field, int i, int j) const { return field[grid.index(i, j)]; }
   void tilt(std::vector<double>& field, double slope_x, double slope_y) const
   {
     for (int j = 0; j < grid.ny; ++j)

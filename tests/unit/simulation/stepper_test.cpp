@@ -148,7 +148,7 @@ TEST(StepperTest, AnIncrementThatFailsWholeIsHalvedAndEndsWhereShorterOnesEnd)
     EXPECT_EQ(split.stepper().split_increments(), 1);
     EXPECT_GT(split.pieces().size(), 1U);
     EXPECT_EQ(split.stepper().pair().approach(), most * alpha_c); // it went all the way
-    EXPECT_FALSE(split.was_descended());                            // halving was enough
+    EXPECT_FALSE(split.was_descended());                          // halving was enough
     expect_alike(split, in_pieces(split, most));
 
     // The next increment is not affected: it goes whole if it is short, as in the run without a limit.
