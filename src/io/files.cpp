@@ -39,9 +39,10 @@ void read_blocks(const fs::path& file, std::size_t largest, const std::function<
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     throw InputError("cannot be opened: no such file, or not readable");
-  const InputError too_large(fmt::format("is too large; allowed: up to {} MB", largest / 1'000'000));
+  const auto too_large = [largest]
+  { return InputError(fmt::format("is too large; allowed: up to {} MB", largest / 1'000'000)); };
   if (const std::uintmax_t size = fs::file_size(file, error); !error && size > largest)
-    throw too_large;
+    throw too_large();
   std::vector<char> block(1 << 20);
   std::size_t size = 0;
   while (stream.read(block.data(), std::ssize(block)) || stream.gcount() > 0)
@@ -49,7 +50,7 @@ void read_blocks(const fs::path& file, std::size_t largest, const std::function<
     const auto got = static_cast<std::size_t>(stream.gcount());
     size += got;
     if (size > largest) // some of /proc tell no size
-      throw too_large;
+      throw too_large();
     take({block.data(), got});
   }
   if (stream.bad())

@@ -31,8 +31,10 @@ concept LawOfAUser = std::copy_constructible<Law> && requires(const Law& law, do
 class UserHardening
 {
 public:
-  template <LawOfAUser Law>
-  explicit UserHardening(Law law) : law_(std::make_shared<const Model<Law>>(std::move(law)))
+  // A copy is none of its own laws; asked first, or whether it can be copied would depend on itself.
+  template <typename Law>
+  requires(!std::same_as<Law, UserHardening>) && LawOfAUser<Law> explicit UserHardening(Law law)
+      : law_(std::make_shared<const Model<Law>>(std::move(law)))
   {
     require_valid();
   }

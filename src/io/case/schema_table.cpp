@@ -55,9 +55,9 @@ std::vector<Entry> solver_entries()
 {
   using elastoplastic::Settings;
   const auto entry =
-      [](const char* key, auto member, Range range, const char* text, std::vector<std::string> choices = {})
+      [](const char* key, auto member, Range range, const char* text, const std::vector<std::string>& choices = {})
   {
-    return bound({.key = std::string("solver.") + key, .range = range, .choices = std::move(choices), .text = text},
+    return bound({.key = std::string("solver.") + key, .range = range, .choices = choices, .text = text},
                  &Draft::numerics, &simulation::Numerics::solver, member);
   };
   return {

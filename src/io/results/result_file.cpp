@@ -197,7 +197,7 @@ void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const
   write_snapshot(h5::create_group(file, piece_group), columns, snapshot);
   replace_sealed_file(path_of(piece), h5::file_image(std::move(file)), piece_mark);
   piece.layout = layout_of(snapshot);
-  pieces_.push_back(std::move(piece));
+  pieces_.push_back(piece);
   write_linked();
 }
 
