@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What does one displacement-driven elastic contact cost, from nothing and from the pressure of the step before?
+// What does one displacement-driven elastic contact cost, from nothing and from the pressure of the step before? What does a
+// rough periodic surface under a load cost?
 #include "brinell/contact/elastic_contact.hpp"
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fftw3.h>
+#include <numbers>
+#include <random>
 #include <vector>
 
 namespace
@@ -65,5 +72,69 @@ BENCHMARK(contact_solution)
     ->Args({257, 257, 1})
     ->Args({513, 513, 0})
     ->Unit(benchmark::kMicrosecond);
+
+/// Distance from a self-affine surface: Hurst exponent 0.8, wavelengths from a half of the grid to `shortest` cells, root mean
+/// square 1.
+std::vector<double> rough_distance(int n, int shortest)
+{
+  const auto columns = static_cast<std::size_t>(n / 2 + 1);
+  std::vector<std::complex<double>> waves(static_cast<std::size_t>(n) * columns);
+  std::mt19937 random(1);
+  std::vector<double> distance(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i <= n / 2; ++i)
+    {
+      const double k = std::hypot(i, j <= n / 2 ? j : j - n);
+      const double phase = 2.0 * std::numbers::pi * static_cast<double>(random()) / 4294967296.0;
+      if (k >= 2.0 && k <= n / shortest)
+        waves[static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i)] =
+            std::polar(std::pow(k, -1.8), phase);
+    }
+  fftw_plan plan =
+      fftw_plan_dft_c2r_2d(n, n, reinterpret_cast<fftw_complex*>(waves.data()), distance.data(), FFTW_ESTIMATE);
+  fftw_execute(plan);
+  fftw_destroy_plan(plan);
+  double squares = 0.0;
+  for (const double d : distance)
+    squares += d * d / static_cast<double>(distance.size());
+  for (double& d : distance)
+    d /= std::sqrt(squares);
+  return distance;
+}
+
+/// Pressed from nothing until about `percent` of the surface touch, to 1e-6 of the root mean square.
+void rough_contact(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  const SurfaceGrid grid{n, n, 1.0 / n, 1.0 / n, Boundary::periodic, Boundary::periodic};
+  const std::vector<double> distance = rough_distance(n, static_cast<int>(state.range(1)));
+  double squares = 0.0; // of the slope
+  for (std::size_t i = 1; i < distance.size(); ++i)
+    squares += 2.0 * std::pow(distance[i] - distance[i - 1], 2); // 2 / n^2 of the sum, by n^2
+  const double load = 0.5 * static_cast<double>(state.range(2)) / 100.0 * std::sqrt(squares);
+  const halfspace::SurfaceCompliance compliance(grid, 1.0);
+  contact::ElasticContact solver(compliance);
+  std::vector<double> gap(grid.size());
+  contact::Report report;
+  for (auto _ : state)
+  {
+    std::vector<double> pressure(grid.size(), 0.0);
+    report = solver.solve(distance, {contact::Drive::Kind::load, load}, 1e-6, 1000, pressure, gap);
+    if (!report.converged)
+      state.SkipWithError("not converged");
+  }
+  state.counters["iterations"] = report.iterations;
+  state.counters["products"] = report.products;
+}
+BENCHMARK(rough_contact)
+    ->ArgNames({"cells", "shortest", "percent"})
+    ->Args({256, 8, 1})
+    ->Args({256, 8, 10})
+    ->Args({256, 2, 50})
+    ->Args({1024, 8, 1})
+    ->Args({1024, 8, 10})
+    ->Args({1024, 2, 50})
+    ->Args({2048, 8, 10})
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -22,6 +22,7 @@ QUESTIONS = {
     "residual_stress_of_powers": "One residual-stress evaluation on powers of two, which strain the caches",
     "planning": "Planning a body's operators, on 45 x 13 x 31 cells refined 1 and 2 times",
     "contact_solution": "One elastic contact, from nothing (`warm:0`) and from the pressure before it (`warm:1`)",
+    "rough_contact": "Rough periodic surfaces under a load, from nothing",
 }
 QUANTITIES = {
     "over_transforms": "time over that of the bare transforms",

@@ -27,7 +27,7 @@ std::string version_text()
 }
 
 constexpr const char* footer = R"(
-Exit codes: 0 done; 1 no convergence, or a file could not be written; 2 an error in the command line or the case;
+Exit codes: 0 done; 1 no convergence, a grid that outgrew the memory, or a file that could not be written; 2 an error in the command line or the case;
 129, 130 or 143 interrupted (finished steps stay readable; --resume goes on).
 
 A first run:
@@ -53,6 +53,10 @@ int guarded(const std::function<int()>& command)
   try
   {
     return command();
+  }
+  catch (const GridError& error) // of a grid that grew in the course of a run: what was given is good
+  {
+    return report(error.what(), exit_failure);
   }
   catch (const InputError& error)
   {

@@ -115,7 +115,11 @@ int check_command(const CaseArguments& arguments)
 
 int schema_command(const SchemaArguments& arguments)
 {
-  fmt::print("{}", arguments.markdown ? io::schema_markdown() : io::schema_text());
+  if (!arguments.key.empty() && (arguments.markdown || arguments.json))
+    throw InputError(fmt::format("a key, {}, does not go with --markdown or --json, which tell all", arguments.key));
+  fmt::print("{}", arguments.markdown ? io::schema_markdown()
+                   : arguments.json   ? io::schema_json()
+                                      : io::schema_text(arguments.key));
   return exit_ok;
 }
 

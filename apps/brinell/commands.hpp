@@ -31,7 +31,9 @@ struct RunArguments
 
 struct SchemaArguments
 {
+  std::string key; ///< or table; empty: all
   bool markdown = false;
+  bool json = false;
 };
 
 struct NewArguments

@@ -23,6 +23,7 @@ constexpr PythonCommand python_commands[] = {
     {"plot", "Draw figures of results"},
     {"report", "Write a page on results that a browser shows, with figures to turn and zoom"},
     {"sweep", "Run a case for many values of its keys"},
+    {"surface", "Make, read, inspect and write surfaces"},
     {"export", "Convert stored fields for other programs"},
     {"completion", "Print what makes bash, zsh or fish complete commands, options and keys"},
 };
@@ -97,7 +98,11 @@ void declare_commands(CLI::App& app, Arguments& arguments)
       app.add_subcommand("check", "Show the resolved case, critical values, grids, memory and cost, without running");
   add_case_arguments(*check, arguments.check);
   auto* schema = app.add_subcommand("schema", "List all keys of the case file with units, ranges and defaults");
-  schema->add_flag("--markdown", arguments.schema.markdown, "As the page docs/reference/case-file.md");
+  schema->add_option("key", arguments.schema.key, "Only this key, or the keys of this table: lower.material")
+      ->type_name("KEY");
+  auto* markdown = schema->add_flag("--markdown", arguments.schema.markdown, "As the page docs/reference/case-file.md");
+  schema->add_flag("--json", arguments.schema.json, "As a JSON Schema, by which editors check and complete case files")
+      ->excludes(markdown);
   declare_new(app, arguments.create);
   declare_cite(app, arguments.cite);
   for (const PythonCommand& command : python_commands)

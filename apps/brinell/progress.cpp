@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace brinell::app
@@ -13,7 +14,14 @@ namespace brinell::app
 namespace
 {
 
-constexpr int bar_width = 24;
+constexpr std::size_t longest_bar = 24, shortest_bar = 8;
+
+/// Columns of the terminal behind stderr; a common width if it does not tell.
+std::size_t terminal_width()
+{
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
 
 std::string duration_text(double seconds)
 {
@@ -26,6 +34,16 @@ std::string duration_text(double seconds)
 }
 
 } // namespace
+
+std::string progress_line(double share, std::string_view text, std::size_t width)
+{
+  constexpr std::size_t around = 3; // brackets and a blank
+  const std::size_t room = width > text.size() + around ? width - text.size() - around : 0;
+  const std::size_t bar = std::clamp(room, shortest_bar, longest_bar);
+  const auto filled = static_cast<std::size_t>(static_cast<double>(bar) * std::clamp(share, 0.0, 1.0));
+  const std::string line = fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(bar - filled, '.'), text);
+  return line.substr(0, width);
+}
 
 Progress::Progress(bool quiet, int done_before)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), done_before_(done_before)
@@ -58,8 +76,8 @@ void Progress::step(int step, int step_count, const std::string& where, int iter
                                        iterations == 1 ? "" : "s", duration_text(left));
   if (terminal_)
   {
-    const auto filled = static_cast<std::size_t>(static_cast<long>(bar_width) * done / total);
-    fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(filled, '#'), std::string(bar_width - filled, '.'), text);
+    // A line that fills the last column would go on in the next one.
+    fmt::print(stderr, "\r{}\x1b[K", progress_line(static_cast<double>(done) / total, text, terminal_width() - 1));
     bar_is_shown_ = true;
   }
   else if (const auto tenths = static_cast<int>(10L * done / total); tenths > tenths_)

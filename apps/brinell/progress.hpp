@@ -2,10 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace brinell::app
 {
+
+/// A bar with text behind it, of at most `width` characters: first the bar becomes shorter, then the text.
+[[nodiscard]] std::string progress_line(double share, std::string_view text, std::size_t width);
 
 /// Shows on stderr how far a run is: a bar on a terminal, one line per tenth of the steps elsewhere, nothing if quiet.
 class Progress

@@ -4,6 +4,7 @@
 #include "accuracy.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/feasibility.hpp"
+#include "brinell/io/result_image.hpp"
 #include "brinell/io/snapshot_choice.hpp"
 #include "brinell/io/summary_json.hpp"
 #include "brinell/simulation/run.hpp"
@@ -53,10 +54,11 @@ private:
   Clock::time_point since_;
 };
 
-/// Runs one scenario, writes its steps and finishes the folder.
-template <typename ScenarioCase>
-LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, io::ResultDirectory& results,
-                     const RunMonitor& monitor, const LevelsBefore& before)
+/// Runs one scenario, writes its steps and finishes the results.
+/// @param Results  io::ResultDirectory or io::ResultImage
+template <typename ScenarioCase, typename Results>
+LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& results, const RunMonitor& monitor,
+                     const LevelsBefore& before)
 {
   using Record = typename ScenarioCase::Record;
   const auto start = Clock::now();
@@ -79,7 +81,9 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, io::Result
   observer.on_snapshot = [&](const Record& record, const simulation::Snapshot& snapshot)
   { results.add(record.step, io::columns(record), snapshot); };
   observer.wants_checkpoint = [&](const Record&)
-  { return stop.after_step() || seconds_since(checkpoint_time) >= c.checkpoint_interval; };
+  {
+    return stop.after_step() || (Results::keeps_checkpoints && seconds_since(checkpoint_time) >= c.checkpoint_interval);
+  };
   observer.on_checkpoint = [&](const Record& record, Archive::Fields state)
   {
     Archive archive;
@@ -152,6 +156,17 @@ LevelReport run_level(const io::Case& c, const std::filesystem::path& folder, io
   if (monitor.on_start)
     monitor.on_start(results.replaced(), results.finished_steps());
   return std::visit([&](const auto& scenario) { return simulate(scenario, c, results, monitor, before); }, c.scenario);
+}
+
+std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& monitor)
+{
+  if (c.accuracy)
+    throw InputError("solver.accuracy asks for a series of runs, which needs a folder");
+  const Threads guard(threads);
+  static_cast<void>(io::plan_case(c));
+  io::ResultImage results(c);
+  std::visit([&](const auto& scenario) { (void)simulate(scenario, c, results, monitor, {}); }, c.scenario);
+  return std::move(results).bytes();
 }
 
 RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)

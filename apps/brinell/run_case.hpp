@@ -53,4 +53,9 @@ struct RunOptions
 /// @throws InputError, ConvergenceError, IoError, Interrupted; the finished steps are in the folder then
 RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor = {});
 
+/// Runs a case without a folder.
+/// @returns the bytes of a result.vtkhdf, without what is for ParaView
+/// @throws as `run_case`; the finished steps are lost then
+[[nodiscard]] std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& monitor = {});
+
 } // namespace brinell::app

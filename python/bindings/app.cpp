@@ -21,6 +21,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <cstdio>
+#include <functional>
 #include <map>
 
 namespace nb = nanobind;
@@ -33,8 +34,8 @@ namespace
 {
 
 /// Runs without the interpreter's lock, but takes it to tell of a step and to hear of Ctrl-C.
-std::string run(const io::Case& c, const std::filesystem::path& folder, bool resume, int threads,
-                const nb::object& on_step)
+/// @param compute  takes the monitor
+std::string monitored(const nb::object& on_step, const std::function<std::string(const app::RunMonitor&)>& compute)
 {
   PythonCalls python;
   app::RunMonitor monitor;
@@ -42,18 +43,33 @@ std::string run(const io::Case& c, const std::filesystem::path& folder, bool res
     monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
     { python.call([&] { on_step(step, count, where, iterations); }); };
   monitor.wants_stop = [&] { return python.wants_stop(); };
-  using Mode = io::ResultDirectory::Mode;
-  std::string report;
+  std::string result;
   try
   {
     const nb::gil_scoped_release release;
-    report = app::run_case(c, {folder, resume ? Mode::resume : Mode::replace, threads}, monitor).text;
+    result = compute(monitor);
   }
   catch (const Interrupted&) // by what Python raised
   {
   }
   python.rethrow();
-  return report;
+  return result;
+}
+
+std::string run(const io::Case& c, const std::filesystem::path& folder, bool resume, int threads,
+                const nb::object& on_step)
+{
+  using Mode = io::ResultDirectory::Mode;
+  const app::RunOptions options{folder, resume ? Mode::resume : Mode::replace, threads};
+  return monitored(on_step, [&](const app::RunMonitor& monitor) { return app::run_case(c, options, monitor).text; });
+}
+
+/// The bytes of a result file.
+nb::bytes run_in_memory(const io::Case& c, int threads, const nb::object& on_step)
+{
+  const std::string image =
+      monitored(on_step, [&](const app::RunMonitor& monitor) { return app::run_in_memory(c, threads, monitor); });
+  return nb::bytes(image.data(), image.size());
 }
 
 /// What the C library has printed comes out before Python prints again.
@@ -82,6 +98,7 @@ void bind_commands(nb::module_& m)
   nb::class_<io::Entry>(m, "SchemaKey")
       .def_ro("key", &io::Entry::key)
       .def_ro("choices", &io::Entry::choices)
+      .def_prop_ro("is_list", [](const io::Entry& e) { return e.type == io::Type::numbers; })
       .def_ro("text", &io::Entry::text);
   m.def("commands", &app::commands);
   m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);
@@ -95,7 +112,8 @@ void bind_columns(nb::module_& m)
   nb::class_<io::NamedNumber>(m, "Column")
       .def_ro("name", &io::NamedNumber::name)
       .def_ro("unit", &io::NamedNumber::unit)
-      .def_ro("text", &io::NamedNumber::text);
+      .def_ro("text", &io::NamedNumber::text)
+      .def_prop_ro("is_integer", [](const io::NamedNumber& n) { return std::holds_alternative<int>(n.value); });
   m.def("columns",
         []
         {
@@ -141,12 +159,14 @@ void bind_app(nb::module_& m)
       .def("resolved_text", [](const io::Case& c) { return io::resolved_text(c.values); })
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
       .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
-      .def("run", &run, "folder"_a, "resume"_a, "threads"_a, "on_step"_a.none());
+      .def("run", &run, "folder"_a, "resume"_a, "threads"_a, "on_step"_a.none())
+      .def("run_in_memory", &run_in_memory, "threads"_a, "on_step"_a.none());
   m.def(
       "parse_case",
-      [](const std::string& text, const std::filesystem::path& file, const std::vector<std::string>& overrides)
-      { return io::parse_case(text, file, overrides); },
-      "text"_a, "file"_a, "overrides"_a);
+      [](const std::string& text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
+         bool names_lines)
+      { return io::parse_case(text, file, overrides, names_lines ? io::Places::lines : io::Places::none); },
+      "text"_a, "file"_a, "overrides"_a, "names_lines"_a = true);
   m.def(
       "read_case",
       [](const std::filesystem::path& file, const std::vector<std::string>& overrides)

@@ -101,10 +101,12 @@ void bind_halfspace(nb::module_& m)
   nb::class_<SurfaceGrid>(m, "SurfaceGrid")
       .def(
           "__init__",
-          [](SurfaceGrid* self, int nx, int ny, double dx, double dy) {
-            new (self) SurfaceGrid{nx, ny, dx, dy};
+          [](SurfaceGrid* self, int nx, int ny, double dx, double dy, bool is_periodic_x, bool is_periodic_y)
+          {
+            const auto boundary = [](bool is_periodic) { return is_periodic ? Boundary::periodic : Boundary::open; };
+            new (self) SurfaceGrid{nx, ny, dx, dy, boundary(is_periodic_x), boundary(is_periodic_y)};
           },
-          "nx"_a, "ny"_a, "dx"_a, "dy"_a);
+          "nx"_a, "ny"_a, "dx"_a, "dy"_a, "is_periodic_x"_a = false, "is_periodic_y"_a = false);
   nb::class_<VolumeGrid>(m, "VolumeGrid")
       .def(
           "__init__",
@@ -115,9 +117,9 @@ void bind_halfspace(nb::module_& m)
   nb::class_<SurfaceCompliance>(m, "SurfaceCompliance")
       .def(
           "__init__",
-          [](SurfaceCompliance* self, const SurfaceGrid& grid, double contact_modulus)
-          { without_lock([&] { return new (self) SurfaceCompliance(grid, contact_modulus); }); },
-          "grid"_a, "contact_modulus"_a)
+          [](SurfaceCompliance* self, const SurfaceGrid& grid, double contact_modulus, double reference)
+          { without_lock([&] { return new (self) SurfaceCompliance(grid, contact_modulus, reference); }); },
+          "grid"_a, "contact_modulus"_a, "reference"_a = 0.0)
       .def("displacement", &displacement, "pressure"_a);
   nb::class_<HalfSpace>(m, "HalfSpace")
       .def(

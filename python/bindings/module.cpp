@@ -66,4 +66,5 @@ NB_MODULE(_core, m)
   brinell::python::bind_halfspace(m);
   brinell::python::bind_contact(m);
   brinell::python::bind_elastoplastic(m);
+  brinell::python::bind_textures(m);
 }

@@ -15,5 +15,6 @@ void bind_constitutive(nanobind::module_& m);
 void bind_halfspace(nanobind::module_& m);
 void bind_contact(nanobind::module_& m);
 void bind_elastoplastic(nanobind::module_& m);
+void bind_textures(nanobind::module_& m);
 
 } // namespace brinell::python

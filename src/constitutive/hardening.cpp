@@ -28,9 +28,10 @@ void require_valid(const std::vector<double>& strain, const std::vector<double>&
       throw InputError(fmt::format("the plastic strains of a hardening table must ascend; {:g} follows {:g}", strain[i],
                                    strain[i - 1]));
     if (i > 0 && stress[i] < stress[i - 1])
-      throw InputError(fmt::format("the stresses of a hardening table must not fall; {:g} Pa follows {:g} Pa "
-                                   "(softening is not modelled)",
-                                   stress[i], stress[i - 1]));
+      throw InputError(
+          fmt::format("the stresses of a hardening table must not fall; point {}, {:g} Pa, follows {:g} Pa "
+                      "(softening is not modelled)",
+                      i + 1, stress[i], stress[i - 1]));
   }
 }
 

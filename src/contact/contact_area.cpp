@@ -36,7 +36,7 @@ double kink_share(double slope_over_pressure)
   return slope_over_pressure > elastic ? 1.0 - std::pow(elastic / slope_over_pressure, 2) : 0.0;
 }
 
-/// Pressure and gap of a solved contact, cell by cell; the grid is surrounded by walls.
+/// Pressure and gap of a solved contact, cell by cell; an open grid is surrounded by walls.
 class Field
 {
 public:
@@ -74,8 +74,15 @@ public:
   }
 
 private:
-  [[nodiscard]] bool has(const Cell& c) const { return c.i >= 0 && c.j >= 0 && c.i < grid_.nx && c.j < grid_.ny; }
-  [[nodiscard]] std::size_t at(const Cell& c) const { return grid_.index(c.i, c.j); }
+  [[nodiscard]] bool has(const Cell& c) const
+  {
+    return (grid_.is_periodic_x() || (c.i >= 0 && c.i < grid_.nx)) &&
+           (grid_.is_periodic_y() || (c.j >= 0 && c.j < grid_.ny));
+  }
+  [[nodiscard]] std::size_t at(const Cell& c) const
+  {
+    return grid_.index((c.i + 2 * grid_.nx) % grid_.nx, (c.j + 2 * grid_.ny) % grid_.ny); // at most two cells outside
+  }
 
   const SurfaceGrid& grid_;
   std::span<const double> pressure_, gap_;
@@ -136,8 +143,8 @@ double contact_area(const SurfaceGrid& grid, std::span<const double> pressure, s
 {
   const Field field(grid, pressure, gap, contact_modulus);
   double cells = 0.0;
-  for (int j = -1; j < grid.ny; ++j)
-    for (int i = -1; i < grid.nx; ++i)
+  for (int j = grid.is_periodic_y() ? 0 : -1; j < grid.ny; ++j)
+    for (int i = grid.is_periodic_x() ? 0 : -1; i < grid.nx; ++i)
       cells += share_of_square(field, i, j);
   return cells * grid.cell_area();
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numeric>
 
 namespace brinell::contact
@@ -42,38 +43,38 @@ struct Under
   [[nodiscard]] double mean() const { return count > 0.0 ? sum / count : 0.0; }
 };
 
-/// The larger of two; a NaN in either stays.
-double larger(double a, double b)
-{
-  return b <= a || std::isnan(a) ? a : b;
-}
-
-/// Both halves of the complementarity condition, and the squares of the gap under pressure.
+/// Both halves of the complementarity condition.
 struct Errors
 {
-  double squares = 0.0, gap = 0.0, penetration = 0.0;
+  double gap = 0.0, penetration = 0.0;
   Errors& operator+=(const Errors& other)
   {
-    squares += other.squares;
     gap = larger(gap, other.gap);
     penetration = larger(penetration, other.penetration);
     return *this;
   }
 };
 
-/// Sums over the cells of a direction of descent.
+/// Whether the iteration moves the pressure of a cell: it is pressed, or the surfaces overlap there.
+bool is_free(double pressure, double gap)
+{
+  return (pressure > 0.0) | (gap < 0.0); // without a branch, so that loops over cells need none
+}
+
+/// Sums over the free cells, from which the next direction follows.
 struct Slopes
 {
-  double descent = 0.0;   ///< gap times direction
-  double curvature = 0.0; ///< image times direction
-  double direction = 0.0;
-  Under image;
+  double wanted = 0.0, wanted_descent = 0.0; ///< pressure that would close the gap; with the gap
+  double before = 0.0, before_descent = 0.0; ///< direction before; with the gap
+  double gap = 0.0, count = 0.0;
   Slopes& operator+=(const Slopes& other)
   {
-    descent += other.descent;
-    curvature += other.curvature;
-    direction += other.direction;
-    image += other.image;
+    wanted += other.wanted;
+    wanted_descent += other.wanted_descent;
+    before += other.before;
+    before_descent += other.before_descent;
+    gap += other.gap;
+    count += other.count;
     return *this;
   }
 };
@@ -100,74 +101,71 @@ Under sum_under(Piece piece, const double* p, const double* displacement, const 
 
 Errors errors_of(Piece piece, const double* p, const double* gap)
 {
-  double squares = 0.0;
   double sum = 0.0; // is NaN if any gap is
   double gap_error = 0.0;
   double penetration = 0.0;
-#pragma omp simd reduction(+ : squares, sum) reduction(max : gap_error, penetration)
+#pragma omp simd reduction(+ : sum) reduction(max : gap_error, penetration)
   for (std::size_t i = piece.first; i < piece.last; ++i)
   {
     const double under = p[i] > 0.0 ? gap[i] : 0.0;
     const double outside = p[i] > 0.0 ? 0.0 : -gap[i];
     sum += gap[i];
-    squares += under * under;
     gap_error = std::max(gap_error, std::abs(under));
     penetration = std::max(penetration, outside);
   }
   const double none = std::isnan(sum) ? sum : 0.0;
-  return {squares, gap_error + none, penetration + none};
+  return {gap_error + none, penetration + none};
 }
 
-Slopes slopes_of(Piece piece, const double* p, const double* gap, const double* direction, const double* image)
+Slopes slopes_of(Piece piece, const double* p, const double* gap, const double* wanted, const double* direction)
 {
-  double descent = 0.0;
-  double curvature = 0.0;
-  double total = 0.0;
-  double sum = 0.0;
+  double wanted_sum = 0.0;
+  double wanted_descent = 0.0;
+  double before = 0.0;
+  double before_descent = 0.0;
+  double gap_sum = 0.0;
   double count = 0.0;
-#pragma omp simd reduction(+ : descent, curvature, total, sum, count)
+#pragma omp simd reduction(+ : wanted_sum, wanted_descent, before, before_descent, gap_sum, count)
   for (std::size_t i = piece.first; i < piece.last; ++i)
   {
-    descent += gap[i] * direction[i];
-    curvature += image[i] * direction[i];
-    total += direction[i];
-    sum += p[i] > 0.0 ? image[i] : 0.0;
-    count += p[i] > 0.0 ? 1.0 : 0.0;
+    const double free = is_free(p[i], gap[i]) ? 1.0 : 0.0;
+    wanted_sum += free * wanted[i];
+    wanted_descent += free * gap[i] * wanted[i];
+    before += free * direction[i];
+    before_descent += free * gap[i] * direction[i];
+    gap_sum += free * gap[i];
+    count += free;
   }
-  return {descent, curvature, total, {sum, count}};
+  return {wanted_sum, wanted_descent, before, before_descent, gap_sum, count};
 }
 
-/// Cells that a step cuts off or brings into contact, and the sum of the pressure after it.
+/// How many cells a step cuts off, and the sum of the pressure after it.
 struct Taken
 {
-  double cut = 0.0, added = 0.0, pressure = 0.0;
+  double cut = 0.0, pressure = 0.0;
   Taken& operator+=(const Taken& other)
   {
     cut += other.cut;
-    added += other.added;
     pressure += other.pressure;
     return *this;
   }
 };
 
-Taken taken(Piece piece, double step, double relaxation, const double* gap, const double* direction,
-            const double* image, double* p, double* displacement)
+Taken taken(Piece piece, double step, const double* gap, const double* direction, const double* image, double* p,
+            double* displacement)
 {
   double sum = 0.0;
-  double cut = 0.0; // GCC 12 counts wrongly, and reads beyond arrays, if these are integers
-  double added = 0.0;
-#pragma omp simd reduction(+ : sum, cut, added)
+  double cut = 0.0; // GCC 12 counts wrongly, and reads beyond arrays, if this is an integer
+#pragma omp simd reduction(+ : sum, cut)
   for (std::size_t i = piece.first; i < piece.last; ++i)
   {
-    const double moved = p[i] > 0.0 ? p[i] - step * direction[i] : 0.0;
-    const bool is_added = !(moved > 0.0) && gap[i] < 0.0;
-    cut += p[i] > 0.0 && !(moved > 0.0) ? 1.0 : 0.0;
-    added += is_added ? 1.0 : 0.0;
-    p[i] = is_added ? -relaxation * gap[i] : std::max(0.0, moved);
+    const double moved = is_free(p[i], gap[i]) ? p[i] - step * direction[i] : 0.0;
+    cut += moved < 0.0 ? 1.0 : 0.0;
+    p[i] = std::max(0.0, moved);
     sum += p[i];
     displacement[i] -= step * image[i];
   }
-  return {cut, added, sum};
+  return {cut, sum};
 }
 
 /// Without load the surfaces just touch.
@@ -179,6 +177,18 @@ Report touching(std::span<const double> distance, std::span<double> pressure, st
   std::fill(pressure.begin(), pressure.end(), 0.0);
   std::transform(distance.begin(), distance.end(), gap.begin(), [&](double d) { return d - report.approach; });
   return report;
+}
+
+/// The displacement of bodies without ends is counted from their mean plane, so that the mean gap is the mean distance less
+/// the approach, whatever the pressure.
+void require_possible(double approach, std::span<const double> distance, double tolerance)
+{
+  const double full = sum(distance) / static_cast<double>(distance.size());
+  if (approach > full + tolerance)
+    throw InputError(
+        fmt::format("contact of bodies that are periodic along both axes: approach = {:g} m; allowed: at most "
+                    "the mean distance of the surfaces, {:g} m, at which all of them touches. Impose a load",
+                    approach, full));
 }
 
 } // namespace
@@ -230,13 +240,13 @@ void ElasticContact::scale_to_load(double load, double sum, std::span<double> pr
 }
 
 /// Gap and errors of the displacement that is known.
-ElasticContact::State ElasticContact::settle(std::span<const double> distance, const Drive& drive,
-                                             std::span<const double> pressure, std::span<double> gap) const
+Report ElasticContact::settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
+                              std::span<double> gap) const
 {
   const std::size_t cells = gap.size();
   const double* p = pressure.data();
   const double* u = displacement_.data();
-  State state;
+  Report report;
   const auto under = [&](std::size_t first, std::size_t last) {
     return sum_under({first, last}, p, u, distance.data());
   };
@@ -248,49 +258,63 @@ ElasticContact::State ElasticContact::settle(std::span<const double> distance, c
     return errors_of({first, last}, p, gap.data());
   };
   const Errors errors = sum_of_pieces(cells, close);
-  state.squares = errors.squares;
-  state.report.approach = approach;
-  state.report.gap_error = errors.gap;
-  state.report.penetration = errors.penetration;
-  return state;
+  report.approach = approach;
+  report.gap_error = errors.gap;
+  report.penetration = errors.penetration;
+  return report;
 }
 
 /// Next direction of descent, and its image.
+/// @param slope  before: of the iteration before, 0 to begin anew; after: of this one
 /// @returns the step along it that makes the energy smallest
-double ElasticContact::descend(double beta, bool load_given, std::span<const double> pressure,
+double ElasticContact::descend(double& slope, bool load_given, std::span<const double> pressure,
                                std::span<const double> gap)
 {
   const double* p = pressure.data();
   const double* g = gap.data();
   double* d = direction_.data();
+  double* wanted = image_.data();
   for_pieces(gap.size(),
              [&](std::size_t first, std::size_t last)
              {
                for (std::size_t i = first; i < last; ++i)
-                 d[i] = p[i] > 0.0 ? g[i] + beta * d[i] : 0.0;
+                 wanted[i] = is_free(p[i], g[i]) ? g[i] : 0.0;
+             });
+  compliance_.apply_inverse(image_, image_, scratch_);
+  const Slopes slopes = sum_of_pieces(gap.size(),
+                                      [&](std::size_t first, std::size_t last) {
+                                        return slopes_of({first, last}, p, g, wanted, d);
+                                      });
+  // A given load stays as it is: the mean over the free cells is taken off.
+  const double share = load_given && slopes.count > 0.0 ? 1.0 / slopes.count : 0.0;
+  const double new_slope = slopes.wanted_descent - share * slopes.wanted * slopes.gap;
+  const double before = slopes.before_descent - share * slopes.before * slopes.gap;
+  double beta = slope > 0.0 ? new_slope / slope : 0.0;
+  if (!(new_slope + beta * before > 0.0)) // other cells are free now: the directions begin anew
+    beta = 0.0;
+  const double mean = share * (slopes.wanted + beta * slopes.before);
+  for_pieces(gap.size(),
+             [&](std::size_t first, std::size_t last)
+             {
+               for (std::size_t i = first; i < last; ++i)
+                 d[i] = is_free(p[i], g[i]) ? wanted[i] + beta * d[i] - mean : 0.0;
              });
   compliance_.apply({.pressure = direction_}, {.z = image_}, scratch_);
-  const auto slopes_here = [&](std::size_t first, std::size_t last) {
-    return slopes_of({first, last}, p, g, d, image_.data());
-  };
-  const Slopes slopes = sum_of_pieces(gap.size(), slopes_here);
-  const double mean = load_given ? slopes.image.mean() : 0.0; // the approach takes it up
-  const double curvature = slopes.curvature - mean * slopes.direction;
-  return curvature > 0.0 ? slopes.descent / curvature : 0.0;
+  const double curvature = dot(direction_, image_);
+  slope = new_slope;
+  return curvature > 0.0 ? (new_slope + beta * before) / curvature : 0.0;
 }
 
-/// Takes the step, with the displacement as far as the image gives it. Steps past zero pressure are cut; cells that overlap
-/// come (back) into contact.
-ElasticContact::Step ElasticContact::advance(double step, double relaxation, std::span<const double> gap,
-                                             std::span<double> pressure)
+/// Takes the step, with the displacement as far as the image gives it. Steps past zero pressure are cut.
+ElasticContact::Step ElasticContact::advance(double step, std::span<const double> gap, std::span<double> pressure)
 {
   const auto taken_here = [&](std::size_t first, std::size_t last)
   {
-    return taken({first, last}, step, relaxation, gap.data(), direction_.data(), image_.data(), pressure.data(),
+    return taken({first, last}, step, gap.data(), direction_.data(), image_.data(), pressure.data(),
                  displacement_.data());
   };
   const Taken sums = sum_of_pieces(gap.size(), taken_here);
-  return {sums.cut > 0.0, sums.added > 0.0, sums.pressure};
+  return {sums.cut > 0.0, sums.pressure};
 }
 
 Report ElasticContact::solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
@@ -303,6 +327,8 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
   const bool load_given = drive.kind == Drive::Kind::load;
   if (load_given && !(drive.value > 0.0))
     return touching(distance, pressure, gap);
+  if (!load_given && compliance_.grid().is_periodic())
+    require_possible(drive.value, distance, tolerance);
   guess(distance, drive, tolerance, pressure, wants_stop);
   start(distance, drive, pressure);
   std::fill(direction_.begin(), direction_.end(), 0.0);
@@ -311,8 +337,7 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
   constexpr int few = 8;   // iterations between questions whether to stop
   constexpr int many = 32; // and at most between two products with the pressure itself: rounding does not pile up
   int followed = many;     // steps that the displacement has followed since the last of these; `many`: it has not
-  bool conjugate = false;
-  double squares_before = 1.0;
+  double slope = 0.0;      // of the last direction, without the ones before it
   int products = 0;
   for (int iteration = 0;; ++iteration)
   {
@@ -320,38 +345,35 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& driv
       throw Interrupted();
     const bool is_last = iteration == max_iterations;
     bool is_exact = followed >= many || is_last;
-    State state;
+    Report report;
     if (!is_exact)
     {
-      state = settle(distance, drive, pressure, gap);
-      is_exact = is_good(state.report); // to be told apart from what rounding has made of it
+      report = settle(distance, drive, pressure, gap);
+      is_exact = is_good(report); // to be told apart from what rounding has made of it
     }
     if (is_exact)
     {
       compliance_.apply({.pressure = pressure}, {.z = displacement_}, scratch_);
       followed = 0;
       ++products;
-      state = settle(distance, drive, pressure, gap);
+      report = settle(distance, drive, pressure, gap);
     }
-    state.report.iterations = iteration;
-    state.report.products = products;
-    state.report.converged = is_good(state.report);
-    if (state.report.converged || is_last)
-      return state.report;
+    report.iterations = iteration;
+    report.products = products;
+    report.converged = is_good(report);
+    if (report.converged || is_last)
+      return report;
 
     ++products;
-    const double step = descend(conjugate ? state.squares / squares_before : 0.0, load_given, pressure, gap);
-    squares_before = state.squares;
-    const double relaxation = step > 0.0 ? step : 1.0 / compliance_.longest_wave();
-    const Step done = advance(step, relaxation, gap, pressure);
-    conjugate = !done.added; // whatever comes into contact restarts the directions
-    followed = done.cut || done.added ? many : followed + 1;
+    const double step = descend(slope, load_given, pressure, gap);
+    const Step done = advance(step, gap, pressure);
+    followed = done.cut ? many : followed + 1;
     if (load_given && done.sum > 0.0)
       scale_to_load(drive.value, done.sum, pressure);
     else if (load_given) // everything was cut: begin anew
     {
       start(distance, drive, pressure);
-      conjugate = false;
+      slope = 0.0;
     }
   }
 }

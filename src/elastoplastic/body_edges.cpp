@@ -31,8 +31,8 @@ Edges Body::reached_edges() const
     const std::size_t in_layer = cell % s.size();
     const int i = static_cast<int>(in_layer % static_cast<std::size_t>(s.nx));
     const int j = static_cast<int>(in_layer / static_cast<std::size_t>(s.nx));
-    edges.ends = edges.ends || i == 0 || i == s.nx - 1;
-    edges.sides = edges.sides || j == 0 || j == s.ny - 1;
+    edges.ends = edges.ends || (!s.is_periodic_x() && (i == 0 || i == s.nx - 1));
+    edges.sides = edges.sides || (!s.is_periodic_y() && (j == 0 || j == s.ny - 1));
     edges.bottom = edges.bottom || static_cast<int>(layer_of(cell)) == grid().nz - 1;
   }
   edges.bottom = edges.bottom || may_yield_beneath();

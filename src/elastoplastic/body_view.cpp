@@ -34,22 +34,37 @@ void reverse_deviators(std::vector<double>& fields, int nx, std::size_t cells)
 
 BodyState BodyView::state() const
 {
-  BodyState state = solved_->state();
-  if (twin_ != Twin::mirror_image)
-    return state;
-  const int nx = grid().surface.nx;
-  for (std::vector<double>* fields : {&state.plastic_strain, &state.stress, &state.backstress})
-    reverse_deviators(*fields, nx, grid().size());
-  for (std::vector<double>* field : {&state.equivalent, &state.residual_displacement})
-    reverse_rows(*field, nx, 1.0);
-  return state;
+  const BodyState& solved = solved_->state();
+  return {deviators(&BodyState::plastic_strain),
+          scalars(&BodyState::equivalent),
+          deviators(&BodyState::backstress),
+          deviators(&BodyState::stress),
+          scalars(&BodyState::residual_displacement),
+          solved.dissipation,
+          solved.locked_in_energy};
+}
+
+std::vector<double> BodyView::deviators(std::vector<double> BodyState::*fields) const
+{
+  std::vector<double> copy = solved_->state().*fields;
+  if (is_mirrored())
+    reverse_deviators(copy, grid().surface.nx, grid().size());
+  return copy;
+}
+
+std::vector<double> BodyView::scalars(std::vector<double> BodyState::*field) const
+{
+  std::vector<double> copy = solved_->state().*field;
+  if (is_mirrored())
+    reverse_rows(copy, grid().surface.nx, 1.0);
+  return copy;
 }
 
 std::vector<double> BodyView::residual_displacement() const
 {
   const std::span<const double> solved = solved_->residual_displacement();
   std::vector<double> displacement(solved.begin(), solved.end());
-  if (twin_ == Twin::mirror_image)
+  if (is_mirrored())
     reverse_rows(displacement, grid().surface.nx, 1.0);
   return displacement;
 }

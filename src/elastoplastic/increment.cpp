@@ -27,14 +27,15 @@ std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, co
 CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
-                               const Settings& settings, Twin twin, Textures textures)
-    : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic)), contact_(compliance_),
-      textures_(std::move(textures)), scales_(scales), settings_(settings), twin_(twin), pressure_(contact.size(), 0.0),
-      gap_(contact.size(), 0.0), distance_(contact.size(), 0.0)
+                               const Settings& settings, Twin twin, Textures textures, double reference)
+    : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic), reference),
+      contact_(compliance_), textures_(std::move(textures)), scales_(scales), settings_(settings), twin_(twin),
+      pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0), distance_(contact.size(), 0.0)
 {
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
-    if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy)
-      throw InternalError("CoupledContact: the three grids must have the same cells and rows");
+    if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy || s.boundary_x != contact.boundary_x ||
+        s.boundary_y != contact.boundary_y || (contact.is_periodic_x() && s.nx != contact.nx))
+      throw InternalError("CoupledContact: the three grids must have the same cells, rows and boundaries");
   const bool are_alike = lower == upper && lower_material.elastic == upper_material.elastic;
   if (twin != Twin::none && !(are_alike && lower_material == upper_material))
     throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
@@ -85,23 +86,27 @@ void CoupledContact::exchange(Archive& archive)
 namespace
 {
 
-void add_depth_of(const BodyView& view, std::span<const double> displacement, const Place& place,
-                  const SurfaceGrid& contact, std::span<double> out)
+void add_depth_of(const BodyView& view, const Place& place, const SurfaceGrid& contact, std::span<double> out)
 {
   require_size("CoupledContact: the depth", out, contact.size());
-  add_depth(view.grid().surface, displacement, view.texture(), place, contact, out);
+  const auto add = [&](std::span<const double> displacement)
+  { add_depth(view.grid().surface, displacement, view.texture(), place, contact, out); };
+  if (view.is_mirrored())
+    add(view.residual_displacement());
+  else
+    add(view.solved().residual_displacement()); // every evaluation comes here: without a copy
 }
 
 } // namespace
 
 void CoupledContact::add_lower_depth(const Place& place, std::span<double> out) const
 {
-  add_depth_of(lower(), lower().residual_displacement(), place, grid(), out);
+  add_depth_of(lower(), place, grid(), out);
 }
 
 void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) const
 {
-  add_depth_of(upper(), upper().residual_displacement(), place, grid(), out);
+  add_depth_of(upper(), place, grid(), out);
 }
 
 CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
@@ -123,7 +128,7 @@ CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved
   std::vector<double> pressure;
   spread_pressure(grid(), pressure_, place, volume.surface, pressure);
   Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
-  solved.full_stress(pressure, view.state().plastic_strain, result.deviator, result.trace);
+  solved.full_stress(pressure, view.deviators(&BodyState::plastic_strain), result.deviator, result.trace);
   return result;
 }
 
@@ -137,7 +142,7 @@ Outgrown CoupledContact::outgrown() const
   const auto edges_of = [](const Side& side)
   {
     Edges edges = side.body.reached_edges();
-    edges.ends = edges.ends || side.is_left;
+    edges.ends = edges.ends || side.leaves_grid;
     return edges;
   };
   Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
@@ -152,9 +157,9 @@ std::pair<bool, bool> CoupledContact::pressed_edges() const
   const auto pressed = [&](int i, int j) { return pressure_[g.index(i, j)] > 0.0; };
   bool ends = false;
   bool sides = false;
-  for (int i = 0; i < g.nx; ++i)
+  for (int i = 0; i < g.nx && !g.is_periodic_y(); ++i)
     sides = sides || pressed(i, 0) || pressed(i, g.ny - 1);
-  for (int j = 0; j < g.ny; ++j)
+  for (int j = 0; j < g.ny && !g.is_periodic_x(); ++j)
     ends = ends || pressed(0, j) || pressed(g.nx - 1, j);
   return {ends, sides};
 }
@@ -200,7 +205,8 @@ void CoupledContact::continue_from(History history)
 void CoupledContact::spread(const Placement& placement)
 {
   for (Side& side : sides_)
-    side.is_left = !spread_pressure(grid(), pressure_, placement.*side.place, side.body.grid().surface, side.pressure);
+    side.leaves_grid =
+        !spread_pressure(grid(), pressure_, placement.*side.place, side.body.grid().surface, side.pressure);
 }
 
 double CoupledContact::load() const
@@ -218,12 +224,6 @@ double CoupledContact::elastic_energy() const
 
 namespace
 {
-
-/// The larger of two; a NaN in either stays.
-double larger(double a, double b)
-{
-  return b <= a || std::isnan(a) ? a : b;
-}
 
 double largest_change(std::span<const double> a, const std::vector<double>& b)
 {
@@ -332,7 +332,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       throw Interrupted();
     bool complete = true;
     report.displacement_error = 0.0;
-    for (auto& [body, place, pressure, is_left] : sides_)
+    for (auto& [body, place, pressure, leaves_grid] : sides_)
     {
       if (closing)
         body.compute_all_layers();
@@ -345,7 +345,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     solve_contact(distance, drive, placement, strategy, report);
     bool grew = false;
     report.yield_error = 0.0;
-    for (auto& [body, place, pressure, is_left] : sides_)
+    for (auto& [body, place, pressure, leaves_grid] : sides_)
     {
       grew = body.update(pressure) || grew;
       report.yield_error = larger(report.yield_error, body.yield_error());
@@ -397,7 +397,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     report.converged = false;
     return report;
   }
-  if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.is_left; }))
+  if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.leaves_grid; }))
     throw GridError("the contact has reached the end of a material grid");
   report.energy = energy(drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0);
   for (Side& side : sides_)

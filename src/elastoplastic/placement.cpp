@@ -18,6 +18,14 @@ std::array<double, 4> interpolation_weights(double f)
           (f + 1.0) * f * (f - 1.0) / 6.0};
 }
 
+/// The column of a body's grid; -1 outside of it, which a periodic one has no outside of.
+int column_on(const SurfaceGrid& body, int column)
+{
+  if (body.is_periodic_x())
+    return ((column % body.nx) + body.nx) % body.nx;
+  return column < 0 || column >= body.nx ? -1 : column;
+}
+
 } // namespace
 
 void add_depth(const SurfaceGrid& body, std::span<const double> displacement, std::span<const double> texture,
@@ -25,7 +33,8 @@ void add_depth(const SurfaceGrid& body, std::span<const double> displacement, st
 {
   const auto depth = [&](int column, int j)
   {
-    if (column < 0 || column >= body.nx)
+    column = column_on(body, column);
+    if (column < 0)
       return 0.0;
     const auto n = body.index(column, j);
     return displacement[n] + (texture.empty() ? 0.0 : texture[n]);
@@ -50,6 +59,9 @@ bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressur
   out.assign(body.size(), 0.0);
   bool all = true;
   const std::array<double, 4> weights = interpolation_weights(place.fraction);
+  const bool between = place.fraction != 0.0;
+  const int before = between ? 1 : 0;
+  const int after = between ? 2 : 0;
   for (int j = 0; j < contact.ny; ++j)
     for (int i = 0; i < contact.nx; ++i)
     {
@@ -57,18 +69,16 @@ bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressur
       const int column = i + place.column;
       if (p <= 0.0)
         continue;
-      const bool between = place.fraction != 0.0;
-      if (column < (between ? 1 : 0) || column >= body.nx - (between ? 2 : 0))
+      if (column_on(body, column - before) < 0 || column_on(body, column + after) < 0)
       {
         all = false;
         continue;
       }
-      double* cell = out.data() + column + static_cast<std::ptrdiff_t>(body.nx) * j;
       if (between)
         for (int m = 0; m < 4; ++m)
-          cell[m - 1] += weights[static_cast<std::size_t>(m)] * p;
+          out[body.index(column_on(body, column + m - 1), j)] += weights[static_cast<std::size_t>(m)] * p;
       else
-        *cell += p;
+        out[body.index(column_on(body, column), j)] += p;
     }
   return all;
 }

@@ -75,8 +75,8 @@ struct BlockedFft::Plans
 BlockedFft::BlockedFft(const SurfaceGrid& grid, int px, int py, int planes)
     : grid_(grid), px_(px), py_(py), planes_(planes)
 {
-  if (grid.nx < 1 || grid.ny < 1 || planes < 1 || px < grid.nx || py < grid.ny || px % 2 != 0 || py % 2 != 0)
-    throw InternalError("BlockedFft: the padded lengths must be even and hold the grid");
+  if (grid.nx < 1 || grid.ny < 1 || planes < 1 || px < grid.nx || py < grid.ny)
+    throw InternalError("BlockedFft: the padded lengths must hold the grid");
   const std::size_t row_bytes =
       static_cast<std::size_t>(px) * sizeof(double) + static_cast<std::size_t>(width()) * sizeof(Complex);
   batch_rows_ = std::clamp(static_cast<int>(batch_bytes / row_bytes), 1, grid.ny);

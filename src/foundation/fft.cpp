@@ -5,6 +5,7 @@
 #include "foundation/planner_lock.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fftw3.h>
 #include <numbers>
 
@@ -74,15 +75,36 @@ struct PaddedFft::Plans
   Plans& operator=(const Plans&) = delete;
 };
 
-PaddedFft::PaddedFft(const SurfaceGrid& grid)
-    : PaddedFft(grid, fast_length(2 * grid.nx - 1), fast_length(2 * grid.ny - 1))
+namespace
 {
+
+/// @param period  of the other axis [m]; 0 if that one is open.
+int padded_length(int cells, double cell, Boundary boundary, double period)
+{
+  if (boundary == Boundary::periodic)
+    return cells;
+  // A wave of this period has decayed to e^{-2 pi clearance} at the next copy, less than the image correction leaves.
+  constexpr double clearance = 1.0;
+  const int clear = cells + static_cast<int>(std::ceil(clearance * period / cell));
+  return fast_length(std::max(2 * cells - 1, clear));
 }
+
+} // namespace
+
+PaddedLengths padded_lengths(const SurfaceGrid& grid)
+{
+  const double period_x = grid.is_periodic_x() && grid.nx > 1 ? grid.nx * grid.dx : 0.0;
+  const double period_y = grid.is_periodic_y() && grid.ny > 1 ? grid.ny * grid.dy : 0.0;
+  return {padded_length(grid.nx, grid.dx, grid.boundary_x, period_y),
+          padded_length(grid.ny, grid.dy, grid.boundary_y, period_x)};
+}
+
+PaddedFft::PaddedFft(const SurfaceGrid& grid) : PaddedFft(grid, padded_lengths(grid).x, padded_lengths(grid).y) {}
 
 PaddedFft::PaddedFft(const SurfaceGrid& grid, int px, int py) : grid_(grid), px_(px), py_(py)
 {
-  if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny || px % 2 != 0 || py % 2 != 0)
-    throw InternalError("PaddedFft: the padded lengths must be even and hold the grid");
+  if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny)
+    throw InternalError("PaddedFft: the padded lengths must hold the grid");
   const std::size_t exact = static_cast<std::size_t>(kx()) * static_cast<std::size_t>(py_);
   plane_ = (exact + 7) / 8 * 8; // every plane of a batch starts on a cache line
   plans_ = std::make_unique<Plans>(px_, py_, grid_.ny, plane_);

@@ -13,6 +13,15 @@ namespace brinell
 /// Smallest even integer >= n whose only prime factors are 2, 3, 5 and 7: a fast transform length.
 [[nodiscard]] int fast_length(int n);
 
+/// Lengths of the transforms on which a product of spectra is the operator of a body on this grid. A periodic axis has the
+/// length of the grid. An open one is padded to the fast length >= 2 n - 1; if the other axis is periodic, at least so far
+/// that waves along that axis do not reach the next copy.
+struct PaddedLengths
+{
+  int x = 0, y = 0;
+};
+[[nodiscard]] PaddedLengths padded_lengths(const SurfaceGrid& grid);
+
 /// Real Fourier transforms of surface fields, zero-padded in x and y so that a product of spectra is a linear
 /// (not a periodic) convolution within the grid (DC-FFT: Liu, Wang, Liu 2000).
 ///
@@ -22,7 +31,7 @@ namespace brinell
 class PaddedFft
 {
 public:
-  /// Pads to the fast lengths >= 2 n - 1.
+  /// Pads to the `padded_lengths`.
   explicit PaddedFft(const SurfaceGrid& grid);
   PaddedFft(const SurfaceGrid& grid, int px, int py);
   ~PaddedFft();

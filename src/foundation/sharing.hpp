@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -53,6 +54,12 @@ template <typename Part>
   for (const Sum& sum : parts)
     total += sum;
   return total;
+}
+
+/// The larger of two; a NaN in either stays.
+[[nodiscard]] inline double larger(double a, double b)
+{
+  return b <= a || std::isnan(a) ? a : b;
 }
 
 /// Sums over the cells, the same for any number of threads.

@@ -17,16 +17,11 @@ namespace
 constexpr int layers_of_a_group = BlockedFft::group_planes / Deviator::size;
 static_assert(BlockedFft::group_planes % Deviator::size == 0);
 
-int padded(int cells)
-{
-  return fast_length(2 * cells - 1);
-}
-
 } // namespace
 
 HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constants)
     : grid(volume), elastic(constants),
-      surface_fft(volume.surface, padded(volume.surface.nx), padded(volume.surface.ny), 1),
+      surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       pressure_stress(volume, constants.poisson_ratio, surface_fft), eigenstrain_stress(volume, constants, surface_fft),

@@ -47,12 +47,18 @@ std::array<double, offset_nodes> fit_offsets()
   return x;
 }
 
-/// Powers (a, b) of total degree <= `degree` with the given parities.
-std::vector<std::array<int, 2>> powers_of_parity(int degree, int parity_x, int parity_y)
+/// Powers of one coordinate: of the parity of the first one.
+struct PowerRange
+{
+  int first, last;
+};
+
+/// Powers (a, b) within the ranges whose sum is within the larger one.
+std::vector<std::array<int, 2>> powers_of_parity(PowerRange x, PowerRange y)
 {
   std::vector<std::array<int, 2>> result;
-  for (int a = parity_x; a <= degree; a += 2)
-    for (int b = parity_y; a + b <= degree; b += 2)
+  for (int a = x.first; a <= x.last; a += 2)
+    for (int b = y.first; b <= y.last && a + b <= std::max(x.last, y.last); b += 2)
       result.push_back({a, b});
   return result;
 }
@@ -64,8 +70,11 @@ double chebyshev(int order, double t)
 
 } // namespace
 
-ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft) : grid_(grid)
+ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft)
+    : grid_(grid), has_images_(!grid.surface.is_periodic())
 {
+  if (!has_images_)
+    return;
   const SurfaceGrid& s = grid.surface;
   const auto tabulate = [](int cells, std::vector<double>& table)
   {
@@ -162,34 +171,54 @@ void add_wave(const Wavevector& k, double z, double z_source, const Elastic& ela
   }
 }
 
-/// Stress of the images: the lattice with the padded lengths minus the large one, times the extrapolation from there to an
-/// infinite one. @returns [depth of stress][depth of strain][stress][strain][place].
-std::vector<double> sample_images(const Elastic& elastic, double period_x, double period_y, const Nodes& nodes)
+/// Period of the body along one axis, and by what it is enlarged in the second lattice.
+struct Period
 {
-  const auto depths = static_cast<int>(nodes.depth.size());
-  std::vector<double> value(static_cast<std::size_t>(depths * depths * pairs * places), 0.0);
-  const double width = std::min(period_x, period_y) / 10.0;
+  double length; ///< [m]
+  bool is_open;
+  [[nodiscard]] int enlarged() const { return is_open ? enlargement : 1; }
+  /// Index of the shortest wave on the second lattice. Along a periodic axis the copies of a source belong to the body; what
+  /// comes from those of the other axis is uniform along it, since `padded_lengths` lets no other wave come so far.
+  [[nodiscard]] int last_wave(double k_max) const
+  {
+    return is_open ? static_cast<int>(k_max * enlargement * length / (2.0 * pi)) : 0;
+  }
+  [[nodiscard]] double wavenumber(int index) const { return 2.0 * pi * index / (enlarged() * length); }
+};
+
+/// The waves that make the stress of the images: the lattice with the padded lengths minus the large one, times the
+/// extrapolation from there to an infinite one.
+std::vector<Wavevector> waves_of_images(const Period& x, const Period& y, const Nodes& nodes)
+{
+  const double width = (!x.is_open ? y.length : !y.is_open ? x.length : std::min(x.length, y.length)) / 10.0;
   const double k_max = 6.5 / width;
-  const double e3 = enlargement * enlargement * enlargement;
-  const int nodes_x = static_cast<int>(k_max * enlargement * period_x / (2.0 * pi));
-  const int nodes_y = static_cast<int>(k_max * enlargement * period_y / (2.0 * pi));
+  const double larger = x.enlarged() * y.enlarged(); // lattice, by so much
+  const double fewer = enlargement * larger;         // images of points decay as 1/r^3, those of lines as 1/r^2
   std::vector<Wavevector> waves;
-  for (int j = 0; j <= nodes_y; ++j)
-    for (int i = 0; i <= nodes_x; ++i)
+  for (int j = 0; j <= y.last_wave(k_max); ++j)
+    for (int i = 0; i <= x.last_wave(k_max); ++i)
     {
-      const double m = 2.0 * pi * i / (enlargement * period_x);
-      const double n = 2.0 * pi * j / (enlargement * period_y);
+      const double m = x.wavenumber(i);
+      const double n = y.wavenumber(j);
       const double k2 = m * m + n * n;
       if (k2 == 0.0 || k2 > k_max * k_max)
         continue;
-      const bool on_small = i % enlargement == 0 && j % enlargement == 0;
+      const bool on_small = i % x.enlarged() == 0 && j % y.enlarged() == 0;
       const double copies = (i == 0 ? 1.0 : 2.0) * (j == 0 ? 1.0 : 2.0);
       const double blur = (1.0 + 0.5 * k2 * width * width) * std::exp(-0.5 * k2 * width * width);
-      waves.emplace_back(m, n,
-                         copies * blur * ((on_small ? 1.0 : 0.0) - 1.0 / (enlargement * enlargement)) /
-                             (period_x * period_y) * e3 / (e3 - 1.0),
-                         nodes);
+      waves.emplace_back(
+          m, n, copies * blur * ((on_small ? 1.0 : 0.0) - 1.0 / larger) / (x.length * y.length) * fewer / (fewer - 1.0),
+          nodes);
     }
+  return waves;
+}
+
+/// Stress of the images. @returns [depth of stress][depth of strain][stress][strain][place].
+std::vector<double> sample_images(const Elastic& elastic, const Period& x, const Period& y, const Nodes& nodes)
+{
+  const auto depths = static_cast<int>(nodes.depth.size());
+  std::vector<double> value(static_cast<std::size_t>(depths * depths * pairs * places), 0.0);
+  const std::vector<Wavevector> waves = waves_of_images(x, y, nodes);
 #pragma omp parallel for schedule(dynamic) collapse(2)
   for (int zi = 0; zi < depths; ++zi)
     for (int zj = 0; zj < depths; ++zj)
@@ -224,7 +253,9 @@ Eigen::MatrixXd fit_offset_polynomial(const std::vector<double>& samples, int pa
 void ImageCorrection::fit(const Elastic& elastic, double period_x, double period_y)
 {
   const Nodes nodes(grid_, depths);
-  const std::vector<double> samples = sample_images(elastic, period_x, period_y, nodes);
+  const SurfaceGrid& s = grid_.surface;
+  const std::vector<double> samples =
+      sample_images(elastic, {period_x, !s.is_periodic_x()}, {period_y, !s.is_periodic_y()}, nodes);
 
   // Node values in depth -> Chebyshev coefficients (discrete orthogonality).
   Eigen::MatrixXd to_chebyshev(depths, depths);
@@ -238,7 +269,12 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
   for (int c = 0; c < stresses; ++c)
     for (int e = 0; e < strains; ++e)
     {
-      const auto powers_here = powers_of_parity(degree, is_odd(odd_in_x, c, e), is_odd(odd_in_y, c, e));
+      const bool odd_x = is_odd(odd_in_x, c, e);
+      const bool odd_y = is_odd(odd_in_y, c, e);
+      if ((s.is_periodic_x() && odd_x) || (s.is_periodic_y() && odd_y))
+        continue;
+      const auto powers_here = powers_of_parity({odd_x ? 1 : 0, s.is_periodic_x() ? 0 : degree},
+                                                {odd_y ? 1 : 0, s.is_periodic_y() ? 0 : degree});
       const Eigen::MatrixXd fitted = fit_offset_polynomial(samples, c * strains + e, powers_here, nodes);
       for (std::size_t t = 0; t < powers_here.size(); ++t)
       {
@@ -293,12 +329,16 @@ void ImageCorrection::couple(int stress, int strain, const std::array<int, 2>& p
 
 ImageCorrection::Response ImageCorrection::make_response() const
 {
+  if (!has_images_)
+    return {};
   return {std::vector<double>(static_cast<std::size_t>(strains * grid_.nz * powers)),
           std::vector<double>(strain_moments), std::vector<double>(stress_moments)};
 }
 
 void ImageCorrection::respond(std::span<const double> strain, int layers, Response& response) const
 {
+  if (!has_images_)
+    return;
   const SurfaceGrid& s = grid_.surface;
   const std::size_t cells = s.size();
   const auto of_layer = [&](int component, int layer)
@@ -361,6 +401,8 @@ void ImageCorrection::respond(std::span<const double> strain, int layers, Respon
 
 void ImageCorrection::subtract(const Response& response, int component, int layer, double* stress) const
 {
+  if (!has_images_)
+    return;
   const SurfaceGrid& s = grid_.surface;
   std::array<double, powers> of_depth{};
   for (int q = 0; q < depths; ++q)

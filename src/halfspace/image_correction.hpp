@@ -20,6 +20,8 @@ namespace brinell::halfspace
 /// difference of two lattice sums over wavenumbers, one with the padded lengths and one with four times those, both
 /// with a Gaussian that cuts off what two lattices share. What is left of the images is of order 1/4^3 of them, and is
 /// extrapolated. Applied through moments of the strain: O(N) with a small factor, symmetric like the operator itself.
+/// Along a periodic axis the neighbours belong to the body: there only the rows of images beside it are taken off, and with
+/// two periodic axes nothing.
 class ImageCorrection
 {
 public:
@@ -54,6 +56,7 @@ private:
   void couple(int stress, int strain, const std::array<int, 2>& power, double value);
 
   VolumeGrid grid_;
+  bool has_images_;               ///< not where the body is periodic itself along both axes
   std::vector<double> x_, y_;     ///< powers of the cells' coordinates, scaled by the half-lengths: [power][cell]
   std::vector<double> chebyshev_; ///< mean over a layer: [depth][layer]
   /// Moments fall into four classes by their parity in x and in y, which do not couple.

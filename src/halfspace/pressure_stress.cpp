@@ -2,7 +2,7 @@
 #include "halfspace/pressure_stress.hpp"
 
 #include "brinell/foundation/sym_tensor.hpp"
-#include "brinell/green/rectangle.hpp"
+#include "cell_response.hpp"
 #include "foundation/lane_functions.hpp"
 
 #include <algorithm>
@@ -29,7 +29,18 @@ PressureStress::PressureStress(const VolumeGrid& grid, double poisson_ratio, con
   const PaddedFft padded(grid.surface, fft.px(), fft.py());
 #pragma omp parallel for schedule(dynamic)
   for (int layer = 0; layer < grid_.nz; ++layer)
-    tabulate(layer, poisson_ratio, padded);
+    if (grid.surface.is_periodic())
+      tabulate_waves(layer, poisson_ratio, padded);
+    else
+      tabulate_cells(layer, poisson_ratio, padded);
+}
+
+PressureStress::Kernels& PressureStress::kernels_at(int row, int column, int layer)
+{
+  return kernels_[(static_cast<std::size_t>(column / lane_count) * static_cast<std::size_t>(rows_) +
+                   static_cast<std::size_t>(row)) *
+                      static_cast<std::size_t>(grid_.nz) +
+                  static_cast<std::size_t>(layer)];
 }
 
 const PressureStress::Kernels* PressureStress::kernels(int block, int row) const
@@ -41,38 +52,30 @@ const PressureStress::Kernels* PressureStress::kernels(int block, int row) const
 namespace
 {
 
-/// Mean over a layer of the stress of a unit pressure on one cell, at the cells of the first quadrant; from one lattice of
-/// corners per depth.
-std::vector<SymTensor> quadrant_stress(const VolumeGrid& grid, int layer, double poisson_ratio)
+/// Mean over a layer of the stress of a unit pressure on one cell.
+Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double poisson_ratio)
 {
-  const SurfaceGrid& s = grid.surface;
-  std::vector<SymTensor> quadrant(s.size(), SymTensor{});
-  std::vector<SymTensor> corner(static_cast<std::size_t>((s.nx + 1) * (s.ny + 1)));
-  const auto corner_at = [&](int i, int j) -> SymTensor&
-  { return corner[static_cast<std::size_t>(i + (s.nx + 1) * j)]; };
+  Quadrant<SymTensor> mean(grid.surface);
   for (std::size_t g = 0; g < gauss_point.size(); ++g)
   {
-    const double z = (layer + 0.5 + gauss_point[g]) * grid.dz;
-    for (int j = 0; j <= s.ny; ++j)
-      for (int i = 0; i <= s.nx; ++i)
-        corner_at(i, j) = green::rectangle_stress_corner((i - 0.5) * s.dx, (j - 0.5) * s.dy, z, poisson_ratio);
-    for (int j = 0; j < s.ny; ++j)
-      for (int i = 0; i < s.nx; ++i)
-        for (std::size_t c = 0; c < 6; ++c)
-          quadrant[s.index(i, j)][c] += gauss_weight[g] * (corner_at(i + 1, j + 1)[c] + corner_at(i, j)[c] -
-                                                           corner_at(i + 1, j)[c] - corner_at(i, j + 1)[c]);
+    const Quadrant<SymTensor> part = cell_stress(grid.surface, (layer + 0.5 + gauss_point[g]) * grid.dz, poisson_ratio);
+    for (std::size_t n = 0; n < mean.values.size(); ++n)
+      for (std::size_t c = 0; c < 6; ++c)
+        mean.values[n][c] += gauss_weight[g] * part.values[n][c];
   }
-  return quadrant;
+  return mean;
 }
 
 } // namespace
 
-void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& fft)
+void PressureStress::tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft)
 {
   const SurfaceGrid& s = grid_.surface;
   const int px = fft.px();
   const int py = fft.py();
-  const std::vector<SymTensor> quadrant = quadrant_stress(grid_, layer, poisson_ratio);
+  const Offsets along_x(s.nx, s.boundary_x);
+  const Offsets along_y(s.ny, s.boundary_y);
+  const Quadrant<SymTensor> response = mean_over_layer(grid_, layer, poisson_ratio);
   AlignedVector<double> plane(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
   AlignedVector<Complex> transformed(fft.plane());
   enum : int
@@ -91,12 +94,12 @@ void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& 
     const bool odd_x = which == xz || which == xy;
     const bool odd_y = which == yz || which == xy;
     std::fill(plane.begin(), plane.end(), 0.0);
-    for (int j = 1 - s.ny; j < s.ny; ++j)
-      for (int i = 1 - s.nx; i < s.nx; ++i)
+    for (int j = along_y.first(); j <= along_y.last(); ++j)
+      for (int i = along_x.first(); i <= along_x.last(); ++i)
       {
-        const SymTensor& t = quadrant[s.index(std::abs(i), std::abs(j))];
+        const SymTensor& t = response.at(i, j);
         const std::array<double, kernel_count> value{t[0] - t[2], t[1] - t[2], t[3], t[4], t[5], t[0] + t[1] + t[2]};
-        const double sign = (odd_x && i < 0 ? -1.0 : 1.0) * (odd_y && j < 0 ? -1.0 : 1.0);
+        const double sign = (odd_x ? along_x.sign(i) : 1.0) * (odd_y ? along_y.sign(j) : 1.0);
         plane[static_cast<std::size_t>((j + py) % py * px + (i + px) % px)] =
             sign * value[static_cast<std::size_t>(which)];
       }
@@ -106,11 +109,52 @@ void PressureStress::tabulate(int layer, double poisson_ratio, const PaddedFft& 
       for (int i = 0; i < fft.kx(); ++i)
       {
         const Complex value = transformed[static_cast<std::size_t>(row * fft.kx() + i)];
-        const auto at = static_cast<std::size_t>((i / lane_count * rows_ + row) * grid_.nz + layer);
-        (kernels_[at].*member[static_cast<std::size_t>(which)])[i % lane_count] =
+        (kernels_at(row, i, layer).*member[static_cast<std::size_t>(which)])[i % lane_count] =
             imaginary ? value.imag() : value.real();
       }
   }
+}
+
+/// With l along the wavevector, t across it, a wave of unit pressure gives, times e^{-kz},
+///     ll = -(1 - k z)    zz = -(1 + k z)    tt = -2 nu    lz = i k z
+/// (Johnson 1985, section 13.2); a uniform one, with no mean strain in the plane, zz = -1 and xx = yy = -nu / (1 - nu).
+void PressureStress::tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft)
+{
+  const double nu = poisson_ratio;
+  for (int row = 0; row < rows_; ++row)
+    for (int i = 0; i < fft.kx(); ++i)
+    {
+      Kernels& kernel = kernels_at(row, i, layer);
+      const auto lane = static_cast<std::size_t>(i % lane_count);
+      const double m = fft.wavenumber_x(i);
+      const double n = fft.wavenumber_y(row);
+      const double k = std::hypot(m, n);
+      if (k == 0.0)
+      {
+        kernel.xx[lane] = kernel.yy[lane] = (1.0 - 2.0 * nu) / (1.0 - nu);
+        kernel.trace[lane] = -(1.0 + nu) / (1.0 - nu);
+        continue;
+      }
+      const double thickness = k * grid_.dz;
+      const double top = layer * thickness;
+      const double q = std::exp(-thickness);
+      const double mean = -std::expm1(-thickness) / thickness;
+      const double decay = std::exp(-top) * mean;                      // mean of e^{-kz} over the layer
+      const double rising = std::exp(-top) * ((1.0 + top) * mean - q); // and of k z e^{-kz}
+      const double ll = rising - decay;
+      const double zz = -rising - decay;
+      const double tt = -2.0 * nu * decay;
+      // At the shortest wave of an even number of cells nothing that is odd can be told.
+      const double lx = 2 * i == fft.px() ? 0.0 : m / k;
+      const double ly = 2 * row == fft.py() ? 0.0 : n / k;
+      const double lx2 = m * m / (k * k);
+      kernel.xx[lane] = lx2 * ll + (1.0 - lx2) * tt - zz;
+      kernel.yy[lane] = (1.0 - lx2) * ll + lx2 * tt - zz;
+      kernel.yz[lane] = ly * rising;
+      kernel.xz[lane] = lx * rising;
+      kernel.xy[lane] = lx * ly * (ll - tt);
+      kernel.trace[lane] = ll + zz + tt;
+    }
 }
 
 namespace

@@ -11,7 +11,7 @@ namespace brinell::halfspace
 /// Surface pressure -> stress under it, and its transpose: plastic strain -> normal displacement of the surface.
 ///
 /// Closed form of the uniformly loaded rectangle (Love 1929), one convolution per layer; the value of a cell is the mean
-/// over the layer's thickness at the middle of the cell in x and y. The transpose is Betti's theorem,
+/// over the layer's thickness at the middle of the cell in x and y. On a grid with two periodic axes, waves in their place. The transpose is Betti's theorem,
 ///   u(x) = integral of s^(unit load at x) : eps_p dV,    docs/theory/half-space.md (residual-displacement),
 /// with the same coefficients, so the discrete system stays symmetric.
 ///
@@ -42,7 +42,9 @@ private:
     Lanes trace;
   };
   [[nodiscard]] const Kernels* kernels(int block, int row) const;
-  void tabulate(int layer, double poisson_ratio, const PaddedFft& fft);
+  [[nodiscard]] Kernels& kernels_at(int row, int column, int layer);
+  void tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft);
+  void tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft);
 
   VolumeGrid grid_;
   const BlockedFft& fft_;

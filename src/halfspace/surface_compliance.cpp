@@ -2,16 +2,16 @@
 #include "brinell/halfspace/surface_compliance.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/green/rectangle.hpp"
-#include "foundation/blocked_fft.hpp"
+#include "cell_response.hpp"
 #include "foundation/fft.hpp"
-#include "foundation/sharing.hpp"
+#include "foundation/require_size.hpp"
 #include "require_surface.hpp"
+#include "wave_product.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <omp.h>
 #include <vector>
 
 namespace brinell::halfspace
@@ -20,85 +20,162 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Displacement of a unit pressure on one cell, around the padded plane.
-AlignedVector<double> wrapped_kernel(const PaddedFft& fft, double contact_modulus)
+/// Along one axis: the offset of the cell whose response stands at a place of a kernel, and how much of it.
+struct Share
 {
-  const SurfaceGrid& grid = fft.grid();
-  const int px = fft.px();
-  const int py = fft.py();
-  AlignedVector<double> kernel(static_cast<std::size_t>(px) * static_cast<std::size_t>(py), 0.0);
-  const auto at = [&](int i, int j) -> double&
-  { return kernel[static_cast<std::size_t>((j + py) % py) * static_cast<std::size_t>(px) + (i + px) % px]; };
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
+  int offset;
+  double weight;
+};
+/// The shares of one place; the second one may weigh nothing.
+using Shares = std::array<Share, 2>;
+
+/// Places of a kernel so long that it is the linear convolution on the grid.
+std::vector<Shares> padded_places(int cells, Boundary boundary, int length)
+{
+  const Offsets offsets(cells, boundary);
+  std::vector<Shares> places(static_cast<std::size_t>(length));
+  for (int offset = offsets.first(); offset <= offsets.last(); ++offset)
+    places[static_cast<std::size_t>((offset + length) % length)][0] = {offset, 1.0};
+  return places;
+}
+
+/// Places of the kernel of the nearest operator that is periodic on the grid: the mean over the pairs of cells that a period
+/// takes for the same.
+std::vector<Shares> periodic_places(int cells, Boundary boundary)
+{
+  if (boundary == Boundary::periodic)
+    return padded_places(cells, boundary, cells);
+  std::vector<Shares> places;
+  for (int i = 0; i < cells; ++i)
+  {
+    const double beyond = static_cast<double>(i) / cells;
+    places.push_back({{{i, 1.0 - beyond}, {i - cells, beyond}}});
+  }
+  places.front()[1] = {};
+  return places;
+}
+
+/// Spectrum of a kernel, row by row: of its even part, so that the factors are real.
+std::vector<double> spectrum_of(const SurfaceGrid& grid, const Quadrant<double>& response, double contact_modulus,
+                                const std::vector<Shares>& along_x, const std::vector<Shares>& along_y)
+{
+  const PaddedFft fft(grid, static_cast<int>(along_x.size()), static_cast<int>(along_y.size()));
+  AlignedVector<double> kernel;
+  kernel.reserve(along_x.size() * along_y.size());
+  for (const Shares& row : along_y)
+    for (const Shares& column : along_x)
     {
-      const double u = green::rectangle_displacement(i * grid.dx, j * grid.dy, grid.dx, grid.dy);
-      at(i, j) = at(-i, j) = at(i, -j) = at(-i, -j) = u / (std::numbers::pi * contact_modulus);
+      double value = 0.0;
+      for (const Share& y : row)
+        for (const Share& x : column)
+          if (const double weight = x.weight * y.weight; weight > 0.0)
+            value += weight * response.at(x.offset, y.offset);
+      kernel.push_back(value / (std::numbers::pi * contact_modulus));
     }
-  return kernel;
+  AlignedVector<Complex> transformed(fft.plane());
+  fft.forward_padded(kernel, transformed.data());
+  std::vector<double> spectrum;
+  for (int row = 0; row <= fft.py() / 2; ++row)
+    for (int i = 0; i < fft.kx(); ++i) // even in x and y: the imaginary part is rounding
+      spectrum.push_back(
+          transformed[static_cast<std::size_t>(row) * static_cast<std::size_t>(fft.kx()) + static_cast<std::size_t>(i)]
+              .real());
+  return spectrum;
+}
+
+/// Spectrum for bodies without ends, row by row: a wave of pressure gives one of displacement, 2 / (E' k) times as high.
+std::vector<double> wave_spectrum(const SurfaceGrid& grid, double contact_modulus)
+{
+  std::vector<double> spectrum;
+  for (int row = 0; row <= grid.ny / 2; ++row)
+    for (int i = 0; i <= grid.nx / 2; ++i)
+    {
+      const double k = 2.0 * std::numbers::pi * std::hypot(i / (grid.nx * grid.dx), row / (grid.ny * grid.dy));
+      spectrum.push_back(k > 0.0 ? 2.0 / (contact_modulus * k) : 0.0);
+    }
+  return spectrum;
+}
+
+/// Reciprocals. A uniform pressure without any response must have a stiffness: restricted to a contact that is nearly full,
+/// its response is that of the spots that are open, much less than that of any wave on the grid.
+std::vector<double> inverse(std::vector<double> spectrum)
+{
+  constexpr double share =
+      1.0 / 64.0; // of 1, 1/4, 1/16, 1/64 and 1/1000 that with the fewest iterations over all areas
+  const double uniform = share * *std::max_element(spectrum.begin(), spectrum.end());
+  for (double& response : spectrum)
+    response = 1.0 / (response > 0.0 ? response : uniform);
+  return spectrum;
+}
+
+/// The grid with open axes made longer for fast transforms of their own length.
+SurfaceGrid with_fast_lengths(SurfaceGrid grid)
+{
+  if (!grid.is_periodic_x())
+    grid.nx = fast_length(grid.nx);
+  if (!grid.is_periodic_y())
+    grid.ny = fast_length(grid.ny);
+  return grid;
+}
+
+/// The operator and about its inverse, row by row.
+struct Spectra
+{
+  std::vector<double> compliance; ///< [m/Pa]
+  std::vector<double> stiffness;  ///< [Pa/m]
+};
+
+Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modulus, double reference)
+{
+  if (grid.is_periodic())
+  {
+    std::vector<double> waves = wave_spectrum(grid, modulus);
+    return {waves, inverse(waves)};
+  }
+  const Quadrant<double> response = cell_displacement(larger, reference);
+  const PaddedLengths lengths = padded_lengths(grid);
+  return {spectrum_of(grid, response, modulus, padded_places(grid.nx, grid.boundary_x, lengths.x),
+                      padded_places(grid.ny, grid.boundary_y, lengths.y)),
+          inverse(spectrum_of(larger, response, modulus, periodic_places(larger.nx, grid.boundary_x),
+                              periodic_places(larger.ny, grid.boundary_y)))};
 }
 
 } // namespace
 
 struct SurfaceCompliance::Scratch::Buffers
 {
-  AlignedVector<Complex> rows;
-  std::vector<BlockedFft::Scratch> threads; ///< one where the grid is too small to share
+  WaveProduct::Scratch compliance, stiffness;
 };
 
 struct SurfaceCompliance::Operator
 {
-  BlockedFft fft;
-  int rows;                       ///< stored rows of the spectrum, ky >= 0
-  AlignedVector<double> spectrum; ///< of the operator [m/Pa], real and even: [block][row][lane]
-  double contact_modulus;         ///< E' [Pa]
-  double largest = 0.0, longest_wave = 0.0;
+  SurfaceGrid larger;     ///< on which the stiffness is periodic
+  double contact_modulus; ///< E' [Pa]
+  double reference;       ///< [m]
+  WaveProduct compliance, stiffness;
+  double largest; ///< [m/Pa]
 
-  Operator(const SurfaceGrid& grid, double modulus);
-  void apply_to_block(int block, AlignedVector<Complex>& values, BlockedFft::Scratch& own) const;
+  Operator(const SurfaceGrid& grid, double modulus, double reference_distance)
+      : Operator(grid, with_fast_lengths(grid), modulus, reference_distance,
+                 spectra(grid, with_fast_lengths(grid), modulus, reference_distance))
+  {
+  }
+
+private:
+  Operator(const SurfaceGrid& grid, const SurfaceGrid& larger_grid, double modulus, double reference_distance,
+           const Spectra& of)
+      : larger(larger_grid), contact_modulus(modulus), reference(reference_distance),
+        compliance(grid, padded_lengths(grid), of.compliance), stiffness(grid, {larger.nx, larger.ny}, of.stiffness),
+        largest(*std::max_element(of.compliance.begin(), of.compliance.end()))
+  {
+  }
 };
 
-SurfaceCompliance::Operator::Operator(const SurfaceGrid& grid, double modulus)
-    : fft(grid, fast_length(2 * grid.nx - 1), fast_length(2 * grid.ny - 1), 1), rows(fft.py() / 2 + 1),
-      spectrum(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows) * lane_count, 0.0),
-      contact_modulus(modulus)
+SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference)
 {
-  const PaddedFft padded(grid, fft.px(), fft.py());
-  AlignedVector<double> kernel = wrapped_kernel(padded, contact_modulus);
-  AlignedVector<Complex> transformed(padded.plane());
-  padded.forward_padded(kernel, transformed.data());
-  for (int row = 0; row < rows; ++row)
-    for (int i = 0; i < padded.kx(); ++i)
-    {
-      // Even in x and y: the imaginary part is rounding.
-      const double value =
-          transformed[static_cast<std::size_t>(row) * static_cast<std::size_t>(padded.kx()) + i].real();
-      const auto line = static_cast<std::size_t>(i / lane_count) * static_cast<std::size_t>(rows) + row;
-      spectrum[line * lane_count + i % lane_count] = value;
-    }
-  largest = *std::max_element(spectrum.begin(), spectrum.end());
-  longest_wave = spectrum[1];
-}
-
-/// From the rows of one block and back to them.
-void SurfaceCompliance::Operator::apply_to_block(int block, AlignedVector<Complex>& values,
-                                                 BlockedFft::Scratch& own) const
-{
-  fft.columns_forward(values.data(), block, 0, 1, own);
-  const double* factors = spectrum.data() + static_cast<std::ptrdiff_t>(block) * rows * lane_count;
-  Complex* line = own.columns.data();
-  for (int row = 0; row < fft.py(); ++row, line += lane_count)
-  {
-    const double* factor = factors + std::min(row, fft.py() - row) * lane_count;
-    for (int lane = 0; lane < lane_count; ++lane)
-      line[lane] *= factor[lane];
-  }
-  fft.columns_inverse(own, block, 0, 1, values.data());
-}
-
-SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus)
-    : operator_(std::make_unique<Operator>(grid, contact_modulus))
-{
+  if (grid.is_periodic_x() != grid.is_periodic_y() && !(reference > 0.0))
+    throw InternalError("SurfaceCompliance: with one periodic axis the displacement needs a reference distance, > 0");
+  operator_ = std::make_unique<Operator>(grid, contact_modulus, reference);
 }
 
 SurfaceCompliance::~SurfaceCompliance() = default;
@@ -112,12 +189,12 @@ SurfaceCompliance::Scratch& SurfaceCompliance::Scratch::operator=(Scratch&&) noe
 
 const SurfaceGrid& SurfaceCompliance::grid() const
 {
-  return operator_->fft.grid();
+  return operator_->compliance.grid();
 }
 
 SurfaceCompliance SurfaceCompliance::on(const SurfaceGrid& grid) const
 {
-  return {grid, operator_->contact_modulus};
+  return {grid, operator_->contact_modulus, operator_->reference};
 }
 
 double SurfaceCompliance::largest() const
@@ -125,46 +202,31 @@ double SurfaceCompliance::largest() const
   return operator_->largest;
 }
 
-double SurfaceCompliance::longest_wave() const
-{
-  return operator_->longest_wave;
-}
-
 SurfaceCompliance::Scratch SurfaceCompliance::make_scratch() const
 {
-  auto buffers = std::make_unique<Scratch::Buffers>();
-  buffers->rows.resize(operator_->fft.rows_size());
-  const int threads = is_shared(grid().size()) ? omp_get_max_threads() : 1;
-  for (int thread = 0; thread < threads; ++thread)
-    buffers->threads.push_back(operator_->fft.make_scratch());
-  return Scratch(std::move(buffers));
+  return Scratch(std::make_unique<Scratch::Buffers>(
+      Scratch::Buffers{operator_->compliance.make_scratch(), operator_->stiffness.make_scratch()}));
 }
 
 void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const
 {
-  const BlockedFft& fft = operator_->fft;
   require_load("SurfaceCompliance::apply", load, grid().size());
   require_displacement("SurfaceCompliance::apply", displacement, grid().size());
-  Scratch::Buffers& buffers = *scratch.buffers_;
-  if (buffers.rows.size() < fft.rows_size())
+  if (!operator_->compliance.fits(scratch.buffers_->compliance))
     throw InternalError("SurfaceCompliance::apply: the scratch is of another operator; make_scratch makes one");
   if (load.pressure.empty())
     return std::fill(displacement.z.begin(), displacement.z.end(), 0.0);
-  const auto work = [&](BlockedFft::Scratch& own)
-  {
-#pragma omp for schedule(static)
-    for (int batch = 0; batch < fft.batches(); ++batch)
-      fft.rows_forward(load.pressure.data(), 0, batch, buffers.rows.data(), own);
-#pragma omp for schedule(static)
-    for (int block = 0; block < fft.blocks(); ++block)
-      operator_->apply_to_block(block, buffers.rows, own);
-#pragma omp for schedule(static)
-    for (int batch = 0; batch < fft.batches(); ++batch)
-      fft.rows_inverse(buffers.rows.data(), 0, batch, displacement.z.data(), own);
-  };
-  const auto threads = static_cast<int>(buffers.threads.size());
-#pragma omp parallel num_threads(threads)
-  work(buffers.threads[static_cast<std::size_t>(omp_get_thread_num())]);
+  operator_->compliance.apply(load.pressure, displacement.z, scratch.buffers_->compliance);
+}
+
+void SurfaceCompliance::apply_inverse(std::span<const double> displacement, std::span<double> pressure,
+                                      Scratch& scratch) const
+{
+  require_size("SurfaceCompliance::apply_inverse: the displacement", displacement, grid().size());
+  require_size("SurfaceCompliance::apply_inverse: the pressure", pressure, grid().size());
+  if (!operator_->stiffness.fits(scratch.buffers_->stiffness))
+    throw InternalError("SurfaceCompliance::apply_inverse: the scratch is of another operator; make_scratch makes one");
+  operator_->stiffness.apply(displacement, pressure, scratch.buffers_->stiffness);
 }
 
 } // namespace brinell::halfspace

@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace brinell::simulation
 {
@@ -135,6 +137,41 @@ Footprint of_roller(const Pair& pair, double radius, double length, const Drive&
   return f;
 }
 
+/// A cylinder without ends, in plane strain (Johnson 1985, sections 4.2 and 5.6).
+/// @param length     of the period, on which the load acts [m]
+/// @param reference  of the displacement [m]
+Footprint of_line(const Pair& pair, double radius, double length, double reference, const Drive& drive)
+{
+  const auto half_width = [&](double load) { return std::sqrt(4.0 * load * radius / (pi * length * pair.modulus)); };
+  const auto approach = [&](double load)
+  { return load / (pi * pair.modulus * length) * (1.0 + 2.0 * std::log(2.0 * reference / half_width(load))); };
+  double load = drive.value;
+  if (drive.kind == Drive::Kind::approach)
+  {
+    double low = 0.0;
+    double high = pi * pair.modulus * length * reference * reference / (std::exp(2.0) * radius); // there it is largest
+    if (!(drive.value < approach(high)))
+      throw InputError(fmt::format("an approach of {:.3g} m is more than a cylinder of radius {:.3g} m has with "
+                                   "grid.reference = {:.3g} m; allowed: a smaller one, or a larger reference",
+                                   drive.value, radius, reference));
+    for (int i = 0; i < 100; ++i)
+      (approach(0.5 * (low + high)) < drive.value ? low : high) = 0.5 * (low + high);
+    load = high;
+  }
+  const double elastic = half_width(load);
+  const double peak = 2.0 * load / (pi * elastic * length);
+  const double growth = growth_under_load(pair, peak * pi / 4.0);
+  Footprint f;
+  f.elastic_x = elastic;
+  f.half_x = elastic * growth * growth; // only the width grows
+  f.elastic_y = f.half_y = 0.5 * length;
+  f.approach = approach(load);
+  f.peak_ratio = peak / (1.1 * pair.yield_pressure);
+  f.first_yield_approach = f.approach / std::max(1.0, f.peak_ratio * f.peak_ratio);
+  f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / radius);
+  return f;
+}
+
 /// A cone or a pyramid of that slope, or the ball at its tip, whichever makes the larger contact.
 /// @param reach  half-width of the contact over the radius of the circle with its area.
 Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach, const Drive& drive)
@@ -163,7 +200,7 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
   return f;
 }
 
-Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, const Drive& drive)
+Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, const Drive& drive, const Domain& domain)
 {
   for (const Shape* shape : {&lower, &upper}) // beside a tip the other surface is flat
   {
@@ -177,14 +214,65 @@ Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, co
       return of_tip(pair, 1.0 / std::tan(pyramid->face_angle), pyramid->tip_radius, reach, drive);
     }
   }
-  if (!contact_is_finite(lower, upper))
-    throw InputError("the bodies touch neither in a point nor in a line of finite length");
   const auto [along_x, along_y] = relative_curvature(lower, upper).value();
+  if (along_y == 0.0 && domain.y.is_periodic() && line_length(lower, upper, domain) == domain.y.size)
+    return of_line(pair, 1.0 / along_x, domain.y.size, reference_distance(lower, upper, domain), drive);
   return along_y == 0.0 ? of_roller(pair, 1.0 / along_x, roller_length(lower, upper), drive)
                         : of_paraboloids(pair, 1.0 / along_x, 1.0 / along_y, drive);
 }
 
-/// Where a texture is on its body, and over which length it rises and falls [m]; none if the body is smooth.
+/// A wave that stands for surfaces.
+struct Wave
+{
+  double amplitude, length; ///< [m]
+};
+
+/// The wave with the root mean squares of height and slope that both textures together have over a period.
+Wave wave_of_both(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
+{
+  constexpr int cells = 128;
+  const SurfaceGrid g{
+      cells, cells, domain.x.size / cells, domain.y.size / cells, Boundary::periodic, Boundary::periodic};
+  std::vector<double> h = cell_depths(lower.texture, g, g.x(0), g.y(0));
+  const std::vector<double> other = cell_depths(upper.texture, g, g.x(0), g.y(0));
+  std::transform(h.begin(), h.end(), other.begin(), h.begin(), std::plus<>());
+  double mean = 0.0;
+  for (const double value : h)
+    mean += value / static_cast<double>(g.size());
+  double squares = 0.0;
+  double slopes = 0.0;
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i)
+    {
+      const double here = h[g.index(i, j)];
+      squares += (here - mean) * (here - mean);
+      slopes += std::pow((h[g.index((i + 1) % cells, j)] - here) / g.dx, 2) +
+                std::pow((h[g.index(i, (j + 1) % cells)] - here) / g.dy, 2);
+    }
+  if (!(slopes > 0.0))
+    throw InputError("the textures are the same everywhere in the period");
+  return {std::sqrt(2.0 * squares / static_cast<double>(g.size())), 2.0 * pi * std::sqrt(squares / slopes)};
+}
+
+/// Textures of bodies that have no shape, in a period: what the wave that stands for them needs.
+Footprint of_flats(const Pair& pair, const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
+{
+  const Wave wave = wave_of_both(lower, upper, domain);
+  Footprint f;
+  f.elastic_x = f.half_x = f.elastic_y = f.half_y = 0.25 * wave.length; // of a summit
+  f.approach = wave.amplitude;
+  const double slope = 2.0 * pi * wave.amplitude / wave.length;
+  f.peak_ratio = 0.5 * pair.modulus * slope / pair.yield_pressure; // where the wave is flattened (Westergaard)
+  const double over_yield = std::max(1.0, f.peak_ratio);
+  f.first_yield_approach = f.approach / (over_yield * over_yield);
+  f.depth = wave.length; // over it exp(-kz) (1 + kz) falls to 1.4 %
+  f.over_x = 0.5 * domain.x.size;
+  f.over_y = 0.5 * domain.y.size;
+  return f;
+}
+
+/// Where a part of a texture is on its body, in the middle of what covers the whole plane, and over which length it rises and
+/// falls [m].
 struct Waviness
 {
   double x = 0.0, length = 0.0;
@@ -209,16 +297,26 @@ double wavelength(const HeightMap& map)
   return slopes > 0.0 ? 2.0 * pi * std::sqrt(2.0 * squares / slopes) : 0.0;
 }
 
-std::optional<Waviness> waviness(const Texture& texture)
+Waviness waviness_of(const Dent& dent)
 {
-  if (const auto* dent = std::get_if<Dent>(&texture))
-    return Waviness{dent->x, dent->radius};
-  if (const auto* map = std::get_if<HeightMap>(&texture))
-    return Waviness{map->x, wavelength(*map)};
-  return std::nullopt;
+  return {dent.x, dent.radius};
+}
+Waviness waviness_of(const HeightMap& map)
+{
+  return {map.periodic ? 0.0 : map.x, wavelength(map)};
+}
+Waviness waviness_of(const Sinusoid& s) // the stress of crossed waves fades with both wavenumbers
+{
+  return {0.0, 1.0 / std::hypot(1.0 / s.wavelength_x, 1.0 / s.wavelength_y)};
+}
+Waviness waviness_of(const RandomSurface& surface)
+{
+  const double slope = surface.rms_slope();
+  return {0.0, slope > 0.0 ? 2.0 * pi * std::numbers::sqrt2 * surface.rms_height() / slope : 0.0};
 }
 
-/// Half-lengths that the elastic contact covers with a texture's middle under its own, by a solution on a coarse grid.
+/// Half-lengths that the elastic contact covers with a place x of the textures under its middle, by a solution on a coarse
+/// grid. Heights at its points, not means over its cells: roughness bears where it is high.
 std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
                                     double modulus, const Footprint& smooth, double x)
 {
@@ -229,15 +327,16 @@ std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& u
   for (int attempt = 0; attempt < 4; ++attempt)
   {
     const SurfaceGrid grid{cells, cells, 2.0 * half[0] / cells, 2.0 * half[1] / cells};
+    const std::vector<double> of_lower = depths(lower.texture, grid, x + grid.x(0), grid.y(0)),
+                              of_upper = depths(upper.texture, grid, x + grid.x(0), grid.y(0));
     std::vector<double> distance(grid.size());
     for (int j = 0; j < cells; ++j)
       for (int i = 0; i < cells; ++i)
       {
-        const double u = (i - 0.5 * (cells - 1)) * grid.dx;
-        const double v = (j - 0.5 * (cells - 1)) * grid.dy;
-        distance[static_cast<std::size_t>(i + cells * j)] = height(lower.shape, u, v) + height(upper.shape, u, v) +
-                                                            depth(lower.texture, x + u, v) +
-                                                            depth(upper.texture, x + u, v);
+        const double u = grid.x(i);
+        const double v = grid.y(j);
+        const std::size_t n = grid.index(i, j);
+        distance[n] = height(lower.shape, u, v) + height(upper.shape, u, v) + of_lower[n] + of_upper[n];
       }
     const halfspace::SurfaceCompliance compliance(grid, modulus);
     contact::ElasticContact solver(compliance);
@@ -267,11 +366,15 @@ void add_textures(const ShapedBody& lower, const ShapedBody& upper, const Drive&
 {
   constexpr double clearly_elastic = 0.7; // of the pressure at first yield
   double longest = 0.0;
+  std::set<double> places;
   for (const ShapedBody* body : {&lower, &upper})
-    if (const std::optional<Waviness> texture = waviness(body->texture))
+    for (const TexturePart& part : body->texture.parts)
     {
-      longest = std::max(longest, texture->length);
-      const auto [x, y] = elastic_cover(lower, upper, drive, pair.modulus, f, texture->x);
+      const Waviness waves = std::visit([](const auto& p) { return waviness_of(p); }, part);
+      longest = std::max(longest, waves.length);
+      if (!places.insert(waves.x).second)
+        continue;
+      const auto [x, y] = elastic_cover(lower, upper, drive, pair.modulus, f, waves.x);
       f.over_x = std::max(f.over_x, x);
       f.over_y = f.straight_y ? f.over_y : std::max(f.over_y, y);
     }
@@ -287,19 +390,36 @@ double stressed_depth(double half_x, double half_y)
   return (2.9 - 1.05 * narrow) * std::min(half_x, half_y);
 }
 
-Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
+namespace
 {
-  Footprint f = of_shapes(pair_of(lower, upper), lower.shape, upper.shape, drive);
+
+/// Whether only the textures of the bodies touch.
+bool are_flat(const ShapedBody& lower, const ShapedBody& upper)
+{
+  const auto k = relative_curvature(lower.shape, upper.shape);
+  return k && (*k)[0] == 0.0 && (*k)[1] == 0.0;
+}
+
+} // namespace
+
+Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
+{
+  if (const auto reason = reason_against_contact(lower, upper, domain))
+    throw InputError("the bodies " + *reason);
+  Footprint f = of_shapes(pair_of(lower, upper), lower.shape, upper.shape, drive, domain);
   f.depth = std::max(stressed_depth(f.half_x, f.half_y), 1.3 * f.plastic_reach);
   f.over_x = f.half_x;
   f.over_y = f.half_y;
   return f;
 }
 
-Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive)
+Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
 {
-  Footprint f = smooth_footprint(lower, upper, drive);
-  add_textures(lower, upper, drive, pair_of(lower, upper), f);
+  if (domain.is_periodic() && are_flat(lower, upper) && !are_smooth(lower, upper))
+    return of_flats(pair_of(lower, upper), lower, upper, domain);
+  Footprint f = smooth_footprint(lower, upper, drive, domain);
+  if (!domain.is_periodic())
+    add_textures(lower, upper, drive, pair_of(lower, upper), f);
   return f;
 }
 
@@ -310,7 +430,7 @@ bool alike(const ShapedBody& lower, const ShapedBody& upper)
 
 bool are_smooth(const ShapedBody& lower, const ShapedBody& upper)
 {
-  return std::holds_alternative<Smooth>(lower.texture) && std::holds_alternative<Smooth>(upper.texture);
+  return lower.texture.is_smooth() && upper.texture.is_smooth();
 }
 
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
@@ -323,7 +443,7 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   lay_out(cell_sizes(numerics, {f.half_x, f.half_y, f.straight_y}, 1.0),
           {scale * 1.6 * f.over_x, scale * reach_y, track_lower + scale * reach_x, track_upper + scale * reach_x,
            scale * f.depth},
-          plan);
+          numerics.domain, plan);
   // Not so small a change of displacement that the tolerance of the contact hides it.
   plan.scales = {std::clamp(f.first_yield_approach, 1e-2 * f.approach, f.approach), f.approach};
 }

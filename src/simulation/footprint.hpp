@@ -23,11 +23,13 @@ struct Footprint
   double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
 };
 
-/// @throws InputError if the contact would not be finite.
-[[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive);
+/// @throws InputError with reason_against_contact.
+[[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
+                                  const Domain& domain);
 
 /// The same without the textures.
-[[nodiscard]] Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive);
+[[nodiscard]] Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
+                                         const Domain& domain);
 
 /// Depth that the stress of an elastic contact reaches [m]: its largest shear is at 0.48 a under a point contact, at 0.79 a
 /// under a line contact.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace brinell::simulation
 {
@@ -28,8 +29,8 @@ int odd_cells(double half_length, double cell, int margin = 0)
 /// Real padded planes of all layers [bytes].
 double padded_bytes(const VolumeGrid& grid)
 {
-  return static_cast<double>(fast_length(2 * grid.surface.nx - 1)) * fast_length(2 * grid.surface.ny - 1) * grid.nz *
-         sizeof(double);
+  const PaddedLengths padded = padded_lengths(grid.surface);
+  return static_cast<double>(padded.x) * padded.y * grid.nz * sizeof(double);
 }
 
 /// Spectra of the stress, and rows without their padding in y.
@@ -65,13 +66,53 @@ double checkpoint_bytes(const VolumeGrid& grid, bool solved)
 
 } // namespace
 
+namespace
+{
+
+/// Cells of a period, and what is left over.
+double periods_cells(const Domain::Axis& axis, double spacing)
+{
+  return axis.cells > 0 ? axis.cells : axis.size / spacing;
+}
+
+/// The cell sizes of periodic axes, instead of those that the contact's size makes.
+/// @param spacing_given  then the period must be a whole number of cells
+void fit_periods(const Domain& domain, bool spacing_given, std::array<double, 3>& spacing)
+{
+  for (const auto& [name, axis, cell] :
+       {std::tuple{"x", &domain.x, &spacing[0]}, std::tuple{"y", &domain.y, &spacing[1]}})
+  {
+    if (!axis->is_periodic())
+      continue;
+    const double cells = periods_cells(*axis, *cell);
+    if (spacing_given && axis->cells == 0 && std::abs(cells - std::round(cells)) > 1e-6 * cells)
+      throw GridError(
+          fmt::format("grid.size = {:g} m along {} is {:.6g} cells of {:g} m; allowed: a whole number of cells",
+                      axis->size, name, cells, *cell));
+    *cell = axis->size / std::max(1.0, std::round(cells));
+  }
+}
+
+/// Thickness of the layers: as given, or half the smaller cell; of a plane problem, whose rows have any length, half of dx.
+double layer_thickness(const Domain& domain, double dx, double dy)
+{
+  if (domain.layer > 0.0)
+    return domain.layer;
+  return 0.5 * (domain.is_plane() ? dx : std::min(dx, dy));
+}
+
+} // namespace
+
 std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect)
 {
   const double dx = contact.half_x / numerics.resolution;
   double dy = aspect * dx * std::clamp(contact.half_y / contact.half_x, 0.25, 4.0);
   if (contact.straight_y) // the length is a whole number of cells, one of them in the middle
     dy = 2.0 * contact.half_y / (2.0 * std::round(contact.half_y / dy - 0.5) + 1.0);
-  const std::array<double, 3> spacing = numerics.spacing.value_or(std::array{dx, dy, 0.5 * std::min(dx, dy)});
+  std::array<double, 3> spacing = numerics.spacing.value_or(std::array{dx, dy, 0.0});
+  fit_periods(numerics.domain, numerics.spacing.has_value(), spacing);
+  if (!numerics.spacing)
+    spacing[2] = layer_thickness(numerics.domain, spacing[0], spacing[1]);
   if (const double rows = 2.0 * contact.half_y / spacing[1];
       contact.straight_y && std::abs(std::remainder(rows - 1.0, 2.0)) > 1e-6 * rows)
     throw GridError(
@@ -80,27 +121,38 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
                     rows));
   constexpr double most_cells = 1e5;
   const double finest = *std::min_element(spacing.begin(), spacing.end());
-  if (const double a = std::max(contact.half_x, contact.half_y); !(a / finest < most_cells))
-    throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, a));
+  const double longest = numerics.domain.is_plane() ? contact.half_x : std::max(contact.half_x, contact.half_y);
+  if (!(longest / finest < most_cells))
+    throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, longest));
   return spacing;
 }
 
-void lay_out(const std::array<double, 3>& cells, const Extents& extents, Plan& plan)
+void lay_out(const std::array<double, 3>& cells, const Extents& extents, const Domain& domain, Plan& plan)
 {
   const auto [dx, dy, dz] = cells;
   constexpr int margin = 4;          // cells: material pushed ahead
   constexpr double most_cells = 2e9; // beyond it indices would overflow; far beyond any machine
-  const double longest = std::max({extents.contact_x, extents.lower_x, extents.upper_x});
-  const double count = 4.0 * longest / dx * (extents.contact_y / dy) * (extents.depth / dz);
+  const auto half_length = [](const Domain::Axis& axis, double extent)
+  { return axis.is_periodic() ? 0.5 * axis.size : extent; };
+  const double longest = half_length(domain.x, std::max({extents.contact_x, extents.lower_x, extents.upper_x}));
+  const double widest = half_length(domain.y, extents.contact_y);
+  const double count = 4.0 * longest / dx * (widest / dy) * (extents.depth / dz);
   if (!(count < most_cells))
     throw GridError(fmt::format("grid: {:.1e} cells for a track of {:.3g} x {:.3g} m with a plastic zone of {:.3g} m; "
                                 "allowed: fewer than {:.0e}, so larger cells or a shorter track",
-                                count, 2.0 * longest, 2.0 * extents.contact_y, extents.depth, most_cells));
-  plan.contact = {odd_cells(extents.contact_x, dx), odd_cells(extents.contact_y, dy), dx, dy};
-  for (const auto& [grid, half_length] : {std::pair{&plan.lower, extents.lower_x}, {&plan.upper, extents.upper_x}})
+                                count, 2.0 * longest, 2.0 * widest, extents.depth, most_cells));
+  const auto cells_along = [](const Domain::Axis& axis, double extent, double cell, int more)
+  { return axis.is_periodic() ? static_cast<int>(std::lround(axis.size / cell)) : odd_cells(extent, cell, more); };
+  plan.contact = {cells_along(domain.x, extents.contact_x, dx, 0),
+                  cells_along(domain.y, extents.contact_y, dy, 0),
+                  dx,
+                  dy,
+                  domain.x.boundary,
+                  domain.y.boundary};
+  for (const auto& [grid, extent] : {std::pair{&plan.lower, extents.lower_x}, {&plan.upper, extents.upper_x}})
   {
     grid->surface = plan.contact;
-    grid->surface.nx = std::max(plan.contact.nx, odd_cells(half_length, dx, margin));
+    grid->surface.nx = std::max(plan.contact.nx, cells_along(domain.x, extent, dx, margin));
     grid->nz = std::max(2, static_cast<int>(std::ceil(extents.depth / dz - 1e-9)));
     grid->dz = dz;
   }

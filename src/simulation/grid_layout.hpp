@@ -14,7 +14,7 @@ struct ContactSize
   bool straight_y = false;           ///< the contact ends with a roller, and so do its cells
 };
 
-/// Cells from the contact's size, unless they are given.
+/// Cells from the contact's size, unless they are given. Along a periodic axis a whole number of them makes the period.
 /// @param aspect  dy over dx for a round contact.
 /// @throws GridError
 [[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect);
@@ -29,8 +29,9 @@ struct Extents
 
 /// Lays the grids out: an odd number of columns and rows, so that one cell is in the middle. The material grids have the rows
 /// of the contact's, some columns more than asked for, because material is pushed ahead, and never fewer than the contact.
+/// Along a periodic axis all three have the cells of one period.
 /// @throws GridError if they are beyond all measure
-void lay_out(const std::array<double, 3>& cells, const Extents& extents, Plan& plan);
+void lay_out(const std::array<double, 3>& cells, const Extents& extents, const Domain& domain, Plan& plan);
 
 /// Columns or rows of a grid that has been outgrown: at least a third more, as many at either end.
 [[nodiscard]] int grown(int cells);

@@ -148,12 +148,13 @@ bool are_twins(const IndentationCase& indentation, const IndentationPlan& plan)
 
 IndentationPlan plan(const IndentationCase& indentation)
 {
-  const Footprint f = footprint(indentation.lower, indentation.upper, largest_drive(indentation));
+  const Footprint f = footprint(indentation.lower, indentation.upper, largest_drive(indentation), indentation.domain);
   double track = 0.0;
   for (const double x : indentation.places)
     track = std::max(track, std::abs(x));
   IndentationPlan plan;
   lay_out(indentation, f, track, 0.0, plan);
+  plan.reference = reference_distance(indentation.lower.shape, indentation.upper.shape, indentation.domain);
   plan.contact_radius = f.half_x;
   plan.contact_radius_y = f.half_y;
   plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;

@@ -21,9 +21,10 @@ constexpr double fewest_cells_across =
 constexpr double hopeless_cells = 2.0;  ///< below, a third of the energy is missing
 constexpr int fewest_layers = 4;        ///< of the plastic zone
 constexpr double largest_strain = 0.05; ///< products of strains are neglected: an error of that share of the strain
-constexpr double largest_imbalance = 0.02;       ///< of the energies, over the largest work
-constexpr double fewest_cells_of_dent = 4.0;     ///< per radius of a dent, whose hollow is a quarter of it
-constexpr double smallest_approach = 1e-9;       ///< [m], some atoms: no continuum
+constexpr double largest_imbalance = 0.02;   ///< of the energies, over the largest work
+constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
+constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
+constexpr double smallest_approach = 1e-9;   ///< [m], some atoms: no continuum
 constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
 
@@ -58,6 +59,8 @@ struct Facts
   std::optional<double> first_yield; ///< approach there [m], where the estimate holds
   bool can_yield = false;
   std::optional<double> shift; ///< if it is not one cell [m]
+  bool is_plane = false;       ///< nothing varies along y
+  bool is_patchy = false; ///< the contact may lie anywhere in a period, so that its extent says nothing of its patches
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   elastoplastic::Settings solver;
 };
@@ -75,6 +78,7 @@ Facts common_facts(const ScenarioCase& c, const Plan& plan)
   if (!stressed && are_smooth(c.lower, c.upper))
     f.first_yield = plan.scales.displacement;
   f.solver = c.solver;
+  f.is_plane = c.domain.is_plane();
   f.textures = {&c.lower.texture, &c.upper.texture};
   return f;
 }
@@ -83,9 +87,10 @@ template <typename ScenarioCase>
 Facts shaped_facts(const ScenarioCase& c, const Plan& plan, const contact::Drive& drive)
 {
   Facts f = common_facts(c, plan);
-  const Footprint foot = footprint(c.lower, c.upper, drive);
+  const Footprint foot = footprint(c.lower, c.upper, drive, c.domain);
   f.half_x = foot.half_x;
   f.half_y = foot.half_y;
+  f.is_patchy = c.domain.is_periodic();
   return f;
 }
 
@@ -153,6 +158,8 @@ double deciding_cells(const Facts& f, const Resolution& r)
 
 Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::optional<int> layers)
 {
+  if (f.is_plane)
+    cells_y = cells_x;
   Resolution r{cells_x, cells_y, std::min(cells_x, cells_y), layers, {}};
   const bool yields = layers ? *layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
   if (!yields || std::isnan(r.cells))
@@ -213,25 +220,15 @@ public:
 
   void of_textures()
   {
-    const double cell = std::max(f_.cell[0], f_.cell[1]);
     for (std::size_t body = 0; body < f_.textures.size(); ++body)
     {
-      const char* name = body == 0 ? "lower" : "upper";
-      const Texture* texture = f_.textures[body];
-      if (const Dent* dent = texture ? std::get_if<Dent>(texture) : nullptr;
-          dent && dent->radius < fewest_cells_of_dent * cell)
-        add("coarse_texture", fmt::format("{}.texture: a {} of radius {} on cells of {} is not resolved: only its mean "
-                                          "over each cell counts; {:g} cells "
-                                          "per radius are the fewest",
-                                          name, dent->depth < 0.0 ? "bump" : "dent", length_text(dent->radius),
-                                          length_text(cell), fewest_cells_of_dent));
-      if (const HeightMap* map = texture ? std::get_if<HeightMap>(texture) : nullptr;
-          map && (map->dx < 0.999 * f_.cell[0] || map->dy < 0.999 * f_.cell[1]))
-        add("coarse_texture",
-            fmt::format("{}.texture: the points of the height map, {} x {}, are finer than the cells, {} x "
-                        "{}: each cell takes the mean height over it, and roughness finer than that is lost",
-                        name, length_text(map->dx), length_text(map->dy), length_text(f_.cell[0]),
-                        length_text(f_.cell[1])));
+      const std::vector<TexturePart>& parts = f_.textures[body]->parts;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+      {
+        const std::string name =
+            fmt::format("{}.texture{}", body == 0 ? "lower" : "upper", parts.size() > 1 ? fmt::format("[{}]", i) : "");
+        std::visit([&](const auto& part) { of_texture(name, part); }, parts[i]);
+      }
     }
   }
 
@@ -287,6 +284,51 @@ public:
   [[nodiscard]] Quality result() && { return std::move(result_); }
 
 private:
+  void of_texture(const std::string& name, const Dent& dent)
+  {
+    const double cell = std::max(f_.cell[0], f_.cell[1]);
+    if (dent.radius < fewest_cells_of_dent * cell)
+      add("coarse_texture",
+          fmt::format("{}: a {} of radius {} on cells of {} is not resolved: only its mean over each cell counts; {:g} "
+                      "cells per radius are the fewest",
+                      name, dent.depth < 0.0 ? "bump" : "dent", length_text(dent.radius), length_text(cell),
+                      fewest_cells_of_dent));
+  }
+
+  void of_texture(const std::string& name, const HeightMap& map)
+  {
+    if (map.dx < 0.999 * f_.cell[0] || map.dy < 0.999 * f_.cell[1])
+      add("coarse_texture",
+          fmt::format("{}: the points of the height map, {} x {}, are finer than the cells, {} x {}: "
+                      "each cell takes the mean height over it, and roughness finer than that is lost",
+                      name, length_text(map.dx), length_text(map.dy), length_text(f_.cell[0]),
+                      length_text(f_.cell[1])));
+  }
+
+  void of_texture(const std::string& name, const Sinusoid& s)
+  {
+    of_waves(name, "waves of", s.wavelength_x, s.wavelength_y);
+  }
+  void of_texture(const std::string& name, const RandomSurface& surface)
+  {
+    of_waves(name, "roughness with waves down to", surface.parameters().cutoff, surface.parameters().cutoff);
+  }
+
+  /// Tells of the axis with fewer cells per wave.
+  void of_waves(const std::string& name, const char* what, double wavelength_x, double wavelength_y)
+  {
+    const double cells_x = wavelength_x / f_.cell[0], cells_y = wavelength_y / f_.cell[1];
+    const double cells = std::min(cells_x, cells_y);
+    if (!(cells < 0.999 * fewest_cells_of_wave))
+      return;
+    add("coarse_texture",
+        fmt::format("{}: {} {} on cells of {}, which do not resolve them{}; {:g} cells per shortest wave are the "
+                    "fewest for contact area and peak pressure",
+                    name, what, length_text(cells_x < cells_y ? wavelength_x : wavelength_y),
+                    length_text(cells_x < cells_y ? f_.cell[0] : f_.cell[1]),
+                    cells < 2.0 ? ": only the mean over each cell counts" : "", fewest_cells_of_wave));
+  }
+
   void add(const char* key, std::string text) { result_.warnings.push_back({key, std::move(text)}); }
 
   const Facts& f_;
@@ -310,8 +352,9 @@ Quality after(const Facts& f, const RunTotals& totals)
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Coverage& seen = totals.coverage;
   const bool touched = seen.contact_columns > 0;
-  Judge judge(f, resolution_of(f, touched ? 0.5 * seen.contact_columns : nan, touched ? 0.5 * seen.contact_rows : nan,
-                               seen.plastic_layers));
+  const double cells_x = f.is_patchy ? f.half_x / f.cell[0] : 0.5 * seen.contact_columns;
+  const double cells_y = f.is_patchy ? f.half_y / f.cell[1] : 0.5 * seen.contact_rows;
+  Judge judge(f, resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, seen.plastic_layers));
   judge.of_cells();
   judge.of_depth();
   judge.of_textures();

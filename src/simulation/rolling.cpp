@@ -70,6 +70,7 @@ public:
     const Stepper::Depths& depths = stepper.depths(here);
     r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance(here);
     r.F_X = rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
+    r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
     r.work += 0.5 * (r.F_n + at_.F_n) * (r.approach - at_.approach) + 0.5 * (r.F_X + at_.F_X) * (r.x - at_.x);
     at_ = {r.x, r.approach, r.F_n, r.F_X};
     track_.add(r);
@@ -170,7 +171,7 @@ RollingPlan plan(const RollingCase& rolling)
 {
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
-  const Footprint f = footprint(rolling.lower, rolling.upper, rolling.drive);
+  const Footprint f = footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain);
   RollingPlan plan;
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;
@@ -182,6 +183,7 @@ RollingPlan plan(const RollingCase& rolling)
   plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift)));
   const double track = 0.5 * plan.rolling_steps * plan.shift;
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
+  plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps));
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot.hpp"
 
-#include "grid_layout.hpp"
-
 namespace brinell::simulation
 {
 
@@ -36,10 +34,10 @@ BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, d
   s.contact_x = contact_x;
   if (body.material().elastic.is_rigid())
     return s;
-  elastoplastic::BodyState state = body.state();
-  s.equivalent_plastic_strain = std::move(state.equivalent);
-  s.residual_displacement = std::move(state.residual_displacement);
-  s.plastic_strain = six_fields(state.plastic_strain, std::vector<double>(s.grid.size()));
+  using elastoplastic::BodyState;
+  s.equivalent_plastic_strain = body.scalars(&BodyState::equivalent);
+  s.residual_displacement = body.scalars(&BodyState::residual_displacement);
+  s.plastic_strain = six_fields(body.deviators(&BodyState::plastic_strain), std::vector<double>(s.grid.size()));
   return s;
 }
 

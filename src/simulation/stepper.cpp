@@ -118,7 +118,8 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
   return std::make_unique<CoupledContact>(
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
       elastoplastic::Textures{textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin()),
-                              textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin())});
+                              textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin())},
+      plan_.reference);
 }
 
 void Stepper::exchange(Archive& archive)
@@ -329,8 +330,9 @@ std::pair<double, double> Stepper::residual_range(const Centre& centre) const
   const Frame frame = lattice_.frame(centre);
   const SurfaceGrid& s = pair_->lower().grid().surface;
   const std::vector<double>& residual = pair_->lower().solved().state().residual_displacement;
-  const int first = std::max(0, frame.placement.lower.column);
-  const int last = std::min(s.nx, frame.placement.lower.column + pair_->grid().nx);
+  const bool all = s.is_periodic_x();
+  const int first = all ? 0 : std::max(0, frame.placement.lower.column);
+  const int last = all ? s.nx : std::min(s.nx, frame.placement.lower.column + pair_->grid().nx);
   std::pair<double, double> range{0.0, 0.0};
   for (int j = 0; j < s.ny; ++j)
     for (int i = first; i < last; ++i)
@@ -392,13 +394,7 @@ void Stepper::fill(RunTotals& totals) const
 
 std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0)
 {
-  if (std::holds_alternative<Smooth>(texture))
-    return {};
-  std::vector<double> depths(grid.size());
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      depths[grid.index(i, j)] = cell_depth(texture, x0 + i * grid.dx, grid.y(j), grid.dx, grid.dy);
-  return depths;
+  return texture.is_smooth() ? std::vector<double>{} : cell_depths(texture, grid, x0, grid.y(0));
 }
 
 } // namespace brinell::simulation

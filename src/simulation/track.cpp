@@ -28,7 +28,7 @@ void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipatio
   for (int layer = 0; layer < lower.grid().nz; ++layer)
     plastic_strain_[static_cast<std::size_t>(layer)] = lower.state().equivalent[middle(lower.grid(), layer)];
   dissipation_ = dissipation;
-  sum_force_ = sum_pressure_ = sum_load_ = 0.0;
+  sum_force_ = sum_pressure_ = sum_load_ = sum_area_ = 0.0;
   count_ = 0;
 }
 
@@ -45,6 +45,7 @@ void TrackReader::add(const RollingRecord& record)
   sum_force_ += record.F_X;
   sum_pressure_ += record.max_pressure;
   sum_load_ += record.F_n;
+  sum_area_ += record.contact_area;
   ++count_;
 }
 
@@ -73,6 +74,8 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
   if (count_ == 0)
     return pass;
   pass.mean_F_X = sum_force_ / count_;
+  pass.friction = sum_load_ > 0.0 ? sum_force_ / sum_load_ : 0.0;
+  pass.contact_area = sum_area_ / count_;
   pass.max_pressure = sum_pressure_ / count_;
   const auto per_length = [](const Uptake& from, const Uptake& to)
   { return to.x > from.x ? (to.energy - from.energy) / (to.x - from.x) : 0.0; };
@@ -95,6 +98,7 @@ void TrackReader::exchange(Archive& archive)
   archive("sum_force", sum_force_);
   archive("sum_pressure", sum_pressure_);
   archive("sum_load", sum_load_);
+  archive("sum_area", sum_area_);
   archive("count", count_, 0, std::numeric_limits<int>::max() - 1);
 }
 

@@ -32,7 +32,7 @@ private:
   std::vector<double> plastic_strain_; ///< under the middle before the pass
   double dissipation_ = 0.0;           ///< before it [J]
   Uptake first_, centre_, last_;       ///< over the middle half of the track
-  double sum_force_ = 0.0, sum_pressure_ = 0.0, sum_load_ = 0.0;
+  double sum_force_ = 0.0, sum_pressure_ = 0.0, sum_load_ = 0.0, sum_area_ = 0.0;
   int count_ = 0;
 };
 

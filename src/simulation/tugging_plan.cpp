@@ -37,8 +37,8 @@ Pair pair_of(const TuggingCase& tugging)
 {
   const ShapedBody& lower = tugging.lower;
   const ShapedBody& upper = tugging.upper;
-  if (!contact_is_finite(lower.shape, upper.shape))
-    throw InputError("the bodies touch neither in a point nor in a line of finite length");
+  if (const auto reason = reason_against_contact(lower, upper, tugging.domain))
+    throw InputError("the bodies " + *reason);
   Pair pair;
   pair.curvature = relative_curvature(lower.shape, upper.shape).value();
   const TextureReach of_lower = reach(lower.texture);
@@ -56,7 +56,8 @@ Pair pair_of(const TuggingCase& tugging)
           reference::critical_values(*radius, modulus, yield->pressure_ratio, yield->yield_stress).interference);
     return pair;
   }
-  const Footprint f = smooth_footprint(lower, upper, {contact::Drive::Kind::approach, tugging.interference});
+  const Footprint f =
+      smooth_footprint(lower, upper, {contact::Drive::Kind::approach, tugging.interference}, tugging.domain);
   pair.contact = {f.elastic_x, f.elastic_y, f.straight_y};
   pair.first_yield = std::min(pair.first_yield, f.first_yield_approach);
   return pair;
@@ -158,12 +159,12 @@ std::optional<double> passing_radius(const Shape& shape)
   return std::get<Roller>(shape).radius;
 }
 
-double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load)
+double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain)
 {
   const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
   if (const std::optional<double> radius = equivalent_radius(lower.shape, upper.shape))
     return reference::point_contact_at_load(*radius, modulus, load).approach;
-  return smooth_footprint(lower, upper, {contact::Drive::Kind::load, load}).approach;
+  return smooth_footprint(lower, upper, {contact::Drive::Kind::load, load}, domain).approach;
 }
 
 double relative_cells(const TuggingCase& tugging, double dx)
@@ -200,7 +201,8 @@ TuggingPlan plan(const TuggingCase& tugging)
                                  "less than either",
                                  pair.texture.height, pass.radius_lower(), pass.radius_upper()));
   TuggingPlan plan;
-  lay_out(cell, extents(tugging, pair, pass), plan);
+  lay_out(cell, extents(tugging, pair, pass), tugging.domain, plan);
+  plan.reference = reference_distance(tugging.lower.shape, tugging.upper.shape, tugging.domain);
   plan.elastic_contact_radius = pair.contact.half_x;
   plan.elastic_contact_radius_y = pair.contact.half_y;
   plan.texture_height = pair.texture.height;

@@ -44,6 +44,17 @@ TEST_F(Commands, SchemaIsTheReferencePage)
   EXPECT_NE(run({"schema"}).out.find("tugging.interference\n"), std::string::npos);
 }
 
+TEST_F(Commands, SchemaTellsAKeyATableOrAllToAnEditor)
+{
+  EXPECT_EQ(run({"schema", "grid.extent"}).out.rfind("grid.extent\n", 0), 0u);
+  const Outcome wrong = run({"schema", "grid.extnt"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("did you mean grid.extent?"), std::string::npos) << wrong.err;
+  EXPECT_EQ(run({"schema", "--json"}).out.rfind("{\n", 0), 0u);
+  EXPECT_EQ(run({"schema", "--json", "--markdown"}).exit_code, 2);
+  EXPECT_EQ(run({"schema", "grid", "--json"}).exit_code, 2);
+}
+
 TEST_F(Commands, CheckPrintsACaseThatChecksTheSame)
 {
   write("case.toml", quick_case);

@@ -41,9 +41,9 @@ TEST_F(Errors, MissingFile)
 TEST_F(Errors, CaseIsCheckedBeforeAnythingIsWritten)
 {
   write("case.toml", std::string(quick_case) + "colour = 3\n");
-  expect_refused(
-      {"run", "case.toml", "-o", "out"},
-      {"brinell: error: case.toml:13: unknown key grid.colour = 3; allowed in grid: spacing, resolution, extent"});
+  expect_refused({"run", "case.toml", "-o", "out"},
+                 {"brinell: error: case.toml:13: unknown key grid.colour = 3; allowed in grid: boundary, size, cells, "
+                  "layer, reference, spacing, resolution, extent"});
   EXPECT_FALSE(fs::exists(folder() / "out"));
 }
 

@@ -97,12 +97,12 @@ TEST_F(Refusals, UnknownScenarioAndCommand)
                  "brinell: error: unknown scenario walking; allowed: tugging, indentation, rolling\n");
   expect_refused({"walk", "case.toml"},
                  "brinell: error: unknown command walk; there are run, check, schema, new, cite, "
-                 "plot, report, sweep, export, completion\n");
+                 "plot, report, sweep, surface, export, completion\n");
 }
 
 TEST_F(Refusals, CommandsOfThePythonPackage)
 {
-  for (const char* command : {"plot", "report", "sweep", "export", "completion"})
+  for (const char* command : {"plot", "report", "sweep", "surface", "export", "completion"})
     expect_refused({command, "--help", "x", "--out=y"},
                    "brinell: error: " + std::string(command) +
                        " is a command of brinell's Python package, which is not this program; `pip install .` in "

@@ -37,11 +37,6 @@ inline Deviator deviator_at(const std::vector<double>& field, std::size_t cell)
   return d;
 }
 
-inline std::size_t cell_index(const VolumeGrid& g, int i, int j, int k)
-{
-  return g.index(i, j, k);
-}
-
 /// The field strain * profile(x, y, z), sampled at the cell centres; x = y = 0 is the centre of cell (0, 0).
 template <class Profile>
 std::vector<double> sampled_strain(const VolumeGrid& g, const Deviator& strain, Profile profile)
@@ -53,7 +48,7 @@ std::vector<double> sampled_strain(const VolumeGrid& g, const Deviator& strain, 
       {
         const double f = profile(i * g.surface.dx, j * g.surface.dy, (k + 0.5) * g.dz);
         for (int c = 0; c < Deviator::size; ++c)
-          field[static_cast<std::size_t>(c) * g.size() + cell_index(g, i, j, k)] = f * strain[c];
+          field[static_cast<std::size_t>(c) * g.size() + g.index(i, j, k)] = f * strain[c];
       }
   return field;
 }

@@ -206,7 +206,7 @@ simulation::RollingCase random_rolling(Draw& draw)
   randomise_solver(draw, c);
   c.drive = {contact::Drive::Kind::load, random_load(draw, c, size_of(c.upper.shape))};
   c.distance = 1.0; // to be set when the contact's size is known
-  const double a = simulation::footprint(c.lower, c.upper, c.drive).half_x;
+  const double a = simulation::footprint(c.lower, c.upper, c.drive, c.domain).half_x;
   c.distance = a * draw.between(2.0, 6.0); // two shifts at least
   c.shift = a / c.resolution * (draw.chance(0.5) ? 1 + draw.below(2) : draw.between(0.3, 1.5));
   if (draw.chance(0.3))

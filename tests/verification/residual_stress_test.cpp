@@ -60,8 +60,8 @@ test::StressField stress_on_block(const simulation::BodySnapshot& body, int marg
     for (int j = 0; j < from.surface.ny; ++j)
       for (int i = 0; i < from.surface.nx; ++i)
         for (std::size_t c = 0; c < kept.size(); ++c)
-          strain[c * grid.size() + test::cell_index(grid, i + margin, j + margin, k)] =
-              body.plastic_strain[kept[c]][test::cell_index(from, i, j, k / parts)];
+          strain[c * grid.size() + grid.index(i + margin, j + margin, k)] =
+              body.plastic_strain[kept[c]][from.index(i, j, k / parts)];
   const halfspace::HalfSpace half_space(grid, elastic);
   return {half_space, {}, strain};
 }
@@ -74,7 +74,7 @@ double net_share(const VolumeGrid& g, const test::StressField& stress, int axis,
     for (int j = 0; j < g.surface.ny; ++j)
       for (int i = axis == 0 ? plane : 0; i < (axis == 0 ? plane + 1 : g.surface.nx); ++i)
       {
-        const double s = stress.at(test::cell_index(g, i, j, k))[component];
+        const double s = stress.at(g.index(i, j, k))[component];
         net += s;
         absolute += std::abs(s);
       }
@@ -122,10 +122,10 @@ TEST(ResidualStress, IsThatOfThePlasticStrainAlone)
     for (int j = 0; j < body.grid.surface.ny; ++j)
       for (int i = 0; i < body.grid.surface.nx; ++i)
       {
-        const SymTensor s = wide.at(test::cell_index(grid, i + margin, j + margin, k));
+        const SymTensor s = wide.at(grid.index(i + margin, j + margin, k));
         for (std::size_t c = 0; c < 6; ++c)
         {
-          const double here = body.stress[c][test::cell_index(body.grid, i, j, k)];
+          const double here = body.stress[c][body.grid.index(i, j, k)];
           difference = std::max(difference, std::abs(here - s[c]));
           largest = std::max(largest, std::abs(here));
         }
@@ -187,8 +187,8 @@ TEST(ResidualStress, ObeysTheYieldConditionAndIsMirrorSymmetric)
     for (int j = 0; j < g.surface.ny; ++j)
       for (int i = 0; i < g.surface.nx; ++i)
       {
-        const std::size_t n = test::cell_index(g, i, j, k);
-        const std::size_t mirror = test::cell_index(g, i, g.surface.ny - 1 - j, k);
+        const std::size_t n = g.index(i, j, k);
+        const std::size_t mirror = g.index(i, g.surface.ny - 1 - j, k);
         SymTensor s{};
         for (std::size_t c = 0; c < 6; ++c)
           s[c] = body.stress[c][n];
@@ -240,7 +240,7 @@ TEST(ResidualStress, AWidePatchOfUniformStrainIsAHeldLayer)
       for (std::size_t c = 0; c < 6; ++c)
       {
         const double expected = k < 2 ? held[c] : 0.0;
-        error = std::max(error, std::abs(stress.at(test::cell_index(grid, n / 2, n / 2, k))[c] - expected));
+        error = std::max(error, std::abs(stress.at(grid.index(n / 2, n / 2, k))[c] - expected));
       }
     errors.push_back(error / std::abs(held[0]));
     test::expect_close("held layer, width / thickness = " + std::to_string(n), errors.back(), 0.0,

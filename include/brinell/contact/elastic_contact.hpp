@@ -30,7 +30,7 @@ struct Report
 {
   bool converged = false;
   int iterations = 0;
-  int products = 0;         ///< with the compliance, which is what a solution costs
+  int products = 0;         ///< with the compliance; about its inverse is applied once per iteration
   double approach = 0.0;    ///< imposed or found [m]; without load that at which the surfaces touch
   double gap_error = 0.0;   ///< largest |gap| where pressure acts [m]
   double penetration = 0.0; ///< largest negative gap where none acts [m]
@@ -38,14 +38,15 @@ struct Report
 
 class CoarserContact;
 
-/// Contact by the constrained conjugate gradient method (Polonsky, Keer 1999).
+/// Contact by the constrained conjugate gradient method (after Polonsky, Keer 1999) with a preconditioner.
 ///
 /// Finds p >= 0, gap = distance - approach + A p >= 0, p * gap = 0 with A the surface compliance; the approach is given, or
 /// the sum of p dx dy is: docs/theory/contact.md (complementarity).
 ///
-/// While no cell comes into contact or leaves the contact, the displacement follows the pressure by the image of the
-/// direction that the iteration has anyway, and an iteration costs one product with A. The gap that is reported always comes
-/// of a product with the pressure itself. The iteration, step by step: docs/theory/contact.md.
+/// Each iteration turns the gap into pressure by about the inverse of A, on the cells that are pressed or overlap. While
+/// no pressure is cut off at zero, the displacement follows by the image of the direction that the iteration has
+/// anyway, and an iteration costs one product with A beside the inverse. The gap that is reported always comes of a product
+/// with the pressure itself. The iteration, step by step: docs/theory/contact.md.
 ///
 /// Where nothing presses yet, a large grid begins with the pressure of the contact on larger cells; what the iteration
 /// converges to is the same.
@@ -64,38 +65,34 @@ public:
   /// @param pressure   in: a guess (zeros are one); out: the pressure [Pa].
   /// @param gap        out: [m].
   /// @param wants_stop asked every few iterations.
-  /// @throws Interrupted if `wants_stop` says so; InternalError if a field does not have one value per cell.
+  /// @throws Interrupted if `wants_stop` says so; InputError for an approach beyond full contact of bodies that are periodic
+  ///         along both axes, the mean of the distance, where the mean gap is zero whatever the pressure; InternalError if a
+  ///         field does not have one value per cell.
   [[nodiscard]] Report solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap,
                              const std::function<bool()>& wants_stop = {});
 
 private:
-  /// How the surfaces lie; from the displacement.
-  struct State
-  {
-    double squares = 0.0; ///< of the gap under pressure
-    Report report;
-  };
   /// What a step has done to the pressure.
   struct Step
   {
-    bool cut = false, added = false; ///< cells that lost contact or came (back) into it
-    double sum = 0.0;                ///< of the pressure
+    bool cut = false; ///< whether it went past zero somewhere
+    double sum = 0.0; ///< of the pressure
   };
   void guess(std::span<const double> distance, const Drive& drive, double tolerance, std::span<double> pressure,
              const std::function<bool()>& wants_stop);
   void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure);
   void scale_to_load(double load, double sum, std::span<double> pressure);
-  [[nodiscard]] State settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
-                             std::span<double> gap) const;
-  [[nodiscard]] double descend(double beta, bool load_given, std::span<const double> pressure,
+  [[nodiscard]] Report settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
+                              std::span<double> gap) const;
+  [[nodiscard]] double descend(double& slope, bool load_given, std::span<const double> pressure,
                                std::span<const double> gap);
-  [[nodiscard]] Step advance(double step, double relaxation, std::span<const double> gap, std::span<double> pressure);
+  [[nodiscard]] Step advance(double step, std::span<const double> gap, std::span<double> pressure);
 
   const halfspace::SurfaceCompliance& compliance_;
   halfspace::SurfaceCompliance::Scratch scratch_;
-  std::vector<double> direction_, image_;   ///< of the pressure, and its displacement
-  std::vector<double> displacement_;        ///< of the pressure [m]
+  std::vector<double> direction_, image_; ///< of the pressure, and its displacement; before that, what the gap asks for
+  std::vector<double> displacement_;      ///< of the pressure [m]
   std::unique_ptr<CoarserContact> coarser_; ///< once it has been needed
 };
 

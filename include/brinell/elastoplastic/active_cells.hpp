@@ -10,9 +10,9 @@
 namespace brinell::elastoplastic
 {
 
-/// The cells of a body that may yield in the increment at hand, with the unknowns of the fixed point, the trial deviators q
-/// and what the fixed point maps them to, g(q), and with the plastic flow that follows from them. All is packed, in the order in which the cells
-/// have become active.
+/// The cells of a body that may yield in the increment at hand, with the unknowns of the fixed point, the trial deviators q,
+/// with g(q), to which an evaluation maps them, and with the plastic flow that follows from them. All is packed, in the order
+/// in which the cells have become active.
 class ActiveCells
 {
 public:

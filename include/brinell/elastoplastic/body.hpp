@@ -54,8 +54,6 @@ public:
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
-  /// nullptr if the body is rigid.
-  [[nodiscard]] const std::shared_ptr<const halfspace::HalfSpace>& shared_half_space() const { return half_space_; }
   [[nodiscard]] const BodyState& state() const { return state_; }
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
   /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): with isotropic hardening.

@@ -31,8 +31,15 @@ public:
   /// The body that is solved: for what does not depend on directions, such as energies and largest values.
   [[nodiscard]] const Body& solved() const { return *solved_; }
 
+  /// Whether the fields of this side are those of `solved` in reverse order.
+  [[nodiscard]] bool is_mirrored() const { return twin_ == Twin::mirror_image; }
+
   /// A copy of the history.
   [[nodiscard]] BodyState state() const;
+  /// A copy of one of its deviator fields, such as &BodyState::plastic_strain.
+  [[nodiscard]] std::vector<double> deviators(std::vector<double> BodyState::*fields) const;
+  /// A copy of one of its scalar fields, such as &BodyState::equivalent.
+  [[nodiscard]] std::vector<double> scalars(std::vector<double> BodyState::*field) const;
   /// Residual displacement of the surface in the present trial [m].
   [[nodiscard]] std::vector<double> residual_displacement() const;
 

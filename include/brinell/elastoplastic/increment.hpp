@@ -92,9 +92,11 @@ class CoupledContact
 public:
   /// @param twin  unless none, the upper body has the grid, material and history of the lower one (or their mirror image)
   ///              and keeps it: only the lower one is solved.
+  /// @param reference  of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m].
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
-                 const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {});
+                 const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {},
+                 double reference = 0.0);
 
   [[nodiscard]] BodyView lower() const { return {sides_.front().body, Twin::none, textures_.lower}; }
   [[nodiscard]] BodyView upper() const { return {sides_.back().body, twin_, textures_.upper}; }
@@ -146,7 +148,7 @@ private:
     Body body;
     Place Placement::*place;
     std::vector<double> pressure{}; ///< of the trial, on the grid of the body [Pa]
-    bool is_left = false;           ///< pressure of the trial lies beyond an end of the body's grid
+    bool leaves_grid = false;       ///< pressure of the trial lies beyond an end of the body's grid
   };
 
   void solve_contact(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,

@@ -22,7 +22,7 @@ struct Placement
 };
 
 /// Adds the depth of a body's surface, displacement and texture, to the cells of the contact grid above it. Between the columns
-/// of the body it is interpolated (cubic, Lagrange); outside its grid it is zero.
+/// of the body it is interpolated (cubic, Lagrange); outside its grid it is zero, and a periodic grid goes on.
 /// @param displacement  on the body's surface grid [m]
 /// @param texture       likewise, or empty
 /// @param out           on the contact grid, which has the same cells and rows [m]

@@ -6,6 +6,13 @@
 namespace brinell
 {
 
+/// What lies beyond the ends of a grid along one axis: nothing, so that the body goes on smooth and unloaded; or the same again.
+enum class Boundary
+{
+  open,
+  periodic
+};
+
 /// Regular cell-centred grid of a surface; x runs fastest in memory: index = i + nx * j. Cell (i, j) is a rectangle dx * dy.
 /// The grid does not know where its cell (0, 0) lies: its owner does. Axes and signs: docs/theory/frame.md.
 struct SurfaceGrid
@@ -14,7 +21,13 @@ struct SurfaceGrid
   int ny = 0;      ///< cells along y
   double dx = 0.0; ///< cell size along x [m]
   double dy = 0.0; ///< cell size along y [m]
+  Boundary boundary_x = Boundary::open;
+  Boundary boundary_y = Boundary::open;
 
+  [[nodiscard]] bool is_periodic_x() const { return boundary_x == Boundary::periodic; }
+  [[nodiscard]] bool is_periodic_y() const { return boundary_y == Boundary::periodic; }
+  /// Whether it is a cell of periodicity: bodies without ends.
+  [[nodiscard]] bool is_periodic() const { return is_periodic_x() && is_periodic_y(); }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
   /// Place of cell (i, j) in memory; 64 bits, as all that counts cells.
   [[nodiscard]] std::size_t index(int i, int j) const

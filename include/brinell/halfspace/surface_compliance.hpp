@@ -5,19 +5,25 @@
 #include "brinell/halfspace/surface_load.hpp"
 
 #include <memory>
+#include <span>
 
 namespace brinell::halfspace
 {
 
-/// Surface load -> sum of the elastic displacements of two half spaces on one surface grid, non-periodic
-/// (DC-FFT of the rectangle's closed form, Love 1929): docs/theory/half-space.md (surface-displacement).
+/// Surface load -> sum of the elastic displacements of two half spaces on one surface grid: docs/theory/half-space.md
+/// (surface-displacement).
 ///
-/// The work on a block of neighbouring columns, transform, product and transform back, is done in one go in the cache.
+/// Without periodic axes a convolution with the rectangle's closed form (DC-FFT; Love 1929); with one, with a row of copies of
+/// the rectangle; with two, the waves' 2 / (E' k), for pressures that are trigonometric polynomials. A uniform pressure then
+/// moves the surface without end: its displacement is counted as zero, so displacements are those from the mean plane.
 class SurfaceCompliance
 {
 public:
   /// @param contact_modulus  E' of the pair [Pa]: u = 1/(pi E') * integral of p / r.
-  SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus);
+  /// @param reference        with one periodic axis: the distance from a line load at which its displacement is counted as
+  ///                         zero [m]; it has a logarithm without end. The operator is positive definite on surfaces well
+  ///                         within that distance.
+  SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference = 0.0);
   ~SurfaceCompliance();
   SurfaceCompliance(SurfaceCompliance&&) noexcept;
   SurfaceCompliance& operator=(SurfaceCompliance&&) noexcept;
@@ -31,11 +37,14 @@ public:
   [[nodiscard]] const SurfaceGrid& grid() const;
   /// Of the same bodies on another grid.
   [[nodiscard]] SurfaceCompliance on(const SurfaceGrid& grid) const;
-  /// Displacement [m] of the load: symmetric and positive definite.
+  /// Displacement [m] of the load: symmetric and positive definite, but for a uniform pressure on a periodic surface.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;
-  /// Largest response of a wave [m/Pa], and that of the longest wave along x.
+  /// Pressure that causes about this displacement [Pa]: the inverse of the nearest operator that is periodic on the grid (T.
+  /// Chan 1988), symmetric and positive definite; a uniform displacement of a periodic surface gives one, too. A
+  /// preconditioner, at a quarter of the cost of `apply` without periodic axes. Both may be the same field.
+  void apply_inverse(std::span<const double> displacement, std::span<double> pressure, Scratch& scratch) const;
+  /// Largest response of a wave [m/Pa].
   [[nodiscard]] double largest() const;
-  [[nodiscard]] double longest_wave() const;
 
 private:
   struct Operator; ///< transform and spectrum

@@ -86,9 +86,16 @@ struct Case
 /// @throws InputError, IoError
 [[nodiscard]] std::string case_file_text(const std::filesystem::path& file);
 
-/// The same from text; `file` is only named in messages.
+/// Whether messages name file and line: a program that has made the text itself has none to look at.
+enum class Places
+{
+  lines,
+  none
+};
+
+/// The same from text; `file` is only named in messages, and the paths in the case begin in its folder.
 [[nodiscard]] Case parse_case(std::string_view text, const std::filesystem::path& file,
-                              const std::vector<std::string>& overrides = {});
+                              const std::vector<std::string>& overrides = {}, Places places = Places::lines);
 
 /// The resolved case as a case file.
 [[nodiscard]] std::string resolved_text(const CaseValues& values);

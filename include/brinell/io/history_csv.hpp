@@ -47,6 +47,9 @@ struct HistoryColumn
   std::vector<double> values;
 };
 
+/// Appends a row; the columns of an empty table are made.
+void add_row(std::vector<HistoryColumn>& table, const std::vector<NamedNumber>& row);
+
 /// Writes history.csv row by row; each row is with the operating system when `add` returns.
 class HistoryWriter
 {

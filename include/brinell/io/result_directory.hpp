@@ -26,6 +26,8 @@ struct RunInfo
 class ResultDirectory
 {
 public:
+  static constexpr bool keeps_checkpoints = true;
+
   enum class Mode
   {
     replace, ///< an earlier result

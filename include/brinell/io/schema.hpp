@@ -85,6 +85,7 @@ struct Entry
   Range range{};
   bool percent = false; ///< a pure number that may also be given as "1 %"
   std::vector<std::string> choices{};
+  bool per_axis = false;           ///< a choice that may also be given as a list, along x and along y
   bool required = false;           ///< where the condition holds
   std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset
   std::vector<std::pair<std::string, Value>> fallback_in{}; ///< defaults that a scenario has instead
@@ -93,6 +94,7 @@ struct Entry
   std::string hint{};                                       ///< what a usual value is, for messages
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
+  std::string list{};     ///< its table, if there may be several of them, as in [[lower.texture]]
   std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
   std::function<void(Draft&, const Value&)> fill{}; ///< puts the value where it belongs; empty: a reader does
 };
@@ -103,17 +105,28 @@ struct Entry
 /// All keys, parents before children, keys that others depend on before these.
 [[nodiscard]] const std::vector<Entry>& case_schema();
 
-/// Entry of a key, or nullptr.
+/// Key or table without the number that it has in a list of tables: lower.texture.type of lower.texture[0].type.
+[[nodiscard]] std::string plain_key(std::string_view key);
+
+/// Entry of a key, or nullptr; also of one in a list of tables.
 [[nodiscard]] const Entry* find_entry(std::string_view key);
 
 /// Whether some entry lies in the table `key`.
 [[nodiscard]] bool is_table(std::string_view key);
 
+/// Whether there may be several of that table, counted from 0: lower.texture[0].type.
+[[nodiscard]] bool is_list_of_tables(std::string_view key);
+
 /// What may stand there: "length > 0, in m or with a unit, such as \"3.85 mm\"".
 [[nodiscard]] std::string allowed_values(const Entry& entry);
 
 /// The table for a terminal.
-[[nodiscard]] std::string schema_text();
+/// @param part  a key, or a table of which all keys are told; empty: everything
+/// @throws InputError if there is no such key
+[[nodiscard]] std::string schema_text(std::string_view part = {});
+
+/// The table as a JSON Schema, for editors that check and complete TOML by one.
+[[nodiscard]] std::string schema_json();
 
 /// The page docs/reference/case-file.md.
 [[nodiscard]] std::string schema_markdown();

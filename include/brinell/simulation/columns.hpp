@@ -125,6 +125,7 @@ inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
     {"approach", "m", &RollingRecord::approach, "approach of the bodies from first touch of the undeformed ones"},
     common::F_n,
     {"F_X", "N", &RollingRecord::F_X, "resistance to the motion"},
+    {"friction", "1", &RollingRecord::friction, "F_X over F_n, 0 without contact"},
     common::contact_area,
     common::max_pressure,
 });
@@ -148,7 +149,7 @@ inline constexpr std::array<Column<Indent>, 13> columns<Indent>{{
 }};
 
 template <>
-inline constexpr std::array<Column<RollingPass>, 10> columns<RollingPass>{{
+inline constexpr std::array<Column<RollingPass>, 12> columns<RollingPass>{{
     {"rut_depth", "m", &RollingPass::rut_depth},
     {"shoulder_height", "m", &RollingPass::shoulder_height},
     {"max_equivalent_plastic_strain", "1", &RollingPass::max_equivalent_plastic_strain},
@@ -158,6 +159,8 @@ inline constexpr std::array<Column<RollingPass>, 10> columns<RollingPass>{{
     {"resistance", "N", &RollingPass::resistance},
     {"unsteadiness", "1", &RollingPass::unsteadiness},
     {"mean_F_X", "N", &RollingPass::mean_F_X},
+    {"friction", "1", &RollingPass::friction},
+    {"contact_area", "m^2", &RollingPass::contact_area},
     {"max_pressure", "Pa", &RollingPass::max_pressure},
 }};
 

@@ -46,6 +46,7 @@ struct RollingRecord : StepRecord
   double x = 0.0;        ///< of the contact's centre on the lower body [m]
   double approach = 0.0; ///< [m]
   double F_X = 0.0;      ///< resistance to rolling: work of the drive per distance on the lower body [N]
+  double friction = 0.0; ///< F_X / F_n; 0 without contact
 
   void exchange(Archive& archive);
 };
@@ -64,6 +65,8 @@ struct RollingPass
   /// Difference of that between the two quarters of the middle half, over the larger of them.
   double unsteadiness = 0.0;
   double mean_F_X = 0.0;     ///< over the middle half of the track; the approach may change meanwhile [N]
+  double friction = 0.0;     ///< mean F_X over mean F_n over the same
+  double contact_area = 0.0; ///< mean over the same [m^2]
   double max_pressure = 0.0; ///< mean over the same of the largest pressure [Pa]
 
   /// Whether the middle of the track was the same all along, so that its means do not depend on the length of the track.

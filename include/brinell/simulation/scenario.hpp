@@ -6,6 +6,7 @@
 #include "brinell/foundation/archive.hpp"
 #include "brinell/foundation/grid.hpp"
 #include "brinell/simulation/shape.hpp"
+#include "brinell/simulation/texture.hpp"
 
 #include <array>
 #include <functional>
@@ -27,9 +28,49 @@ struct ShapedBody
   bool operator==(const ShapedBody&) const = default;
 };
 
+/// What lies beyond the grids: docs/theory/half-space.md (copies). Along a periodic axis the grids are the cell of
+/// periodicity, and never grow.
+struct Domain
+{
+  struct Axis
+  {
+    Boundary boundary = Boundary::open;
+    double size = 1.0; ///< period [m], > 0
+    int cells = 0;     ///< in a period; 0: as many as the spacing makes
+    [[nodiscard]] bool is_periodic() const { return boundary == Boundary::periodic; }
+    bool operator==(const Axis&) const = default;
+  };
+  Axis x, y;
+  double layer = 0.0;     ///< thickness of the layers unless there is a spacing [m]; 0: half the smaller cell
+  double reference = 0.0; ///< with one periodic axis: see halfspace::SurfaceCompliance [m]; 0: reference_distance
+
+  /// Whether the bodies have no ends.
+  [[nodiscard]] bool is_periodic() const { return x.is_periodic() && y.is_periodic(); }
+  /// Whether all is uniform along y: plane strain.
+  [[nodiscard]] bool is_plane() const { return !x.is_periodic() && y.is_periodic() && y.cells == 1; }
+  bool operator==(const Domain&) const = default;
+};
+
+/// Why these bodies do not touch in a way that can be computed in that domain; empty if they do.
+[[nodiscard]] std::optional<std::string> reason_against_contact(const ShapedBody& lower, const ShapedBody& upper,
+                                                                const Domain& domain);
+
+/// Why a texture does not go on over the end of a period; empty if it does. A dent, or a map that does not repeat, has to lie
+/// within one period: then it is there again in each of them.
+[[nodiscard]] std::optional<std::string> reason_against_texture(const Texture& texture, const Domain& domain);
+
+/// The distance from a line load at which its displacement is counted as zero: as given; or 2 R/e of two cylinders, with which
+/// their approach is that of their centres as Johnson (1985, section 5.6) and Green (2005) have it; or the period. 0 unless
+/// just one axis is periodic [m].
+[[nodiscard]] double reference_distance(const Shape& lower, const Shape& upper, const Domain& domain);
+
+/// Length over which two bodies press as one along y: that of the shorter roller, or the period; infinite without either [m].
+[[nodiscard]] double line_length(const Shape& lower, const Shape& upper, const Domain& domain);
+
 /// Cells and solver of a case.
 struct Numerics
 {
+  Domain domain;
   std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
   double resolution = 8.0;                      ///< cells per contact radius along x if no spacing is given
   double extent = 1.0; ///< factor on the automatic extent of the grids around contact and plastic zone, > 0
@@ -45,6 +86,7 @@ struct Plan
   elastoplastic::Twin twin = elastoplastic::Twin::none; ///< other than none: one body is solved
   double memory_bytes = 0.0;
   elastoplastic::Scales scales; ///< of the tolerances
+  double reference = 0.0;       ///< of the displacement with one periodic axis [m]
 };
 
 /// What the cells had to resolve so far: from it follows how well they do (simulation/quality.hpp).

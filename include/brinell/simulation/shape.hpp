@@ -2,12 +2,10 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <variant>
-#include <vector>
 
-/// Surfaces of bodies before they are loaded: their shape on the scale of the contact, and what lies on it.
+/// Surfaces of bodies before they are loaded: their shape on the scale of the contact. What lies on it: texture.hpp.
 namespace brinell::simulation
 {
 
@@ -67,57 +65,5 @@ using Shape = std::variant<Plane, Paraboloid, Roller, Cone, Pyramid>;
 [[nodiscard]] bool contact_is_finite(const Shape& lower, const Shape& upper);
 /// Length of the shorter roller; infinite without one [m].
 [[nodiscard]] double roller_length(const Shape& lower, const Shape& upper);
-
-/// No texture.
-struct Smooth
-{
-  bool operator==(const Smooth&) const = default;
-};
-
-/// A round dent with a shoulder, depth * 10^(-10 (r/radius)^2) cos(2 pi r/radius), as often used for rolling over dents
-/// (Lubrecht, Venner; Ville and Nelias 1999). Negative depth: a bump.
-struct Dent
-{
-  double x = 0.0, y = 0.0; ///< centre on the body's surface [m]
-  double depth = 0.0;      ///< [m]
-  double radius = 0.0;     ///< [m], > 0; the dent itself reaches to a quarter of it
-  bool operator==(const Dent&) const = default;
-};
-
-/// Heights on a grid, linear between its points, zero outside.
-struct HeightMap
-{
-  int nx = 0, ny = 0;            ///< points, x runs fastest
-  double dx = 0.0, dy = 0.0;     ///< [m]
-  double x = 0.0, y = 0.0;       ///< centre on the body's surface [m]
-  std::vector<double> heights{}; ///< out of the body positive [m]
-  bool operator==(const HeightMap&) const = default;
-};
-
-/// Fixed to the material, where the shape stays with the contact.
-using Texture = std::variant<Smooth, Dent, HeightMap>;
-
-/// Depth into the body of its surface at (x, y) [m].
-[[nodiscard]] double depth(const Texture& texture, double x, double y);
-/// What a cell of dx by dy around (x, y) has of it [m]: the depth at its centre, or the mean over it if the texture is finer
-/// than the cells, so that nothing falls between their centres.
-[[nodiscard]] double cell_depth(const Texture& texture, double x, double y, double dx, double dy);
-
-/// What a texture can add to its body at most.
-struct TextureReach
-{
-  double height = 0.0;       ///< above the smooth surface [m]
-  double half_width_y = 0.0; ///< from the middle of the body's surface [m]
-};
-[[nodiscard]] TextureReach reach(const Texture& texture);
-
-/// A texture from a function of x and y: its heights on a grid of points, out of the body positive. A function itself could be
-/// neither stored with a result nor compared nor taken up by another process; its heights can, and so can the run.
-/// @param height  at a place on the body's surface [m].
-/// @param nx, ny  points; dx, dy their distances [m]: as fine as the cells, or finer.
-/// @param x, y  centre of the map on the body's surface [m]; outside it the surface is smooth.
-/// @throws InputError without points, or if the function gives a height that is not finite
-[[nodiscard]] HeightMap sampled(const std::function<double(double x, double y)>& height, int nx, int ny, double dx,
-                                double dy, double x = 0.0, double y = 0.0);
 
 } // namespace brinell::simulation

@@ -84,7 +84,8 @@ struct TuggingSummary : RunTotals, TuggingPeaks
 [[nodiscard]] std::optional<double> passing_radius(const Shape& shape);
 
 /// Approach of the smooth bodies under a load if they stayed elastic [m]: the interference of a tugging under that load.
-[[nodiscard]] double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load);
+[[nodiscard]] double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load,
+                                      const Domain& domain = {});
 
 /// Grids, number of steps and memory of a case.
 /// @throws InputError if the case cannot be computed (for example a grid of absurd size).

@@ -2,9 +2,12 @@
 #include "body_options.hpp"
 #include "brinell/foundation/error.hpp"
 #include "case_reader.hpp"
-#include "io/files.hpp"
+#include "curve_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -35,39 +38,18 @@ std::vector<double> numbers_of(std::string line)
   return stream.eof() ? values : std::vector<double>{};
 }
 
-/// The lines of a file with numbers between blanks, commas, semicolons or tabs; empty lines and those that begin with # are
-/// left out. @throws as `read_blocks`; the text continues a sentence that begins with the key.
+/// The lines of a file with numbers between blanks, commas, semicolons or tabs. @throws as `text_lines`
 std::vector<NumberLine> number_lines(const std::filesystem::path& file)
 {
-  std::istringstream stream(input_text(file));
   std::vector<NumberLine> lines;
-  std::string text;
-  for (int number = 1; std::getline(stream, text); ++number)
-    if (const auto first = text.find_first_not_of(" \t\r"); first != std::string::npos && text[first] != '#')
-      lines.push_back({number, text, numbers_of(text)});
+  for (const TextLine& line : text_lines(file))
+    lines.push_back({line.number, line.text, numbers_of(line.text)});
   return lines;
 }
 
 InputError wrong_line(const NumberLine& line, const std::string& allowed)
 {
   return InputError(fmt::format("has in line {} \"{}\"; allowed: {}", line.number, line.text.substr(0, 40), allowed));
-}
-
-/// Columns plastic strain [-] and stress [Pa]; one line of titles may come first.
-void read_points(const std::filesystem::path& file, std::vector<double>& strain, std::vector<double>& stress)
-{
-  bool may_be_titles = true;
-  for (const NumberLine& line : number_lines(file))
-  {
-    if (line.values.size() == 2)
-    {
-      strain.push_back(line.values[0]);
-      stress.push_back(line.values[1]);
-    }
-    else if (!line.values.empty() || !may_be_titles)
-      throw wrong_line(line, "plastic strain and stress in Pa, as in \"0.002, 930e6\"");
-    may_be_titles = false;
-  }
 }
 
 /// Heights in m, a line per row; and how many make a row.
@@ -102,8 +84,9 @@ template <typename Product>
 Product made(const CaseReader& reader, const std::string& table, const Option<Product>& option)
 {
   std::vector<double> numbers;
-  for (const std::string& key : option.keys)
-    numbers.push_back(reader.get<double>(table + key));
+  for (const std::string& key : option.keys) // a length that is not given has no end
+    numbers.push_back(reader.has(table + key) ? reader.get<double>(table + key)
+                                              : std::numeric_limits<double>::infinity());
   return option.make(numbers.data());
 }
 
@@ -135,7 +118,102 @@ simulation::Texture height_map(const CaseReader& reader, const std::string& tabl
                                .dy = spacing[1],
                                .x = reader.get<double>(table + "x"),
                                .y = reader.get<double>(table + "y"),
-                               .heights = heights};
+                               .heights = heights,
+                               .periodic = reader.get<bool>(table + "periodic")};
+}
+
+/// Smooth, with the problem told, if no wavelength is given.
+simulation::Texture sinusoid(const CaseReader& reader, const std::string& table)
+{
+  simulation::Sinusoid waves{.amplitude = reader.get<double>(table + "amplitude"),
+                             .x = reader.get<double>(table + "x"),
+                             .y = reader.get<double>(table + "y")};
+  if (!reader.has(table + "wavelength_x") && !reader.has(table + "wavelength_y"))
+  {
+    reader.add(table + "type", fmt::format("needs {0}wavelength_x or {0}wavelength_y, or both", table));
+    return {};
+  }
+  if (reader.has(table + "wavelength_x"))
+    waves.wavelength_x = reader.get<double>(table + "wavelength_x");
+  if (reader.has(table + "wavelength_y"))
+    waves.wavelength_y = reader.get<double>(table + "wavelength_y");
+  return waves;
+}
+
+/// Period of a random surface; none, with the problem told, if it cannot be known.
+std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const std::string& table)
+{
+  constexpr double rolloffs = 8.0; // so that the longest waves are many
+  if (reader.has(table + "size"))
+  {
+    const auto& size = reader.get<std::vector<double>>(table + "size");
+    if (size.size() == 2)
+      return std::array{size[0], size[1]};
+    reader.add(table + "size", "needs two lengths, [along x, along y]");
+    return std::nullopt;
+  }
+  if (reader.has(table + "rolloff"))
+  {
+    const double size = rolloffs * reader.get<double>(table + "rolloff");
+    return std::array{size, size};
+  }
+  reader.add(table + "type", fmt::format("needs {0}size or {0}rolloff", table));
+  return std::nullopt;
+}
+
+/// Smooth, with the problem told, if the keys do not fit together.
+simulation::Texture random_surface(const CaseReader& reader, const std::string& table)
+{
+  const auto number = [&](const char* key)
+  { return reader.has(table + key) ? std::optional(reader.get<double>(table + key)) : std::nullopt; };
+  simulation::SelfAffine p{.hurst = reader.get<double>(table + "hurst"),
+                           .rms_height = number("rms_height"),
+                           .rms_slope = number("rms_slope"),
+                           .rolloff = number("rolloff").value_or(std::numeric_limits<double>::infinity()),
+                           .cutoff = reader.get<double>(table + "cutoff"),
+                           .seed = static_cast<std::uint64_t>(reader.get<std::int64_t>(table + "seed"))};
+  if (!p.rms_height && !p.rms_slope)
+  {
+    reader.add(table + "type", fmt::format("needs {0}rms_height or {0}rms_slope", table));
+    return {};
+  }
+  const auto size = random_size(reader, table);
+  if (!size)
+    return {};
+  p.size_x = (*size)[0];
+  p.size_y = (*size)[1];
+  if (p.rolloff < p.cutoff)
+  {
+    reader.add(table + "rolloff",
+               fmt::format("is shorter than {0}cutoff = {1:g} m; allowed: {1:g} m or more", table, p.cutoff));
+    return {};
+  }
+  try
+  {
+    return simulation::RandomSurface(p);
+  }
+  catch (const InputError& error)
+  {
+    reader.problems.add(reader.place(table + "cutoff"), fmt::format("{}cutoff: {}", table, error.what()));
+    return {};
+  }
+}
+
+/// The sum of the tables of its list, or what its one table says.
+simulation::Texture texture(const CaseReader& reader, const std::string& key)
+{
+  simulation::Texture sum;
+  for (const std::string& name : reader.raw.tables_of(key))
+  {
+    const std::string table = name + ".";
+    const auto& option = chosen(reader, table + "type", texture_options());
+    simulation::Texture part = option.make                 ? made(reader, table, option)
+                               : option.name == "random"   ? random_surface(reader, table)
+                               : option.name == "sinusoid" ? sinusoid(reader, table)
+                                                           : height_map(reader, table);
+    std::move(part.parts.begin(), part.parts.end(), std::back_inserter(sum.parts));
+  }
+  return sum;
 }
 
 constitutive::HardeningLaw hardening_law(const CaseReader& reader, const std::string& table)
@@ -146,8 +224,18 @@ constitutive::HardeningLaw hardening_law(const CaseReader& reader, const std::st
   for (const char* key : {"plastic_strain", "stress"})
     if (!reader.has(table + key))
       throw InputError(fmt::format("needs {0}plastic_strain and {0}stress, or {0}file", table));
-  return constitutive::TabulatedHardening(reader.get<std::vector<double>>(table + "plastic_strain"),
-                                          reader.get<std::vector<double>>(table + "stress"));
+  const auto& stress = reader.get<std::vector<double>>(table + "stress");
+  try
+  {
+    return constitutive::TabulatedHardening(reader.get<std::vector<double>>(table + "plastic_strain"), stress);
+  }
+  catch (const InputError& error)
+  {
+    if (std::is_sorted(stress.begin(), stress.end()))
+      throw;
+    throw InputError(fmt::format("{}; of a measurement that scatters, monotone = true takes the largest stress so far",
+                                 error.what()));
+  }
 }
 
 /// A list, empty if it is not given.
@@ -232,34 +320,63 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
   return result;
 }
 
+/// Puts the points of hardening.file in its place.
+void load_curve(CaseValues& values, const CaseReader& reader, const std::string& table)
+{
+  const auto word = [&](const char* key, const char* otherwise)
+  { return reader.has(table + key) ? reader.get<std::string>(table + key) : std::string(otherwise); };
+  if (reader.has(table + "stress"))
+    reader.problems.add(reader.place(table + "stress"),
+                        fmt::format("{0}stress cannot stand together with {0}file; keep one of them", table));
+  const char* key = "stress_unit";
+  Curve curve;
+  try
+  {
+    const std::string stress_unit = word(key, "Pa");
+    require_unit_of_stress(stress_unit);
+    key = "file";
+    curve = read_curve(reader.raw.folder / word(key, ""), word("strain_unit", "1"), stress_unit);
+  }
+  catch (const InputError& error) // the whole name, however long
+  {
+    reader.problems.add(reader.place(table + key),
+                        fmt::format("{}{} = \"{}\" {}", table, key, word(key, ""), error.what()));
+  }
+  values.replace(table + "file", {{table + "plastic_strain", std::move(curve.plastic_strain)},
+                                  {table + "stress", std::move(curve.stress)}});
+}
+
 } // namespace
 
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
 {
   const std::string table = body + ".material.hardening.";
   const CaseReader reader{values, raw, problems};
-  if (!reader.has(table + "file"))
-    return;
-  const auto name = reader.get<std::string>(table + "file");
-  if (reader.has(table + "stress"))
-    problems.add(reader.place(table + "stress"),
-                 fmt::format("{0}stress cannot stand together with {0}file; keep one of them", table));
-  std::vector<double> strain, stress;
-  try
+  const bool is_of_file = reader.has(table + "file");
+  if (is_of_file)
+    load_curve(values, reader, table);
+  for (const char* unit : {"strain_unit", "stress_unit"}) // those of the file: what is resolved is in SI
+    if (reader.has(table + unit))
+    {
+      if (!is_of_file)
+        reader.add(table + unit, fmt::format("is the unit of a file; it goes with {}file only", table));
+      values.replace(table + unit, {});
+    }
+  if (reader.has(table + "monotone") && reader.get<bool>(table + "monotone") && reader.has(table + "stress"))
   {
-    read_points(std::filesystem::path(raw.file).parent_path() / name, strain, stress);
+    auto stress = reader.get<std::vector<double>>(table + "stress");
+    for (std::size_t i = 1; i < stress.size(); ++i)
+      stress[i] = std::max(stress[i], stress[i - 1]);
+    values.replace(table + "stress", {{table + "stress", std::move(stress)}});
   }
-  catch (const InputError& error)
-  {
-    problems.add(reader.place(table + "file"), fmt::format("{}file = \"{}\" {}", table, name, error.what()));
-  }
-  values.replace(table + "file",
-                 {{table + "plastic_strain", std::move(strain)}, {table + "stress", std::move(stress)}});
 }
 
-void load_texture_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
+namespace
 {
-  const std::string table = body + ".texture.";
+
+/// @param table  ends with a dot
+void load_heights(CaseValues& values, const RawCase& raw, const std::string& table, Problems& problems)
+{
   const CaseReader reader{values, raw, problems};
   if (!reader.has(table + "file"))
     return;
@@ -273,7 +390,7 @@ void load_texture_file(CaseValues& values, const RawCase& raw, const std::string
   }
   try
   {
-    auto [heights, columns] = read_heights(std::filesystem::path(raw.file).parent_path() / name);
+    auto [heights, columns] = read_heights(raw.folder / name);
     values.replace(table + "file",
                    {{table + "heights", std::move(heights)}, {table + "columns", static_cast<std::int64_t>(columns)}});
   }
@@ -283,12 +400,19 @@ void load_texture_file(CaseValues& values, const RawCase& raw, const std::string
   }
 }
 
+} // namespace
+
+void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
+{
+  for (const std::string& table : raw.tables_of(body + ".texture"))
+    load_heights(values, raw, table + ".", problems);
+}
+
 simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body)
 {
-  const std::string shape = body + ".shape.", texture = body + ".texture.";
-  const auto& texture_option = chosen(reader, texture + "type", texture_options());
+  const std::string shape = body + ".shape.";
   return {made(reader, shape, chosen(reader, shape + "type", shape_options())), material(reader, body + ".material."),
-          texture_option.make ? made(reader, texture, texture_option) : height_map(reader, texture)};
+          texture(reader, body + ".texture")};
 }
 
 } // namespace brinell::io

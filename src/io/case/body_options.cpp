@@ -56,7 +56,7 @@ const std::vector<Option<Texture>>& texture_options()
 {
   using namespace simulation;
   static const std::vector<Option<Texture>> options{
-      {"smooth", {}, of<Texture, Smooth>},
+      {"smooth", {}, [](Number) { return Texture{}; }},
       {"dent", {"x", "y", "depth", "radius"}, of<Texture, Dent, 0, 1, 2, 3>, "ville1999"},
       {"bump",
        {"x", "y", "height", "radius"},
@@ -65,6 +65,8 @@ const std::vector<Option<Texture>>& texture_options()
        },
        "ville1999"},
       {"height_map", {"x", "y"}},
+      {"sinusoid", {"amplitude", "wavelength_x", "wavelength_y", "x", "y"}},
+      {"random", {"hurst", "rms_height", "rms_slope", "rolloff", "cutoff", "size", "seed"}, nullptr, "jacobs2017"},
   };
   return options;
 }

@@ -3,6 +3,7 @@
 
 #include "brinell/constitutive/hardening.hpp"
 #include "brinell/simulation/shape.hpp"
+#include "brinell/simulation/texture.hpp"
 
 #include <algorithm>
 #include <string>

@@ -45,10 +45,11 @@ void CaseValues::replace(std::string_view key, std::vector<std::pair<std::string
   values_.insert(values_.erase(found), std::make_move_iterator(by.begin()), std::make_move_iterator(by.end()));
 }
 
-Case parse_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& overrides)
+Case parse_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                Places places)
 {
   Problems problems;
-  const RawCase raw = read_raw_case(text, file, overrides, problems);
+  const RawCase raw = read_raw_case(text, file, overrides, places, problems);
   Draft draft;
   Case& result = draft.c;
   result.file = file;
@@ -58,7 +59,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   for (const char* body : {"lower", "upper"})
   {
     load_hardening_file(result.values, raw, body, problems);
-    load_texture_file(result.values, raw, body, problems);
+    load_texture_files(result.values, raw, body, problems);
   }
   problems.throw_if_any();
 
@@ -68,10 +69,12 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   for (const auto& [key, value] : result.values.all())
     if (const auto& fill = find_entry(key)->fill)
       fill(draft, value);
-  const std::string grid_key = reader.has("grid.spacing") ? "grid.spacing" : "grid.resolution";
+  const std::string grid_key = reader.has("grid.spacing") ? "grid.spacing"
+                               : reader.has("grid.cells") ? "grid.cells"
+                                                          : "grid.resolution";
   const Given* grid = raw.find(grid_key);
-  result.grid_source = grid ? fmt::format("{}: {}", grid->place, reader.cited(grid_key))
-                            : fmt::format("{}: {} (the default)", raw.file, reader.cited(grid_key));
+  result.grid_source = grid ? at_place(grid->place, reader.cited(grid_key))
+                            : at_place(raw.file, reader.cited(grid_key) + " (the default)");
   complete(reader, draft);
   if (!problems.empty()) // a forgotten unit may be the reason
     for (const Warning& warning : result.warnings)
@@ -109,7 +112,7 @@ std::string resolved_text(const CaseValues& values)
     const auto dot = key.rfind('.');
     const std::string parent = dot == key.npos ? "" : key.substr(0, dot);
     if (parent != table)
-      text += fmt::format("\n[{}]\n", parent);
+      text += parent.ends_with(']') ? fmt::format("\n[[{}]]\n", plain_key(parent)) : fmt::format("\n[{}]\n", parent);
     table = parent;
     text += fmt::format("{} = {}{}\n", dot == key.npos ? key : key.substr(dot + 1), toml_text(value),
                         unit_comment(values, *find_entry(key)));

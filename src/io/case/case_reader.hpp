@@ -53,9 +53,9 @@ struct CaseReader
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
-/// Put the content of hardening.file and texture.file of a body in their place, so that the resolved case stands for itself.
+/// Put the content of hardening.file and of each texture.file of a body in their place, so that the resolved case stands for itself.
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
-void load_texture_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
+void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
 /// Completes the case of the scenario: what takes judgement, equivalent radius, contact modulus, first yield, warnings. What is
 /// wrong goes into the reader's problems.

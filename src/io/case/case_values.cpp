@@ -112,8 +112,24 @@ Vector3 vector3(const Raw& raw, const Entry& entry)
   return {items[0], items[1], items[2]};
 }
 
+/// Of ["open", "periodic"] the word for both axes, "periodic_y".
+std::string choice_per_axis(const std::vector<Raw>& axes, const Raw& raw, const Entry& entry)
+{
+  const auto* x = axes.size() == 2 ? std::get_if<std::string>(&axes[0].value) : nullptr;
+  const auto* y = axes.size() == 2 ? std::get_if<std::string>(&axes[1].value) : nullptr;
+  if (!x || !y)
+    throw wrong_type(raw, entry, false);
+  for (const std::string* word : {x, y})
+    if (*word != "open" && *word != "periodic")
+      throw InputError(fmt::format(
+          "has the element {}, which is not known; allowed along an axis: \"open\", \"periodic\"", toml_string(*word)));
+  return *x == *y ? *x : *x == "periodic" ? "periodic_x" : "periodic_y";
+}
+
 std::string choice(const Raw& raw, const Entry& entry)
 {
+  if (const auto* axes = std::get_if<std::vector<Raw>>(&raw.value); axes && entry.per_axis)
+    return choice_per_axis(*axes, raw, entry);
   const auto* word = std::get_if<std::string>(&raw.value);
   if (!word)
     throw wrong_type(raw, entry, false);
@@ -205,12 +221,30 @@ public:
 
   CaseValues resolve() &&
   {
+    std::string done;
     for (const Entry& entry : case_schema())
-      resolve(entry);
+      if (entry.list.empty() || !raw_.lists.contains(entry.list))
+        resolve(entry);
+      else if (entry.list != done)
+        resolve_list(done = entry.list);
     return std::move(values_);
   }
 
 private:
+  /// Table after table, each with the conditions among its own keys.
+  void resolve_list(const std::string& list)
+  {
+    for (const std::string& table : raw_.tables_of(list))
+      for (Entry entry : case_schema())
+        if (entry.list == list)
+        {
+          for (std::string* key : {&entry.key, &entry.when.key, &entry.excludes})
+            if (key->starts_with(list + "."))
+              *key = table + key->substr(list.size());
+          resolve(entry);
+        }
+  }
+
   void resolve(const Entry& entry)
   {
     const Given* given = raw_.find(entry.key);
@@ -228,7 +262,8 @@ private:
     else if (given && rival && !overridden(*rival, entry.key) && reported_rivals_.insert(entry.excludes).second &&
              reported_rivals_.insert(entry.key).second)
       add(entry, *given,
-          fmt::format("cannot stand together with {} ({}); keep one of them", entry.excludes, rival->place));
+          fmt::format("cannot stand together with {}{}; keep one of them", entry.excludes,
+                      rival->place.empty() ? "" : fmt::format(" ({})", rival->place)));
     if (given)
       convert(entry, *given);
     else if (entry.required)

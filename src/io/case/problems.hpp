@@ -14,14 +14,20 @@
 namespace brinell::io
 {
 
+/// A message with its place before it, if it has one.
+inline std::string at_place(std::string_view place, std::string_view what)
+{
+  return place.empty() ? std::string(what) : fmt::format("{}: {}", place, what);
+}
+
 /// Collects what is wrong with a case, so that the user sees all of it at once.
 class Problems
 {
 public:
-  /// @param place  "file", "file:line" or "--set key=value"
+  /// @param place  "file", "file:line" or "--set key=value"; empty for a text that nobody sees
   void add(std::string_view place, std::string_view what)
   {
-    problems_.push_back({line_number(place), fmt::format("{}: {}", place, what)});
+    problems_.push_back({line_number(place), at_place(place, what)});
   }
 
   [[nodiscard]] bool empty() const { return problems_.empty(); }

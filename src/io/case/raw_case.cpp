@@ -54,9 +54,33 @@ struct Target
   {
     if (!override_place.empty())
       return override_place;
-    return region.begin ? fmt::format("{}:{}", raw_case.file, region.begin.line) : raw_case.file;
+    return region.begin && !raw_case.file.empty() ? fmt::format("{}:{}", raw_case.file, region.begin.line)
+                                                  : raw_case.file;
   }
 };
+
+void flatten(const toml::table& table, const std::string& prefix, Target& target);
+
+/// The tables of a list; an empty one is as if it were not there.
+void flatten_list(const toml::array& list, const std::string& path, Target& target)
+{
+  if (!list.empty())
+    target.raw_case.lists.insert_or_assign(path, static_cast<int>(list.size()));
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    const std::string table = fmt::format("{}[{}]", path, i);
+    const std::string place = target.place(list[i].source());
+    if (list[i].is_table())
+    {
+      target.raw_case.tables.try_emplace(table, place);
+      flatten(*list[i].as_table(), table + ".", target);
+    }
+    else
+      target.problems.add(place,
+                          fmt::format("{} = {} is {}, but must be a table with the keys {}", table,
+                                      shown(raw_value(list[i])), type_name(raw_value(list[i])), known_keys(path)));
+  }
+}
 
 /// Walks a table; `prefix` is empty or ends with a dot.
 void flatten(const toml::table& table, const std::string& prefix, Target& target)
@@ -65,13 +89,17 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
   {
     const std::string path = prefix + std::string(key.str());
     const std::string place = target.place(key.source());
-    if (find_entry(path))
+    if (key.str().find('[') != key.str().npos) // in quotes: the number of a table is not for a file to write
+      target.problems.add(place, fmt::format("unknown key {}; {}", path, suggestion(path)));
+    else if (find_entry(path))
       target.raw_case.values.insert_or_assign(path, Given{raw_value(node), place, !target.override_place.empty()});
     else if (is_table(path) && node.is_table())
     {
       target.raw_case.tables.try_emplace(path, place);
       flatten(*node.as_table(), path + ".", target);
     }
+    else if (is_list_of_tables(path) && node.is_array())
+      flatten_list(*node.as_array(), path, target);
     else if (is_table(path))
       target.problems.add(place, fmt::format("{} = {} is {}, but must be a table with the keys {}", path,
                                              shown(raw_value(node)), type_name(raw_value(node)), known_keys(path)));
@@ -131,10 +159,41 @@ std::string trimmed(std::string_view text)
   return first == text.npos ? "" : std::string(text.substr(first, last - first + 1));
 }
 
-/// A table given to --set replaces that table as a whole.
+/// A table, or a list of them, given to --set replaces that table as a whole.
 void forget_table(RawCase& raw_case, const std::string& key)
 {
-  std::erase_if(raw_case.values, [&](const auto& item) { return item.first.starts_with(key + "."); });
+  std::erase_if(raw_case.values, [&](const auto& item)
+                { return item.first.starts_with(key + ".") || item.first.starts_with(key + "["); });
+  raw_case.lists.erase(key);
+}
+
+/// The table of a key in which there is a list of tables, or may be; empty if there is none.
+std::string list_of(std::string_view key)
+{
+  const Entry* entry = find_entry(key);
+  return entry ? entry->list : "";
+}
+
+/// Keys that --set puts beside a list of tables, or behind its end.
+void check_lists(const RawCase& raw_case, Problems& problems)
+{
+  for (const auto& [key, given] : raw_case.values)
+  {
+    const std::string table = list_of(key);
+    if (table.empty())
+      continue;
+    const auto list = raw_case.lists.find(table);
+    const int count = list == raw_case.lists.end() ? 0 : list->second;
+    const bool is_numbered = key[table.size()] == '[';
+    if (is_numbered && count == 0)
+      problems.add(given.place, fmt::format("{} is one table, not a list: leave out the number of {}", table, key));
+    else if (!is_numbered && count > 0)
+      problems.add(given.place, fmt::format("{0} is a list of {1}: name one of them, as {0}[0]{2}", table, count,
+                                            key.substr(table.size())));
+    else if (is_numbered && std::stol(key.substr(table.size() + 1, 9)) >= count)
+      problems.add(given.place, fmt::format("{} does not exist: the list has {}, counted from 0",
+                                            key.substr(0, key.find(']') + 1), count));
+  }
 }
 
 /// Results carry their case, and readers of TOML take UTF-8 only.
@@ -172,6 +231,8 @@ void apply_override(const std::string& text, RawCase& raw_case, Problems& proble
     return;
   }
   const toml::node& node = *parsed.get("value");
+  if (node.is_array() && is_list_of_tables(key))
+    forget_table(raw_case, key);
   if (node.is_table() && is_table(key))
   {
     forget_table(raw_case, key);
@@ -260,6 +321,17 @@ const Given* RawCase::find(std::string_view key) const
   return found == values.end() ? nullptr : &found->second;
 }
 
+std::vector<std::string> RawCase::tables_of(const std::string& table) const
+{
+  const auto list = lists.find(table);
+  if (list == lists.end())
+    return {table};
+  std::vector<std::string> names(static_cast<std::size_t>(list->second));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    names[i] = fmt::format("{}[{}]", table, i);
+  return names;
+}
+
 std::string RawCase::place_for(std::string_view missing_key) const
 {
   for (auto dot = missing_key.rfind('.'); dot != missing_key.npos; dot = missing_key.rfind('.', dot - 1))
@@ -273,14 +345,16 @@ std::string RawCase::place_for(std::string_view missing_key) const
 }
 
 RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
-                      const std::vector<std::string>& overrides, Problems& problems)
+                      const std::vector<std::string>& overrides, Places places, Problems& problems)
 {
   RawCase raw_case;
-  raw_case.file = file.string();
+  raw_case.file = places == Places::lines ? file.string() : "";
+  raw_case.folder = file.parent_path();
   Target target{raw_case, problems, ""};
-  flatten(parse_toml(text, raw_case.file), "", target);
+  flatten(parse_toml(text, file.string()), "", target);
   for (const std::string& item : overrides)
     apply_override(item, raw_case, problems);
+  check_lists(raw_case, problems);
   return raw_case;
 }
 

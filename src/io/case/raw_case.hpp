@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/io/case_file.hpp"
 #include "problems.hpp"
 
 #include <cstdint>
@@ -35,18 +36,24 @@ struct Raw
 struct Given
 {
   Raw raw;
-  std::string place; ///< "file:line" or "--set key=value"
+  std::string place; ///< "file:line" or "--set key=value"; empty as in RawCase::file
   bool from_command_line = false;
 };
 
-/// The keys of a case file that the schema knows, with the overrides applied.
+/// The keys of a case file that the schema knows, with the overrides applied. Those of a list of tables are numbered from 0:
+/// lower.texture[0].type.
 struct RawCase
 {
-  std::string file;
+  std::string file;             ///< as messages name it; empty if they do not, of a text that nobody sees
+  std::filesystem::path folder; ///< where the paths in the case begin
   std::map<std::string, Given, std::less<>> values;
   std::map<std::string, std::string, std::less<>> tables; ///< places of the tables, for keys that are missing in them
 
+  std::map<std::string, int, std::less<>> lists; ///< tables that stand several times, and how often
+
   [[nodiscard]] const Given* find(std::string_view key) const;
+  /// The table itself, or each one of its list.
+  [[nodiscard]] std::vector<std::string> tables_of(const std::string& table) const;
   /// Where a missing key is missed: the innermost table that exists, or the file.
   [[nodiscard]] std::string place_for(std::string_view missing_key) const;
 };
@@ -62,6 +69,6 @@ inline constexpr int deepest_key = 30;
 /// Reads TOML, flattens it into dotted keys, applies the overrides and reports unknown keys.
 /// @throws InputError on a syntax error, which leaves nothing to go on with
 [[nodiscard]] RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
-                                    const std::vector<std::string>& overrides, Problems& problems);
+                                    const std::vector<std::string>& overrides, Places places, Problems& problems);
 
 } // namespace brinell::io

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -39,10 +40,35 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
              "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit "
              "right? What is not meant to deform has rigid = true",
              name, E)});
-  if (material.hardening && constitutive::initial_yield_stress(*material.hardening) > 0.1 * E)
+  if (!material.hardening)
+    return;
+  constexpr double lowest_yield = 1e5; // a pure metal in single crystals; a gel may have less, but of a small modulus
+  const double yield_stress = constitutive::initial_yield_stress(*material.hardening);
+  if (yield_stress < std::min(lowest_yield, 1e-3 * E))
+    c.warnings.push_back(
+        {"low_yield",
+         fmt::format("{}.material.hardening: the yield stress is {:.4g} Pa, lower than that of any metal; is a unit "
+                     "missing, as in \"{:.4g} MPa\"? That of a file is hardening.stress_unit",
+                     name, yield_stress, yield_stress)});
+  if (yield_stress > 0.1 * E)
     c.warnings.push_back(
         {"hard_material",
          fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name)});
+}
+
+/// Strains in percent make a material that hardly hardens.
+void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
+{
+  constexpr double largest_strain = 1.0; // that a tension or compression test reaches
+  const std::string key = name + ".material.hardening.plastic_strain";
+  if (!reader.has(key))
+    return;
+  if (const double last = reader.get<std::vector<double>>(key).back(); last > largest_strain)
+    c.warnings.push_back(
+        {"large_table_strain",
+         fmt::format("{} goes up to {:.4g}, which is {:.4g} %; is it in percent? That of a file may be "
+                     "told by hardening.strain_unit = \"%\"",
+                     key, last, 100.0 * last)});
 }
 
 /// Contact modulus and first yield, the latter if the bodies are round.
@@ -58,9 +84,67 @@ void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, Case& c)
         yield->body};
 }
 
+/// One number for each axis that is periodic.
+void set_axes(const CaseReader& reader, const std::string& key, std::vector<simulation::Domain::Axis*> axes,
+              const std::function<void(simulation::Domain::Axis&, double)>& set)
+{
+  const auto& given = reader.get<std::vector<double>>(key);
+  if (given.size() != axes.size())
+    return reader.add(key, fmt::format("has {} element{}; allowed: {}, for each axis that is periodic", given.size(),
+                                       given.size() == 1 ? "" : "s", axes.size()));
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    set(*axes[i], given[i]);
+}
+
+/// The period of a domain that has one.
+/// @param both  whether the scenario can be computed with both axes periodic, or with x alone
+void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both)
+{
+  using Axis = simulation::Domain::Axis;
+  const auto& boundary = reader.get<std::string>("grid.boundary");
+  if (boundary == "open")
+    return;
+  if (!both && boundary != "periodic_y")
+    return reader.add("grid.boundary", "goes with scenario = \"indentation\"; allowed where the contact moves along x: "
+                                       "\"open\" or [\"open\", \"periodic\"]");
+  std::vector<Axis*> axes;
+  if (boundary != "periodic_y")
+    axes.push_back(&domain.x);
+  if (boundary != "periodic_x")
+    axes.push_back(&domain.y);
+  for (Axis* axis : axes)
+    axis->boundary = Boundary::periodic;
+  const bool has_spacing = reader.has("grid.spacing");
+  for (const char* key : {"grid.cells", "grid.layer"})
+    if (has_spacing && reader.has(key))
+      reader.add(key, "cannot stand together with grid.spacing; keep one of them");
+  if (boundary == "periodic_y" && !has_spacing)
+    domain.y.cells = 1;
+  if (reader.has("grid.size"))
+    set_axes(reader, "grid.size", axes, [](Axis& axis, double size) { axis.size = size; });
+  else if (boundary != "periodic_y")
+    reader.problems.add(reader.place("grid.size"),
+                        fmt::format("grid.size is missing; allowed: {}, the period along {}",
+                                    boundary == "periodic" ? "two lengths > 0" : "a list of one length > 0",
+                                    boundary == "periodic" ? "x and y" : "x"));
+  if (reader.has("grid.cells"))
+    set_axes(reader, "grid.cells", axes,
+             [&](Axis& axis, double cells)
+             {
+               if (cells != std::round(cells))
+                 reader.add("grid.cells", "is not a list of whole numbers");
+               axis.cells = static_cast<int>(cells);
+             });
+  else if (!has_spacing && boundary != "periodic_y")
+    reader.problems.add(
+        reader.place("grid.cells"),
+        "grid.cells is missing; allowed: whole numbers > 0, one for each periodic axis, or grid.spacing");
+}
+
 /// Both bodies, and what follows from them alone.
 /// @param passing  each must be a circle in the plane of motion, as passing another one takes
-void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper, bool passing = false)
+void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper, simulation::Domain& domain,
+               bool passing = false)
 {
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
   {
@@ -68,17 +152,27 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
     if (passing && !simulation::passing_radius(body->shape))
       reader.add(fmt::format("{}.shape.type", name), "cannot pass another body; allowed with scenario = \"tugging\": "
                                                      "\"sphere\", \"ellipsoid\" or \"cylinder\"");
+    const auto* roller = std::get_if<simulation::Roller>(&body->shape);
+    const std::string length = fmt::format("{}.shape.length", name);
+    if (roller && std::isinf(roller->length) && !domain.y.is_periodic())
+      reader.problems.add(reader.place(length),
+                          fmt::format("{} is missing; allowed: length > 0, in m or with a unit; none with "
+                                      "grid.boundary = [\"open\", \"periodic\"]",
+                                      length));
   }
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+    if (const auto reason = simulation::reason_against_texture(body->texture, domain))
+      reader.problems.add(reader.place(fmt::format("{}.texture.type", name)),
+                          fmt::format("{}.texture does not fit the period: {}", name, *reason));
   reader.problems.throw_if_any();
   warn_of_material("lower", lower.material, c);
   warn_of_material("upper", upper.material, c);
+  for (const char* name : {"lower", "upper"})
+    warn_of_table(reader, name, c);
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
-  if (!simulation::contact_is_finite(lower.shape, upper.shape))
-    reader.add("upper.shape.type",
-               "on this lower body touches neither in a point nor in a line of finite length; allowed: "
-               "a sum of curvatures > 0 along x and y, a tip, or a cylinder of finite length on a flat "
-               "or on another cylinder");
+  if (const auto reason = simulation::reason_against_contact(lower, upper, domain))
+    reader.add("upper.shape.type", "and the lower body " + *reason);
   set_first_yield(lower, upper, c);
 }
 
@@ -106,8 +200,9 @@ try
              "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
              "half spaces",
              plan.*half_x, radius)});
+  const double rows = scenario.domain.is_plane() ? scenario.domain.y.size : plan.*half_y; // any length is as good
   if (scenario.spacing)
-    if (const auto reason = simulation::reason_against_cells(*scenario.spacing, plan.*half_x, plan.*half_y))
+    if (const auto reason = simulation::reason_against_cells(*scenario.spacing, plan.*half_x, rows))
       reader.problems.add(c.grid_source, *reason);
   if constexpr (requires { scenario.shift; })
     if (scenario.shift)
@@ -150,7 +245,7 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
   if (by_load)
   {
     tugging.load = normalised ? given * c.first_yield->critical.load : given;
-    tugging.interference = simulation::elastic_approach(tugging.lower, tugging.upper, *tugging.load);
+    tugging.interference = simulation::elastic_approach(tugging.lower, tugging.upper, *tugging.load, tugging.domain);
     if (tugging.kinematics == simulation::Kinematics::paper)
       reader.add("tugging.kinematics", "goes with a constant height only; allowed with tugging.load: \"exact\"");
   }
@@ -166,20 +261,45 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
                                     : ""));
 }
 
-/// Loads or approaches, whichever are given.
+/// The key that drives an indentation; empty, and a problem, if there is none or more than one.
+std::string driving_key(const CaseReader& reader)
+{
+  std::vector<std::string> given;
+  for (const char* key : {"indentation.load", "indentation.approach", "indentation.pressure"})
+    if (reader.has(key))
+      given.emplace_back(key);
+  if (given.size() == 1)
+    return given.front();
+  if (given.empty())
+    reader.problems.add(
+        reader.place("indentation.load"),
+        "indentation needs one of indentation.load, indentation.approach and indentation.pressure, a list "
+        "as [\"10 N\", 0], [\"2 um\", 0] or [\"50 MPa\", 0]");
+  else
+    reader.add(given[1], fmt::format("cannot stand together with {}; keep one of them", given[0]));
+  return {};
+}
+
+/// Loads, approaches or mean pressures, whichever are given.
 std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const IndentationCase& indentation)
 {
-  const std::string key = reader.has("indentation.load") ? "indentation.load" : "indentation.approach";
-  if (!reader.has(key))
-  {
-    reader.problems.add(reader.place(key),
-                        "indentation needs one of indentation.load and indentation.approach, a list as "
-                        "[\"10 N\", 0] or [\"2 um\", 0]");
+  const std::string key = driving_key(reader);
+  if (key.empty())
     return {};
-  }
-  const bool by_load = key == "indentation.load";
+  const bool by_load = key != "indentation.approach";
+  const simulation::Domain& domain = indentation.domain;
   double unit = 1.0;
-  if (reader.get<bool>("indentation.normalised"))
+  if (key == "indentation.pressure")
+  {
+    if (!domain.is_periodic())
+    {
+      reader.add(key,
+                 "is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise indentation.load");
+      return {};
+    }
+    unit = domain.x.size * domain.y.size;
+  }
+  else if (reader.get<bool>("indentation.normalised"))
   {
     if (!c.first_yield)
     {
@@ -207,7 +327,7 @@ double load_of_hertz_pressure(const CaseReader& reader, const Case& c, const Rol
   const std::string key = "rolling.hertz_pressure";
   const double pressure = reader.get<double>(key);
   const auto k = simulation::relative_curvature(rolling.lower.shape, rolling.upper.shape);
-  const double length = simulation::roller_length(rolling.lower.shape, rolling.upper.shape);
+  const double length = simulation::line_length(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   if (k && (*k)[0] > 0.0 && (*k)[1] == 0.0 && std::isfinite(length))
     return pressure * pressure * std::numbers::pi * length / ((*k)[0] * c.contact_modulus);
   if (k && (*k)[0] > 0.0 && (*k)[1] > 0.0)
@@ -241,7 +361,8 @@ Drive rolling_drive(const CaseReader& reader, const Case& c, const RollingCase& 
 
 void complete(const CaseReader& reader, Case& c, TuggingCase& t)
 {
-  read_pair(reader, c, t.lower, t.upper, true);
+  read_domain(reader, t.domain, false);
+  read_pair(reader, c, t.lower, t.upper, t.domain, true);
   reader.problems.throw_if_any();
   c.equivalent_radius = 1.0 / (*simulation::relative_curvature(t.lower.shape, t.upper.shape))[0];
   set_drive(reader, c, t);
@@ -252,7 +373,8 @@ void complete(const CaseReader& reader, Case& c, TuggingCase& t)
 
 void complete(const CaseReader& reader, Case& c, IndentationCase& i)
 {
-  read_pair(reader, c, i.lower, i.upper);
+  read_domain(reader, i.domain, true);
+  read_pair(reader, c, i.lower, i.upper, i.domain);
   i.sequence = sequence(reader, c, i);
   if (reader.problems.empty())
     check_plan(reader, c, i, "indentation.steps", &simulation::IndentationPlan::contact_radius,
@@ -261,7 +383,8 @@ void complete(const CaseReader& reader, Case& c, IndentationCase& i)
 
 void complete(const CaseReader& reader, Case& c, RollingCase& r)
 {
-  read_pair(reader, c, r.lower, r.upper);
+  read_domain(reader, r.domain, false);
+  read_pair(reader, c, r.lower, r.upper, r.domain);
   r.drive = rolling_drive(reader, c, r);
   if (reader.problems.empty())
     check_plan(reader, c, r, "rolling.distance", &simulation::RollingPlan::half_width_x,

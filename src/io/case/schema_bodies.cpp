@@ -37,7 +37,7 @@ template <typename Product>
 Entry parameter(const std::string& choice, const std::vector<Option<Product>>& options, Entry entry)
 {
   entry.type = Type::number;
-  entry.required = !entry.fallback;
+  entry.required = !entry.fallback && entry.unset.empty();
   entry.when = {choice, names_of(options, entry.key)};
   return entry;
 }
@@ -65,7 +65,14 @@ Entries shape_entries(const std::string& table)
           length("radius", "Radius of the sphere or cylinder."),
           length("radius_x", "Radius of curvature at the apex in the plane x z."),
           length("radius_y", "Radius of curvature at the apex in the plane y z."),
-          length("length", "Length of the cylinder, which has plane ends."),
+          parameter(type, shape_options(),
+                    {.key = "length",
+                     .dimension = dimension::length,
+                     .range = above(0.0),
+                     .unset = "none, with a grid that is periodic along y",
+                     .text =
+                         "Length of the cylinder, which has plane ends. Without one it has no end, in plane strain for "
+                         "example."}),
           parameter(type, shape_options(),
                     {.key = "half_angle",
                      .range = inside(0.0, 90.0),
@@ -94,17 +101,22 @@ Entries texture_entries(const std::string& table)
     return parameter(type, texture_options(),
                      {.key = key, .dimension = dimension::length, .fallback = 0.0, .text = text});
   };
-  const Condition of_map{type, {"height_map"}};
-  return in_table(
+  const Condition of_map{type, {"height_map"}}, of_random{type, {"random"}}, of_waves{type, {"sinusoid"}};
+  Entries entries = in_table(
       table, {},
       {
           {.key = "type",
            .type = Type::choice,
            .choices = names_of(texture_options()),
            .fallback = "smooth",
-           .text = "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi "
-                   "r/radius), with its shoulder; bump: the same upwards; height_map: measured heights, or "
-                   "those of a function of x and y."},
+           .text =
+               "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi "
+               "r/radius), with its shoulder; bump: the same upwards; height_map: measured heights, or "
+               "those of a function of x and y; sinusoid: waves, of the height amplitude cos(2 pi (X - "
+               "x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at X, Y; random: roughness, Gaussian and self-affine, "
+               "with a power spectral density that is constant down to the wavelength rolloff and falls as "
+               "q^(-2 (1 + hurst)) from there to cutoff. Several textures add up, as [[lower.texture]] and "
+               "[[lower.texture]] or as a list; --set then names one as lower.texture[0].type."},
           length("depth", "Depth of the dent's centre."),
           length("height", "Height of the bump's centre."),
           length("radius", "Wavelength of the profile: the surface is crossed at a quarter of it."),
@@ -135,9 +147,89 @@ Entries texture_entries(const std::string& table)
            .required = true,
            .text = "Distances [dx, dy] of the heights; linear between them, zero outside.",
            .when = of_map},
-          centre("x", "Centre on the body's surface along x."),
-          centre("y", "Centre on the body's surface along y."),
+          {.key = "periodic",
+           .type = Type::boolean,
+           .fallback = false,
+           .text =
+               "Whether the map covers the surface, again and again, instead of being zero outside; its periods are "
+               "the numbers of points times their distances.",
+           .when = of_map},
+          {.key = "amplitude",
+           .type = Type::number,
+           .dimension = dimension::length,
+           .required = true,
+           .text = "Height of the crests above the mean.",
+           .when = of_waves},
+          {.key = "wavelength_x",
+           .type = Type::number,
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .unset = "no waves along x",
+           .text = "Wavelength along x.",
+           .when = of_waves},
+          {.key = "wavelength_y",
+           .type = Type::number,
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .unset = "no waves along y",
+           .text = "Wavelength along y.",
+           .when = of_waves},
+          {.key = "hurst",
+           .type = Type::number,
+           .range = between(0.0, 1.0),
+           .fallback = 0.8,
+           .text = "Exponent of Hurst; the smaller, the rougher are short waves.",
+           .when = of_random},
+          {.key = "rms_height",
+           .type = Type::number,
+           .dimension = dimension::length,
+           .range = at_least(0.0),
+           .unset = "from rms_slope",
+           .text = "Root mean square of the height over a period, exactly.",
+           .when = of_random,
+           .excludes = "rms_slope"},
+          {.key = "rms_slope",
+           .type = Type::number,
+           .range = at_least(0.0),
+           .unset = "from rms_height",
+           .text = "Root mean square of the length of the gradient over a period, exactly.",
+           .when = of_random,
+           .excludes = "rms_height"},
+          {.key = "rolloff",
+           .type = Type::number,
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .unset = "none: self-affine up to the size",
+           .text = "Wavelength from which on longer waves are not higher any more.",
+           .when = of_random},
+          {.key = "cutoff",
+           .type = Type::number,
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .required = true,
+           .text = "Shortest wavelength, whatever the cells; eight cells or more.",
+           .when = of_random},
+          {.key = "size",
+           .type = Type::numbers,
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .unset = "8 rolloff",
+           .text = "Period [along x, along y], which is the longest wavelength: up to 4096 times the cutoff.",
+           .when = of_random},
+          {.key = "seed",
+           .type = Type::integer,
+           .range = at_least(0.0),
+           .fallback = std::int64_t{0},
+           .text =
+               "Other numbers give other surfaces of the same spectrum. The heights depend neither on the cells nor on "
+               "the machine.",
+           .when = of_random},
+          centre("x", "Centre on the body's surface along x; of a sinusoid a crest."),
+          centre("y", "Centre on the body's surface along y; of a sinusoid a crest."),
       });
+  for (Entry& entry : entries)
+    entry.list = table.substr(0, table.size() - 1);
+  return entries;
 }
 
 Entries material_entries(const std::string& table)
@@ -213,9 +305,22 @@ Entries hardening_entries(const std::string& table, const Condition& yields)
           {.key = "file",
            .type = Type::text,
            .unset = "plastic_strain and stress",
-           .text = "Text file with a point per line, plastic strain and stress in Pa; from the folder of the case.",
+           .text = "Text file with a point per line, plastic strain and stress; from the folder of the case. Columns "
+                   "between commas, semicolons, tabs or blanks; decimal commas where something else stands between the "
+                   "columns; lines of titles may come first.",
            .when = of_table,
            .excludes = "plastic_strain"},
+          {.key = "strain_unit",
+           .type = Type::choice,
+           .choices = {"1", "%"},
+           .unset = "1",
+           .text = "Unit of the plastic strain in the file.",
+           .when = of_table},
+          {.key = "stress_unit",
+           .type = Type::text,
+           .unset = "Pa",
+           .text = "Unit of the stress in the file, as \"MPa\".",
+           .when = of_table},
           {.key = "plastic_strain",
            .type = Type::numbers,
            .range = at_least(0.0),
@@ -229,6 +334,11 @@ Entries hardening_entries(const std::string& table, const Condition& yields)
            .range = above(0.0),
            .unset = "from file",
            .text = "Yield stresses of the points, as many; they must not fall.",
+           .when = of_table},
+          {.key = "monotone",
+           .type = Type::boolean,
+           .fallback = false,
+           .text = "Whether a stress below an earlier one, as the scatter of a measurement has it, becomes that one.",
            .when = of_table},
           {.key = "kinematic_moduli",
            .type = Type::numbers,

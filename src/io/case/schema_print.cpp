@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/schema.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "suggestion.hpp"
 #include "value_text.hpp"
 
 #include <cmath>
@@ -144,11 +147,15 @@ std::string allowed_values(const Entry& entry)
   return "";
 }
 
-std::string schema_text()
+std::string schema_text(std::string_view part)
 {
+  if (!part.empty() && !find_entry(part) && !is_table(part))
+    throw InputError(fmt::format("there is no key {}; {}", part, suggestion(part)));
   std::string text;
   for (const Entry& entry : case_schema())
   {
+    if (!part.empty() && entry.key != part && !entry.key.starts_with(fmt::format("{}.", part)))
+      continue;
     const std::string preset = default_text(entry);
     text += fmt::format("{}\n    {}\n    {}{}\n    {}{}\n\n", entry.key, allowed_values(entry),
                         entry.required ? "" : "default: ", preset, entry.text, notes(entry, ""));

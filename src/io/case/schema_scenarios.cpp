@@ -88,6 +88,12 @@ std::vector<Entry> indentation_entries()
        .text = "The same, imposed as depth of the indenter from the touch of the undeformed bodies.",
        .excludes = "indentation.load",
        .pure_if = "indentation.normalised"},
+      {.key = "indentation.pressure",
+       .type = Type::numbers,
+       .dimension = dimension::pressure,
+       .range = at_least(0.0),
+       .unset = "indentation.load or indentation.approach",
+       .text = "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\"."},
       bound({.key = "indentation.steps",
              .range = between(1, 100000),
              .text =

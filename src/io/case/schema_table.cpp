@@ -27,8 +27,50 @@ std::vector<Entry> root_entries()
 
 std::vector<Entry> grid_entries()
 {
+  using simulation::Domain;
   using simulation::Numerics;
+  const Condition periodic{"grid.boundary", {"periodic", "periodic_x", "periodic_y"}};
   return {
+      {.key = "grid.boundary",
+       .type = Type::choice,
+       .choices = {"open", "periodic", "periodic_x", "periodic_y"},
+       .per_axis = true,
+       .fallback = "open",
+       .text =
+           "What lies beyond the grids: nothing, or the same again. Also as a list, along x and along y: [\"open\", "
+           "\"periodic\"]. Periodic along y alone, with one row, is plane strain."},
+      {.key = "grid.size",
+       .type = Type::numbers,
+       .dimension = dimension::length,
+       .range = above(0.0),
+       .unset = "1 m along y",
+       .text = "The period along x and along y, or along the one axis that is periodic.",
+       .when = periodic},
+      {.key = "grid.cells",
+       .type = Type::numbers,
+       .range = between(1, 65536),
+       .unset = "from spacing; one along y if it alone is periodic",
+       .text =
+           "Cells in a period, along x and along y, or along the one axis that is periodic. Products of small prime "
+           "numbers are fast.",
+       .when = periodic},
+      bound({.key = "grid.layer",
+             .dimension = dimension::length,
+             .range = above(0.0),
+             .unset = "half of the smaller of dx and dy",
+             .text = "Thickness of the layers of cells.",
+             .when = periodic},
+            &Draft::numerics, &Numerics::domain, &Domain::layer),
+      bound(
+          {.key = "grid.reference",
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .unset = "2 R/e of two cylinders: their centres approach (Johnson 1985, section 5.6); otherwise the period",
+           .text =
+               "Distance from a line load at which its displacement counts as zero: the approach in plane strain has a "
+               "logarithm without end.",
+           .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
+          &Draft::numerics, &Numerics::domain, &Domain::reference),
       bound({.key = "grid.spacing",
              .dimension = dimension::length,
              .range = above(0.0),
@@ -135,8 +177,22 @@ const std::vector<Entry>& case_schema()
   return schema;
 }
 
+std::string plain_key(std::string_view key)
+{
+  const auto open = key.find('[');
+  if (open == key.npos || !is_list_of_tables(key.substr(0, open)))
+    return std::string(key);
+  const auto close = key.find_first_not_of("0123456789", open + 1);
+  if (close == key.npos || close == open + 1 || key[close] != ']')
+    return std::string(key);
+  return std::string(key.substr(0, open)) + std::string(key.substr(close + 1));
+}
+
 const Entry* find_entry(std::string_view key)
 {
+  if (key.find('[') != key.npos)
+    if (const std::string plain = plain_key(key); plain != key)
+      return find_entry(plain);
   for (const Entry& entry : case_schema())
     if (entry.key == key)
       return &entry;
@@ -151,8 +207,19 @@ std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario)
   return entry.fallback;
 }
 
+bool is_list_of_tables(std::string_view key)
+{
+  for (const Entry& entry : case_schema())
+    if (!entry.list.empty() && entry.list == key)
+      return true;
+  return false;
+}
+
 bool is_table(std::string_view key)
 {
+  if (key.find('[') != key.npos)
+    if (const std::string plain = plain_key(key); plain != key)
+      return is_table(plain);
   for (const Entry& entry : case_schema())
     if (entry.key.size() > key.size() && entry.key.starts_with(key) && entry.key[key.size()] == '.')
       return true;

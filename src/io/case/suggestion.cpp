@@ -23,7 +23,7 @@ std::pair<std::string_view, std::string_view> split(std::string_view key)
 std::vector<std::string> children(std::string_view parent)
 {
   std::vector<std::string> names;
-  const std::string prefix = parent.empty() ? "" : fmt::format("{}.", parent);
+  const std::string prefix = parent.empty() ? "" : fmt::format("{}.", plain_key(parent));
   for (const Entry& entry : case_schema())
   {
     if (!entry.key.starts_with(prefix))
@@ -36,9 +36,18 @@ std::vector<std::string> children(std::string_view parent)
   return names;
 }
 
+/// Symbols of the theory that are written for a key.
+constexpr std::pair<std::string_view, std::string_view> symbols[] = {
+    {"E", "young_modulus"}, {"nu", "poisson_ratio"},     {"R", "radius"}, {"S_y", "yield_stress"},
+    {"Sy", "yield_stress"}, {"sigma_y", "yield_stress"}, {"P", "load"},   {"F", "load"},
+};
+
 /// The word that is near enough to be what was meant.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates)
 {
+  for (const auto& [symbol, key] : symbols)
+    if (word == symbol && std::find(candidates.begin(), candidates.end(), key) != candidates.end())
+      return std::string(key);
   for (const auto& candidate : candidates) // "poisson" for "poisson_ratio"
     if (word.size() > 2 && (candidate.starts_with(word) || candidate.ends_with(word)))
       return candidate;

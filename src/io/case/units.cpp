@@ -3,7 +3,9 @@
 
 #include "brinell/foundation/error.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -106,6 +108,21 @@ std::optional<Unit> find_unit(std::string_view symbol)
   return std::nullopt;
 }
 
+/// Known units that differ from a symbol in small and capital letters only: " (did you mean GPa?)".
+std::string units_like(std::string_view symbol)
+{
+  const auto is_same = [](char a, char b)
+  { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
+  std::string found;
+  for (const Unit& unit : units)
+    for (const std::string_view prefix : {"", "k", "M", "G", "T", "c", "m", "u", "n", "p"})
+      if (const std::string known = std::string(prefix) + std::string(unit.symbol);
+          (prefix.empty() || unit.prefixed) &&
+          std::equal(known.begin(), known.end(), symbol.begin(), symbol.end(), is_same))
+        found += (found.empty() ? "" : " or ") + known;
+  return found.empty() ? "" : fmt::format(" (did you mean {}?)", found);
+}
+
 void skip_spaces(std::string_view& text)
 {
   while (text.starts_with(' ') || text.starts_with('\t'))
@@ -158,12 +175,12 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 /// Products and quotients of units; each "/" concerns the one unit behind it.
 Unit unit_expression(std::string_view whole)
 {
-  const auto bad = [&](std::string_view what)
+  const auto bad = [&](std::string_view what, const std::string& hint = "")
   {
     return InputError(
-        fmt::format("has the {} \"{}\"; known are m, g, s, K, N, Pa, bar, J, W with the prefixes p n u c m k M G T, "
+        fmt::format("has the {} \"{}\"{}; known are m, g, s, K, N, Pa, bar, J, W with the prefixes p n u c m k M G T, "
                     "as in \"mm\", \"GPa\", \"N/mm^2\"",
-                    what, whole));
+                    what, whole, hint));
   };
   static const std::regex factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
   std::string text = replaced(std::string(whole), "\u00b7", "*"); // middle dot
@@ -176,7 +193,7 @@ Unit unit_expression(std::string_view whole)
     const std::string symbol = match.str(2), sign = match.str(1);
     const auto unit = found && (sign.empty() || place != text.cbegin()) ? find_unit(symbol) : std::nullopt;
     if (!unit)
-      throw bad("unknown unit");
+      throw bad("unknown unit", units_like(symbol));
     const int exponent = match[3].matched ? std::stoi(match.str(3)) : 1;
     if (std::abs(exponent) > 9)
       throw bad("impossible unit");

@@ -144,8 +144,11 @@ std::vector<Citation> citations(const Case& c)
           passes = scenario.passes;
         cite_scenario(sources, yields, passes);
         cite_contact(sources, c);
-        for (const char* key : {"lower.texture.type", "upper.texture.type"})
-          cite_option(sources, key, texture_options(), "shape of dents and bumps");
+        for (const auto& [key, value] : c.values.all())
+          if (const std::string plain = plain_key(key); plain == "lower.texture.type" || plain == "upper.texture.type")
+            cite_option(sources, key, texture_options(),
+                        std::get<std::string>(value) == "random" ? "spectra of rough surfaces"
+                                                                 : "shape of dents and bumps");
         cite_hardening(sources, "lower", scenario.lower.material);
         cite_hardening(sources, "upper", scenario.upper.material);
         if (yields)

@@ -122,6 +122,8 @@ Handle write_dataset_of(const Handle& group, const std::string& name, hid_t type
 Handle chunks(std::span<const hsize_t> shape, Storage storage)
 {
   Handle creation = properties(H5P_DATASET_CREATE);
+  if (storage == Storage::contiguous)
+    return creation;
   std::vector<hsize_t> chunk(shape.begin(), shape.end());
   for (hsize_t& side : chunk)
     side = std::min(side, longest_chunk_side.at(shape.size()));

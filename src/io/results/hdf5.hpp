@@ -60,14 +60,15 @@ void write_attribute(const Handle& object, const char* name, std::span<const int
 /// Text of fixed length in ASCII, for readers that know no other; not empty.
 void write_fixed_attribute(const Handle& object, const char* name, std::string_view text);
 
-/// How chunks are stored. Either way a reader sees whether they are damaged: both have a checksum.
+/// How a dataset is stored. Of chunks a reader sees whether they are damaged: both kinds have a checksum.
 enum class Storage
 {
-  deflated, ///< for what is zero in most places, or smooth
-  plain     ///< for stresses: deflating them takes most of the time of writing, and saves a quarter of their size
+  deflated, ///< chunks, for what is zero in most places, or smooth
+  plain, ///< chunks, for stresses: deflating them takes most of the time of writing, and saves a quarter of their size
+  contiguous ///< no chunks: for files that stay in memory
 };
 
-/// Writes numbers in chunks, with their unit and meaning.
+/// Writes numbers with their unit and meaning.
 /// @param Number  double or int
 /// @param shape   slowest index first
 template <typename Number>

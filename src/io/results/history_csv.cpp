@@ -38,6 +38,15 @@ std::vector<double> parsed_row(const std::string& line, std::size_t count, const
   return values;
 }
 
+/// Without rows.
+std::vector<HistoryColumn> columns_of(const std::vector<NamedNumber>& record)
+{
+  std::vector<HistoryColumn> columns;
+  for (const auto& [name, unit, text, value] : record)
+    columns.push_back({name, unit, text, std::holds_alternative<int>(value), {}});
+  return columns;
+}
+
 } // namespace
 
 std::string history_header(const std::vector<NamedNumber>& columns)
@@ -56,12 +65,19 @@ std::string history_row(const std::vector<NamedNumber>& columns)
   return text;
 }
 
+void add_row(std::vector<HistoryColumn>& table, const std::vector<NamedNumber>& row)
+{
+  if (table.empty())
+    table = columns_of(row);
+  for (std::size_t c = 0; c < table.size(); ++c)
+    table[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].value));
+}
+
 HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
                              std::string_view sum)
     : path_(std::move(path)), sum_(std::make_unique<Checksum>())
 {
-  for (const auto& [name, unit, text, value] : record)
-    columns_.push_back({name, unit, text, std::holds_alternative<int>(value), {}});
+  columns_ = columns_of(record);
   const std::string header = history_header(record) + '\n';
   if (kept > 0)
     keep_rows(header, kept, sum);
@@ -112,8 +128,7 @@ void HistoryWriter::add(const std::vector<NamedNumber>& row)
   if (std::fputs(line.c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0)
     throw failure(path_, "cannot be written");
   sum_->add(line);
-  for (std::size_t c = 0; c < columns_.size(); ++c)
-    columns_[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].value));
+  add_row(columns_, row);
 }
 
 } // namespace brinell::io

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/io/citations.hpp"
+#include "brinell/io/result_image.hpp"
 #include "brinell/io/versions.hpp"
 #include "earlier_result.hpp"
 #include "hdf5.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr int format_version = 2;
 constexpr const char* file_name = "result.vtkhdf";
-constexpr const char* piece_group = "state";
+constexpr const char *piece_group = "state", *final_group = "/final";
 constexpr std::size_t most_shown = 30; ///< states in /VTKHDF of an unfinished file, which is written anew for each
 
 constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
@@ -68,19 +69,34 @@ std::vector<double> von_mises_field(const TensorField& stress)
   return result;
 }
 
-void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapshot)
+/// Whether the file stays in memory: then nothing is compressed.
+enum class Place
 {
+  disk,
+  memory
+};
+
+h5::Storage storage_of(Place place, h5::Storage on_disk)
+{
+  return place == Place::memory ? h5::Storage::contiguous : on_disk;
+}
+
+void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapshot, Place place)
+{
+  const h5::Storage storage = storage_of(place, h5::Storage::deflated);
   const h5::Handle group = h5::create_group(parent, "contact");
   const SurfaceGrid& grid = snapshot.contact;
   h5::write_attribute(group, "spacing", std::array{grid.dx, grid.dy});
   h5::write_attribute(group, "origin", std::array{snapshot.x0, snapshot.y0});
   const std::array shape{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};
-  h5::write_dataset(group, "pressure", snapshot.pressure, shape, "Pa", "contact pressure, compression positive");
-  h5::write_dataset(group, "gap", snapshot.gap, shape, "m", "gap between the deformed surfaces");
+  h5::write_dataset(group, "pressure", snapshot.pressure, shape, "Pa", "contact pressure, compression positive",
+                    storage);
+  h5::write_dataset(group, "gap", snapshot.gap, shape, "m", "gap between the deformed surfaces", storage);
 }
 
-void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body)
+void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body, Place place)
 {
+  const h5::Storage deflated = storage_of(place, h5::Storage::deflated), plain = storage_of(place, h5::Storage::plain);
   const h5::Handle group = h5::create_group(parent, name);
   const VolumeGrid& grid = body.grid;
   const std::array spacing{grid.surface.dx, grid.surface.dy, grid.dz};
@@ -93,33 +109,33 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
   const std::span surface = std::span(volume).subspan(1);
   if (is_stored(body.residual_displacement))
     h5::write_dataset(group, "residual_displacement", body.residual_displacement, surface, "m",
-                      "residual displacement of the surface, into the body");
+                      "residual displacement of the surface, into the body", deflated);
   if (is_stored(body.equivalent_plastic_strain))
     h5::write_dataset(group, "equivalent_plastic_strain", body.equivalent_plastic_strain, volume, "1",
-                      "accumulated equivalent plastic strain");
-  write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain", h5::Storage::deflated);
+                      "accumulated equivalent plastic strain", deflated);
+  write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain", deflated);
   write_tensor(group, "stress", body.stress, volume, "Pa",
-               "stress of contact, plastic strain and before the first load, tension positive", h5::Storage::plain);
+               "stress of contact, plastic strain and before the first load, tension positive", plain);
   if (is_stored(body.stress))
-    h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress",
-                      h5::Storage::plain);
+    h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress", plain);
 }
 
 /// The fields of a step, and its row of the history as attributes, as docs/reference/results-format.md says.
 /// @throws IoError; InternalError if a field does not fit its grid
 void write_snapshot(const h5::Handle& group, const std::vector<NamedNumber>& columns,
-                    const simulation::Snapshot& snapshot)
+                    const simulation::Snapshot& snapshot, Place place = Place::disk)
 {
   for (const NamedNumber& column : columns)
     std::visit([&](auto number) { h5::write_attribute(group, std::string(column.name).c_str(), number); },
                column.value);
-  write_contact(group, snapshot);
-  write_body(group, "lower", snapshot.lower);
-  write_body(group, "upper", snapshot.upper);
+  write_contact(group, snapshot, place);
+  write_body(group, "lower", snapshot.lower, place);
+  write_body(group, "upper", snapshot.upper, place);
 }
 
-void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history)
+void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history, Place place)
 {
+  const h5::Storage storage = storage_of(place, h5::Storage::deflated);
   const h5::Handle group = h5::create_ordered_group(file, "history");
   for (const HistoryColumn& column : history)
   {
@@ -129,10 +145,34 @@ void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& his
     const std::array shape{column.values.size()};
     if (column.is_integer)
       h5::write_dataset(group, name.c_str(), std::vector<int>(column.values.begin(), column.values.end()), shape,
-                        column.unit, column.text);
+                        column.unit, column.text, storage);
     else
-      h5::write_dataset(group, name.c_str(), column.values, shape, column.unit, column.text);
+      h5::write_dataset(group, name.c_str(), column.values, shape, column.unit, column.text, storage);
   }
+}
+
+/// What a result file holds besides the fields.
+void write_description(const h5::Handle& file, const Description& description,
+                       const std::vector<HistoryColumn>& history, Place place = Place::disk)
+{
+  const Versions versions = library_versions();
+  h5::write_attribute(file, "format", "brinell-result");
+  h5::write_attribute(file, "format_version", format_version);
+  h5::write_attribute(file, "brinell_version", versions.brinell);
+  h5::write_attribute(file, "git_hash", versions.git_hash);
+  h5::write_attribute(file, "fftw_version", versions.fftw);
+  h5::write_attribute(file, "hdf5_version", versions.hdf5);
+  h5::write_attribute(file, "scenario", description.scenario);
+  h5::write_attribute(file, "title", description.title);
+  h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
+  h5::write_text(file, "case", description.case_text);
+  h5::write_text(file, "sources", description.sources);
+  write_history(file, history, place);
+}
+
+std::string group_of_step(int step)
+{
+  return fmt::format("/steps/{:06}", step);
 }
 
 fs::path part_of(fs::path path)
@@ -141,6 +181,12 @@ fs::path part_of(fs::path path)
 }
 
 } // namespace
+
+Description::Description(const Case& c)
+    : case_text(resolved_text(c.values)), sources(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),
+      scenario(c.values.get<std::string>("scenario")), title(c.title)
+{
+}
 
 void ResultFile::Piece::exchange(Archive& archive)
 {
@@ -155,14 +201,12 @@ std::string ResultFile::Piece::file() const
 
 std::string ResultFile::Piece::group() const
 {
-  return is_final ? "/final" : fmt::format("/steps/{:06}", step);
+  return is_final ? final_group : group_of_step(step);
 }
 
 ResultFile::ResultFile(fs::path folder, const Case& c, const std::vector<HistoryColumn>& history,
                        const Archive::Fields* checkpoint)
-    : folder_(std::move(folder)), case_text_(resolved_text(c.values)),
-      sources_(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),
-      scenario_(c.values.get<std::string>("scenario")), title_(c.title), history_(history)
+    : folder_(std::move(folder)), description_(c), history_(history)
 {
   if (checkpoint)
   {
@@ -220,30 +264,12 @@ void ResultFile::require_space() const
                     static_cast<double>(space.available) * 1e-6, (folder_ / pieces_folder).string()));
 }
 
-/// What a result file holds besides the fields.
-void ResultFile::write_description(const h5::Handle& file) const
-{
-  const Versions versions = library_versions();
-  h5::write_attribute(file, "format", "brinell-result");
-  h5::write_attribute(file, "format_version", format_version);
-  h5::write_attribute(file, "brinell_version", versions.brinell);
-  h5::write_attribute(file, "git_hash", versions.git_hash);
-  h5::write_attribute(file, "fftw_version", versions.fftw);
-  h5::write_attribute(file, "hdf5_version", versions.hdf5);
-  h5::write_attribute(file, "scenario", scenario_);
-  h5::write_attribute(file, "title", title_);
-  h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
-  h5::write_text(file, "case", case_text_);
-  h5::write_text(file, "sources", sources_);
-  write_history(file, history_);
-}
-
 /// Writes result.vtkhdf anew, with links to the pieces. Its cost must grow little with each of them: thirty in /VTKHDF take
 /// some 15 ms, a plain link or a row of the history some microseconds.
 void ResultFile::write_linked() const
 {
   h5::Handle file = h5::create_file_in_memory();
-  write_description(file);
+  write_description(file, description_, history_);
   std::vector<StoredState> states;
   {
     // The group must be closed before the file is.
@@ -268,7 +294,7 @@ void ResultFile::merge(const std::string& summary)
   require_space();
   const fs::path path = folder_ / file_name;
   h5::Handle file = h5::create_file(part_of(path));
-  write_description(file);
+  write_description(file, description_, history_);
   h5::write_text(file, "summary", summary);
   std::vector<StoredState> states;
   {
@@ -292,6 +318,54 @@ void ResultFile::merge(const std::string& summary)
   fs::rename(part_of(path), path, error);
   if (error)
     throw IoError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+}
+
+struct ResultImage::State
+{
+  explicit State(const Case& c) : description(c) { (void)h5::create_group(file, "steps"); }
+
+  void add(const std::string& name, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot) const
+  {
+    write_snapshot(h5::create_group(file, name), columns, snapshot, Place::memory);
+  }
+
+  Description description;
+  std::vector<HistoryColumn> history{};
+  h5::Handle file = h5::create_file_in_memory();
+};
+
+ResultImage::ResultImage(const Case& c) : state_(std::make_unique<State>(c)) {}
+ResultImage::~ResultImage() = default;
+ResultImage::ResultImage(ResultImage&&) noexcept = default;
+ResultImage& ResultImage::operator=(ResultImage&&) noexcept = default;
+
+const std::optional<Archive::Fields>& ResultImage::checkpoint() const
+{
+  static const std::optional<Archive::Fields> none;
+  return none;
+}
+
+void ResultImage::add(const std::vector<NamedNumber>& columns)
+{
+  add_row(state_->history, columns);
+}
+
+void ResultImage::add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+{
+  state_->add(group_of_step(step), columns, snapshot);
+}
+
+void ResultImage::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
+                         const std::string& summary)
+{
+  state_->add(final_group, last_columns, final_state);
+  write_description(state_->file, state_->description, state_->history, Place::memory);
+  h5::write_text(state_->file, "summary", summary);
+}
+
+std::string ResultImage::bytes() &&
+{
+  return h5::file_image(std::move(state_->file));
 }
 
 } // namespace brinell::io

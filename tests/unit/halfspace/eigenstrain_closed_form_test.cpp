@@ -62,7 +62,7 @@ TEST_P(EigenstrainClosedFormTest, SmoothBlobUnderAFreeSurfaceMeetsTheSumOfCuboid
        {Point{13, 13, 0, 5}, Point{15, 11, 3, 3}, Point{16, 14, 6, 3}, Point{31, 25, 0, 3}})
   {
     const SymTensor expected = direct::extrapolated_strain_stress(grid, layered, i, j, k, parts, elastic);
-    const SymTensor found = stress.at(test::cell_index(grid, i, j, k));
+    const SymTensor found = stress.at(grid.index(i, j, k));
     for (std::size_t c = 0; c < 6; ++c)
     {
       EXPECT_NEAR(found[c], expected[c], 1e-4 * scale) << "component " << c << " at " << i << ' ' << j << ' ' << k;
@@ -99,8 +99,8 @@ TEST_P(EigenstrainClosedFormTest, PeriodicImagesAreNotFelt)
     for (int j = 0; j < grid.surface.ny; ++j)
       for (int i = 0; i < grid.surface.nx; ++i)
       {
-        const SymTensor a = narrow_stress.at(test::cell_index(grid, i, j, k));
-        const SymTensor b = wide_stress.at(test::cell_index(wide, i, j, k));
+        const SymTensor a = narrow_stress.at(grid.index(i, j, k));
+        const SymTensor b = wide_stress.at(wide.index(i, j, k));
         const bool is_middle = i >= 6 && i < 18 && j >= 4 && j < 14;
         for (std::size_t c = 0; c < 6; ++c)
         {
@@ -144,7 +144,7 @@ TEST_P(EigenstrainClosedFormTest, DeepBallHasEshelbysStressAtItsCentre)
                                                               std::hypot(x - middle, y - middle, z - depth);
                                                           return std::exp(-0.5 * r * r / (s * s));
                                                         }));
-    const SymTensor found = stress.at(test::cell_index(grid, 14, 14, 8 * layers_per_s));
+    const SymTensor found = stress.at(grid.index(14, 14, 8 * layers_per_s));
     double error = 0.0;
     for (std::size_t c = 0; c < 6; ++c)
     {

@@ -20,7 +20,6 @@ namespace brinell::halfspace
 namespace
 {
 
-using test::cell_index;
 using test::StressField;
 using test::unit_deviator;
 
@@ -144,7 +143,7 @@ TEST(EigenstrainShiftTest, StressMovesWithTheStrainByWholeCells)
       for (int k = 0; k < g.nz; ++k)
         for (int j = 0; j < 5; ++j)
           for (int i = 0; i < 6; ++i)
-            strain[static_cast<std::size_t>(c) * g.size() + cell_index(g, i0 + i, j0 + j, k)] = cells[n++];
+            strain[static_cast<std::size_t>(c) * g.size() + g.index(i0 + i, j0 + j, k)] = cells[n++];
     return strain;
   };
   const StressField here(half_space, {}, patch(4, 2)), there(half_space, {}, patch(4 + di, 2 + dj));
@@ -152,7 +151,7 @@ TEST(EigenstrainShiftTest, StressMovesWithTheStrainByWholeCells)
     for (int j = 0; j + dj < g.surface.ny; ++j)
       for (int i = 0; i + di < g.surface.nx; ++i)
       {
-        const SymTensor a = here.at(cell_index(g, i, j, k)), b = there.at(cell_index(g, i + di, j + dj, k));
+        const SymTensor a = here.at(g.index(i, j, k)), b = there.at(g.index(i + di, j + dj, k));
         for (std::size_t c = 0; c < 6; ++c)
           ASSERT_NEAR(a[c], b[c], 1e-13) << i << ' ' << j << ' ' << k;
       }
@@ -189,7 +188,7 @@ TEST_P(EigenstrainFieldTest, SurfaceIsFreeOfTraction)
     for (int j = 0; j < g.surface.ny; ++j)
       for (int i = 0; i < g.surface.nx; ++i)
       {
-        const SymTensor a = stress.at(cell_index(g, i, j, 0)), b = stress.at(cell_index(g, i, j, 1));
+        const SymTensor a = stress.at(g.index(i, j, 0)), b = stress.at(g.index(i, j, 1));
         for (const std::size_t c : {2, 3, 4})
           largest = std::max(largest, std::abs(1.5 * a[c] - 0.5 * b[c]));
       }
@@ -213,10 +212,8 @@ TEST_P(EigenstrainFieldTest, ForcesBalanceEverywhere)
       for (int j = n; j < g.surface.ny - n; ++j)
         for (int i = n; i < g.surface.nx - n; ++i)
         {
-          const auto slope = [&](int di, int dj, int dk, std::size_t c, double h)
-          {
-            return (stress.at(cell_index(g, i + di, j + dj, k + dk))[c] -
-                    stress.at(cell_index(g, i - di, j - dj, k - dk))[c]) /
+          const auto slope = [&](int di, int dj, int dk, std::size_t c, double h) {
+            return (stress.at(g.index(i + di, j + dj, k + dk))[c] - stress.at(g.index(i - di, j - dj, k - dk))[c]) /
                    (2.0 * h);
           };
           for (const auto& row : rows)

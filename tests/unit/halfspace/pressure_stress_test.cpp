@@ -18,7 +18,6 @@ namespace brinell::halfspace
 namespace
 {
 
-using test::cell_index;
 using test::StressField;
 
 class PressureStressTest : public testing::TestWithParam<VolumeGrid>
@@ -58,7 +57,7 @@ TEST_P(PressureStressTest, EqualsTheSumOfRectanglesMeanOverALayer)
               for (std::size_t c = 0; c < 6; ++c)
                 sum[c] += weight * pressure[s.index(l, m)] * part[c];
             }
-        const SymTensor found = fast.at(cell_index(g, i, j, k));
+        const SymTensor found = fast.at(g.index(i, j, k));
         for (std::size_t c = 0; c < 6; ++c) // round-off of the transforms; stresses and pressures of order one
           EXPECT_NEAR(found[c], sum[c], 1e-13) << "component " << c << " at " << i << ' ' << j << ' ' << k;
       }
@@ -93,7 +92,7 @@ TEST(UniformPressureStressTest, IsThatOfAHeldLayerUnderTheMiddleOfALargePatch)
   const std::array<double, 6> expected{-0.5 * (1.0 + 2.0 * nu) * p, -0.5 * (1.0 + 2.0 * nu) * p, -p, 0.0, 0.0, 0.0};
   for (int k = 0; k < g.nz; ++k)
   {
-    const SymTensor found = stress.at(cell_index(g, n / 2, n / 2, k));
+    const SymTensor found = stress.at(g.index(n / 2, n / 2, k));
     const double bound = 2.0 * p * (k + 0.5) * g.dz / (0.5 * n);
     for (std::size_t c = 0; c < 6; ++c)
       EXPECT_NEAR(found[c], expected[c], bound) << "component " << c;
@@ -136,7 +135,7 @@ TEST(HertzStressTest, MeetsHubersUnderAHertzPressure)
           for (std::size_t c = 0; c < 6; ++c)
             expected[c] += weight * part[c];
         }
-        const SymTensor found = stress.at(cell_index(g, middle + off, middle - off, k));
+        const SymTensor found = stress.at(g.index(middle + off, middle - off, k));
         for (std::size_t c = 0; c < 6; ++c)
           largest = std::max(largest, std::abs(found[c] - expected[c]));
       }

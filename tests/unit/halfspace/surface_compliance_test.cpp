@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace brinell::halfspace
@@ -107,6 +109,37 @@ TEST(UniformPressureTest, SinksTheCentreOfACircleByTwoPressureRadiusOverModulus)
   };
   const std::vector<double> errors{error(4), error(8), error(16)};
   EXPECT_GT(test::Orders("uniform circle, centre displacement", errors).overall, 1.8);
+}
+
+TEST(InverseTest, UndoesTheOperatorOnPeriodicSurfacesAndNearlySoOnOpenOnes)
+{
+  for (const auto& [along_x, along_y, rest] :
+       {std::tuple{Boundary::periodic, Boundary::periodic, 1e-12}, std::tuple{Boundary::open, Boundary::open, 0.5},
+        std::tuple{Boundary::periodic, Boundary::open, 0.5}})
+  {
+    const SurfaceGrid grid{21, 16, 1.0, 1.3, along_x, along_y};
+    const SurfaceCompliance compliance(grid, 2.0, grid.is_periodic() || along_x == along_y ? 0.0 : 100.0);
+    SurfaceCompliance::Scratch scratch = compliance.make_scratch();
+    std::vector<double> p = test::random_field(grid.size(), 3, -1.0, 1.0), u(grid.size()), q(grid.size());
+    const double mean = std::accumulate(p.begin(), p.end(), 0.0) / static_cast<double>(p.size());
+    for (double& value : p)
+      value -= mean; // a uniform pressure has no displacement where both axes are periodic
+    compliance.apply({.pressure = p}, {.z = u}, scratch);
+    compliance.apply_inverse(u, q, scratch);
+    double difference = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      difference += (q[i] - p[i]) * (q[i] - p[i]), squares += p[i] * p[i];
+    EXPECT_LT(std::sqrt(difference / squares), rest);
+    // Symmetric and positive: a b = b a within rounding, a a > 0; and in place as well.
+    std::vector<double> r = test::random_field(grid.size(), 4, -1.0, 1.0), s(grid.size());
+    compliance.apply_inverse(r, s, scratch);
+    const auto dot = [](const std::vector<double>& a, const std::vector<double>& b)
+    { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); };
+    EXPECT_NEAR(dot(u, s), dot(r, q), 1e-12 * std::sqrt(dot(s, s) * dot(u, u)));
+    EXPECT_GT(dot(r, s), 0.0);
+    compliance.apply_inverse(r, r, scratch);
+    EXPECT_EQ(r, s);
+  }
 }
 
 TEST(SurfaceComplianceDoorTest, RefusesFieldsOfAnotherSize)

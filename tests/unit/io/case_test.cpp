@@ -207,6 +207,31 @@ TEST(CaseErrors, NameFileAndLine)
             std::string::npos);
 }
 
+// Python makes its texts itself: nobody could look up a line there.
+TEST(CaseErrors, OfATextThatNobodySeesNameKeysOnly)
+{
+  const auto message = [](const std::vector<std::string>& overrides, std::string_view text = sample::case_text)
+  {
+    try
+    {
+      (void)parse_case(text, "hidden.toml", overrides, Places::none);
+    }
+    catch (const InputError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(message({}), "no error");
+  std::string text(sample::case_text);
+  text.replace(text.find("poisson_ratio = 0."), 18, "poisson_ratio = 7.");
+  EXPECT_EQ(message({}, text).rfind("lower.material.poisson_ratio = 7.", 0), 0u) << message({}, text);
+  EXPECT_EQ(message({"grid.spacing=[1e-15, 1e-15, 1e-15]"}).find("hidden.toml"), std::string::npos);
+  EXPECT_EQ(message({}, text + "\n[grd]\na = 1\n").find("hidden.toml"), std::string::npos);
+  EXPECT_EQ(parse_case(sample::case_text, "hidden.toml", {}, Places::none).grid_source.find("hidden"),
+            std::string::npos);
+}
+
 TEST(CaseErrors, MissingKeysNameTheirTable)
 {
   const std::string text = message(with("interference = 9", ""));

@@ -116,6 +116,10 @@ TEST(Citations, FollowSolverTextureAndPasses)
   EXPECT_FALSE(keys(rolling()).contains("ville1999"));
   EXPECT_TRUE(
       keys(rolling({R"(lower.texture={type = "dent", depth = "1 um", radius = "50 um"})"})).contains("ville1999"));
+  const auto both =
+      keys(rolling({R"(lower.texture=[{type = "dent", depth = "1 um", radius = "50 um"}, {type = "random", )"
+                    R"(rms_height = 1e-7, rolloff = 1e-4, cutoff = 5e-5}])"}));
+  EXPECT_TRUE(both.contains("ville1999") && both.contains("jacobs2017"));
 }
 
 /// A field of a source; empty without it.

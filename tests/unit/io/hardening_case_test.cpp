@@ -158,13 +158,69 @@ TEST_F(HardeningFile, IsReadFromTheFolderOfTheCaseAndResolvedIntoIt)
   EXPECT_EQ(sample::tugging(again).lower.material.hardening.value(), expected);
 }
 
+TEST_F(HardeningFile, UnitsCommasAndTitlesAreThoseOfTheFile)
+{
+  const HardeningLaw expected = constitutive::TabulatedHardening({0.0, 0.002, 0.01}, {930e6, 1010.5e6, 1.2e9});
+  const std::string keys = R"("table", file="curve.csv", strain_unit="%", stress_unit="MPa")";
+  for (const char* text :
+       {"0, 930\n0.2, 1010.5\n1, 1200\n",
+        "\xef\xbb\xbf"
+        "0;930;\r\n0,2;1010,5;\r\n1;1,2e3;\r\n",
+        "\"strain\";\"stress\"\n%;MPa\n0;930\n+0,2 ; 1010,5\n1,0;1200,0\n", "0 930\n0,2 1010,5\n1 1200\n",
+        "e\ts\n0\t930\n0,2\t1010,5\n1\t1200\n", "0,\t930\n0.2,\t1010.5\n1,\t1200\n"})
+  {
+    write(text);
+    const Case c = parsed(keys);
+    EXPECT_EQ(sample::tugging(c).lower.material.hardening.value(), expected) << text; // to the last digit
+    EXPECT_EQ(resolved_text(c.values).find("_unit"), std::string::npos) << "what is resolved is in SI";
+    EXPECT_EQ(parse_case(resolved_text(c.values), "again.toml").values.all(), c.values.all());
+  }
+}
+
+TEST_F(HardeningFile, ScatterIsLiftedIfAsked)
+{
+  write("0, 2e9\n0.01, 2.7434e9\n0.02, 2.7394e9\n0.03, 2.76e9\n");
+  EXPECT_NE(message().find("point 3, 2.7394e+09 Pa, follows"), std::string::npos) << message();
+  EXPECT_NE(message().find("monotone = true"), std::string::npos) << message();
+  const HardeningLaw expected =
+      constitutive::TabulatedHardening({0.0, 0.01, 0.02, 0.03}, {2e9, 2.7434e9, 2.7434e9, 2.76e9});
+  EXPECT_EQ(sample::tugging(parsed(R"("table", file="curve.csv", monotone=true)")).lower.material.hardening.value(),
+            expected);
+  const std::string points = R"("table", monotone=true, plastic_strain=[0, 0.1], stress=["1 GPa", "0.9 GPa"])";
+  EXPECT_EQ(read(points), HardeningLaw(constitutive::TabulatedHardening({0.0, 0.1}, {1e9, 1e9})));
+}
+
+TEST_F(HardeningFile, UnitsThatAreNoneAreRefused)
+{
+  write("0, 930\n");
+  EXPECT_THROW((void)parsed(R"("table", file="curve.csv", stress_unit="mm")"), InputError);
+  EXPECT_THROW((void)parsed(R"("table", file="curve.csv", stress_unit="Mpa")"), InputError);
+  EXPECT_THROW((void)parsed(R"("table", file="curve.csv", strain_unit="percent")"), InputError);
+  expect_message(R"("table", stress_unit="MPa", plastic_strain=[0], stress=[1e9])", {"is the unit of a file"});
+}
+
+TEST_F(HardeningFile, UnitsThatWereForgottenAreWarnedOf)
+{
+  write("0, 930\n2, 1200\n");
+  const Case c = parse_case(sample::case_text, folder.path() / "case.toml",
+                            {law(R"("table", file="curve.csv")"), "tugging.interference=0.001", "grid.resolution=8"});
+  ASSERT_EQ(c.warnings.size(), 2u);
+  EXPECT_EQ(c.warnings[0].key, "low_yield");
+  EXPECT_NE(c.warnings[0].text.find("\"930 MPa\""), std::string::npos) << c.warnings[0].text;
+  EXPECT_EQ(c.warnings[1].key, "large_table_strain");
+}
+
 TEST_F(HardeningFile, ErrorsNameFileLineAndContent)
 {
   EXPECT_NE(message().find("cannot be opened"), std::string::npos) << message();
   write("# measured\nstrain, stress\n0, 900e6\n0.01, 1e9\n"); // titles may follow a comment
   EXPECT_EQ(message(), "no error");
-  write("strain, stress\n-, Pa\n0, 900e6\n");
-  EXPECT_NE(message().find("line 2 \"-, Pa\""), std::string::npos) << message();
+  write("strain, stress\n-, Pa\n0, 900e6\n"); // and take several lines
+  EXPECT_EQ(message(), "no error");
+  write("0, 900e6\nstrain, stress\n");
+  EXPECT_NE(message().find("line 2 \"strain, stress\""), std::string::npos) << message();
+  write("0,002,930,5\n");
+  EXPECT_NE(message().find("line 1 \"0,002,930,5\""), std::string::npos) << message();
   write("0, 900e6\n0.01, many\n");
   EXPECT_NE(message().find("line 2 \"0.01, many\""), std::string::npos) << message();
   write("0.1, 900e6\n");

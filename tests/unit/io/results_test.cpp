@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/result_directory.hpp"
+#include "brinell/io/result_image.hpp"
 #include "brinell/io/summary_json.hpp"
 #include "io/files.hpp"
 #include "io/results/hdf5.hpp"
@@ -437,6 +438,29 @@ TEST(Results, OneFileHoldsAll)
   EXPECT_FALSE(dataset(file, "/final/contact/gap").empty());
   EXPECT_EQ(dataset(file, "/VTKHDF/lower_volume/CellData/von_mises_stress").size(),
             2 * sample::numbered(5, 3, 2).size());
+}
+
+TEST(Results, InMemoryAreTheSameFields)
+{
+  const sample::TemporaryFolder folder;
+  const Case c = sample::parsed();
+  write_complete(folder.path(), c);
+  ResultImage image(c);
+  EXPECT_FALSE(image.checkpoint().has_value());
+  image.add(sample::columns(0));
+  image.add(0, sample::columns(0), sample::snapshot());
+  image.add(sample::columns(1));
+  image.finish(sample::snapshot(), sample::columns(1), "the summary");
+  const fs::path memory = folder.path() / "memory.vtkhdf", disk = folder.path() / "result.vtkhdf";
+  replace_file(memory, std::move(image).bytes());
+  EXPECT_EQ(text_dataset(memory, "/summary"), "the summary");
+  EXPECT_EQ(text_dataset(memory, "/case"), text_dataset(disk, "/case"));
+  for (const char* name : {"/history/X", "/history/step", "/final/contact/gap", "/steps/000000/lower/stress/xz",
+                           "/steps/000000/lower/von_mises_stress", "/final/upper/residual_displacement"})
+  {
+    EXPECT_FALSE(dataset(memory, name).empty()) << name;
+    EXPECT_EQ(dataset(memory, name), dataset(disk, name)) << name;
+  }
 }
 
 // That VTK itself reads it, the tests in Python show.

@@ -153,7 +153,7 @@ TEST(ScenarioCase, HeightMapsComeFromAFile)
                              folder.path() / "case.toml")
         .lower.texture;
   };
-  const auto map = std::get<simulation::HeightMap>(read_map("[\"1 um\", \"2 um\"]"));
+  const auto map = std::get<simulation::HeightMap>(read_map("[\"1 um\", \"2 um\"]").parts.at(0));
   EXPECT_EQ(map.nx, 3);
   EXPECT_EQ(map.ny, 2);
   EXPECT_EQ(map.dy, 2e-6);
@@ -216,7 +216,7 @@ TEST(ScenarioCase, HertzPressureIsALoad)
 TEST(ScenarioCase, SaysWhatIsMissingOrTooMuch)
 {
   const std::pair<std::string, const char*> refusals[] = {
-      {refusal(indentation("")), "needs one of indentation.load and indentation.approach"},
+      {refusal(indentation("")), "needs one of indentation.load, indentation.approach and indentation.pressure"},
       {refusal(indentation("load = [1, 0]\napproach = [1, 0]\n")), "cannot stand together"},
       {refusal(indentation("load = [0, 0]\n")), "never presses the bodies together"},
       {refusal(indentation("load = [-1]\n")), "out of range"},
@@ -226,7 +226,7 @@ TEST(ScenarioCase, SaysWhatIsMissingOrTooMuch)
       {refusal(indentation("load = [1]\n"), {"upper.material={rigid=true, young_modulus=2e11}"}),
        "applies only with upper.material.rigid = false"},
       {refusal(indentation("load = [1]\n"), {"upper.shape={type=\"flat\"}"}),
-       "upper.shape.type = \"flat\" on this lower body touches neither"},
+       "upper.shape.type = \"flat\" and the lower body touch neither"},
       {refusal(indentation("load = [1]\n"), {"tugging.passes=2"}), "applies only with scenario"},
       {refusal(rolling("distance = 1e-4\n")), "none of rolling.load"},
       {refusal(rolling("distance = 1e-4\nload = 1\napproach = 1e-6\n")), "more than one of rolling.load"},

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/schema.hpp"
 
+#include "brinell/foundation/error.hpp"
 #include "io/case/suggestion.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 namespace brinell::io
 {
@@ -76,6 +79,40 @@ TEST(Schema, PrintsEveryKey)
   }
 }
 
+TEST(Schema, TellsOneKeyOrTheKeysOfATable)
+{
+  EXPECT_EQ(schema_text("grid.resolution").rfind("grid.resolution\n", 0), 0u);
+  EXPECT_EQ(schema_text("grid.resolution").find("grid.spacing\n"), std::string::npos);
+  const std::string grid = schema_text("grid");
+  for (const char* key : {"grid.spacing\n", "grid.resolution\n", "grid.extent\n"})
+    EXPECT_NE(grid.find(key), grid.npos) << key;
+  EXPECT_EQ(grid.find("solver."), grid.npos);
+  EXPECT_THROW((void)schema_text("gri"), InputError);
+}
+
+TEST(Schema, OfEditorsHasEveryKey)
+{
+  const auto schema = nlohmann::json::parse(schema_json());
+  for (const Entry& entry : case_schema())
+  {
+    SCOPED_TRACE(entry.key);
+    const nlohmann::json* at = &schema;
+    std::istringstream parts(entry.key);
+    for (std::string part; std::getline(parts, part, '.');)
+    {
+      ASSERT_FALSE(at->at("additionalProperties").get<bool>());
+      ASSERT_TRUE(at->at("properties").contains(part));
+      at = &at->at("properties").at(part);
+    }
+    EXPECT_NE(at->at("description").get<std::string>().find(entry.text), std::string::npos);
+    const auto choices = at->value("enum", std::vector<std::string>{});
+    EXPECT_EQ(choices, entry.choices);
+  }
+  const auto& poisson = schema["properties"]["lower"]["properties"]["material"]["properties"]["poisson_ratio"];
+  EXPECT_EQ(poisson["exclusiveMaximum"], 0.5);
+  EXPECT_EQ(schema["properties"]["grid"]["properties"]["spacing"]["minItems"], 3);
+}
+
 TEST(Suggestion, CountsEdits)
 {
   EXPECT_EQ(edit_distance("radius", "radius"), 0);
@@ -87,10 +124,14 @@ TEST(Suggestion, CountsEdits)
 TEST(Suggestion, FindsWhatWasMeant)
 {
   EXPECT_EQ(suggestion("lower.shape.raduis"), "did you mean lower.shape.radius?");
+  EXPECT_EQ(suggestion("lower.material.E"), "did you mean lower.material.young_modulus?");
+  EXPECT_EQ(suggestion("upper.material.nu"), "did you mean upper.material.poisson_ratio?");
+  EXPECT_EQ(suggestion("indentation.P"), "did you mean indentation.load?");
   EXPECT_EQ(suggestion("upper.material.poisson"), "did you mean upper.material.poisson_ratio?");
   EXPECT_EQ(suggestion("upper.young_modulus"), "did you mean upper.material.young_modulus?");
   EXPECT_EQ(suggestion("kinematics"), "did you mean tugging.kinematics?");
-  EXPECT_EQ(suggestion("grid.colour"), "allowed in grid: spacing, resolution, extent");
+  EXPECT_EQ(suggestion("grid.colour"),
+            "allowed in grid: boundary, size, cells, layer, reference, spacing, resolution, extent");
 }
 
 } // namespace

@@ -60,6 +60,26 @@ INSTANTIATE_TEST_SUITE_P(Units, BadQuantity,
                                          "1,5 mm", "nan m", "inf m", "0x10 m", "3 m m^99", "1e999 m", "1e99999 m",
                                          "1e m", "- m", "3 k%"));
 
+TEST(Units, SayWhatIsMeantBySmallAndCapitalLetters)
+{
+  const auto message = [](const char* text)
+  {
+    try
+    {
+      (void)quantity(text);
+    }
+    catch (const InputError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(message("210 Gpa").find("did you mean GPa?"), std::string::npos) << message("210 Gpa");
+  EXPECT_NE(message("900 mpa").find("did you mean MPa or mPa?"), std::string::npos) << message("900 mpa");
+  EXPECT_NE(message("5 n/mm^2").find("did you mean N?"), std::string::npos) << message("5 n/mm^2");
+  EXPECT_EQ(message("3 furlong").find("did you mean"), std::string::npos);
+}
+
 TEST(Units, NamesAndExamples)
 {
   EXPECT_EQ(dimension_name(dimension::pressure), "pressure");

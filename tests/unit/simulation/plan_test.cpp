@@ -294,6 +294,38 @@ TEST(PlanTest, ARoughContactThatIsElasticAsAWholeNeedsLittleDepth)
   EXPECT_GT(deep.lower.nz * deep.lower.dz, 1.8 * deep.contact_radius);
 }
 
+TEST(PlanTest, RoughnessEverywhereIsCoveredWhereItCanTouch)
+{
+  IndentationCase c = light_press(50.0);
+  const IndentationPlan smooth = plan(c);
+  const SelfAffine p{.hurst = 0.8,
+                     .rms_height = 0.3 * smooth.scales.gap,
+                     .rms_slope = {},
+                     .rolloff = 0.5 * smooth.contact_radius,
+                     .cutoff = 0.25 * smooth.contact_radius,
+                     .size_x = 8.0 * smooth.contact_radius,
+                     .size_y = 8.0 * smooth.contact_radius,
+                     .seed = 2};
+  c.upper.texture = RandomSurface(p);
+  const IndentationPlan rough = plan(c);
+  EXPECT_GT(rough.contact.nx, smooth.contact.nx);
+  EXPECT_LT(rough.contact.nx, 4 * smooth.contact.nx) << "but not the whole plane";
+  c.upper.texture = Sinusoid{.amplitude = p.rms_height.value(), .wavelength_x = smooth.contact_radius};
+  EXPECT_LT(plan(c).contact.nx, 4 * smooth.contact.nx);
+  // Tugging: wherever the highest points can touch.
+  TuggingCase t;
+  t.lower = t.upper = {Paraboloid{20e-3, 20e-3}, c.lower.material};
+  t.interference = 2e-6;
+  const TuggingPlan plain = plan(t);
+  SelfAffine of_tugging = p;
+  of_tugging.rms_height = 2e-7;
+  t.lower.texture = RandomSurface(of_tugging);
+  const TuggingPlan textured = plan(t);
+  EXPECT_EQ(textured.texture_height, reach(t.lower.texture).height);
+  EXPECT_GT(textured.contact.ny, plain.contact.ny);
+  EXPECT_LT(textured.contact.ny, 3 * plain.contact.ny);
+}
+
 TEST(PlanTest, ATextureWidensTheGrids)
 {
   IndentationCase c = light_press(50.0);

@@ -176,6 +176,36 @@ TEST(Quality, TexturesFinerThanTheCells)
   EXPECT_EQ(before(c), Keys{});
 }
 
+TEST(Quality, WavesNeedEightCells)
+{
+  RollingCase c = ball_on_flat();
+  const double dx = plan(c).contact.dx, dy = plan(c).contact.dy;
+  const auto text = [&] { return expected_quality(c, plan(c)).warnings.at(0).text; };
+  c.lower.texture = Sinusoid{.amplitude = 1e-9, .wavelength_x = 7.9 * dx};
+  EXPECT_EQ(before(c), Keys{"coarse_texture"});
+  EXPECT_EQ(after(c, good_totals(c)), Keys{"coarse_texture"});
+  EXPECT_EQ(text().find("only the mean"), std::string::npos) << text();
+  c.lower.texture = Sinusoid{.amplitude = 1e-9, .wavelength_x = 8.1 * dx, .wavelength_y = 8.1 * dy};
+  EXPECT_EQ(before(c), Keys{});
+  const auto rough = [&](double cells)
+  {
+    return RandomSurface({.hurst = 0.8,
+                          .rms_height = 1e-9,
+                          .rms_slope = {},
+                          .rolloff = 20.0 * dx,
+                          .cutoff = cells * std::max(dx, dy),
+                          .size_x = 100.0 * dx,
+                          .size_y = 100.0 * dx,
+                          .seed = 1});
+  };
+  c.lower.texture = rough(8.1);
+  EXPECT_EQ(before(c), Keys{});
+  c.lower.texture = std::vector<TexturePart>{Sinusoid{.amplitude = 1e-9, .wavelength_x = 1.0}, rough(1.9)};
+  EXPECT_EQ(before(c), Keys{"coarse_texture"});
+  EXPECT_EQ(text().find("lower.texture[1]: roughness with waves down to"), 0u) << text();
+  EXPECT_NE(text().find("only the mean"), std::string::npos) << text();
+}
+
 TEST(Quality, CellsAndStepsBeyondTheContactAreRefused)
 {
   EXPECT_FALSE(reason_against_cells({1e-5, 1e-5, 1e-5}, 1e-5, 1e-5));
@@ -217,7 +247,7 @@ TEST(Quality, TexturesOfTugging)
   // Where the smooth bodies would stay elastic, those on a bump may yield.
   t.interference = 1e-8;
   EXPECT_EQ(warnings(), Keys{});
-  t.upper.texture = Smooth{};
+  t.upper.texture = {};
   EXPECT_EQ(warnings(), Keys{"no_yield"});
 }
 

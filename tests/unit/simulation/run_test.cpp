@@ -187,7 +187,15 @@ TEST(TexturedTugging, IsTakenUpAtAnyStep)
 {
   TuggingCase c = tugging();
   c.lower.shape = Paraboloid{1e-3, 2e-3};
-  c.lower.texture = Dent{.x = -1e-5, .depth = -2e-7, .radius = 3e-5};
+  const RandomSurface rough({.hurst = 0.8,
+                             .rms_height = 2e-8,
+                             .rms_slope = {},
+                             .rolloff = 6e-5,
+                             .cutoff = 3e-5,
+                             .size_x = 4e-4,
+                             .size_y = 3e-4,
+                             .seed = 4});
+  c.lower.texture = std::vector<TexturePart>{Dent{.x = -1e-5, .depth = -2e-7, .radius = 3e-5}, rough};
   c.upper.texture =
       sampled([](double x, double y) { return 5e-8 * std::cos(1e5 * x) * std::cos(1e5 * y); }, 65, 33, 2e-6, 4e-6);
   c.passes = 2;

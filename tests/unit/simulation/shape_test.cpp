@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/shape.hpp"
+#include "brinell/simulation/texture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -123,7 +124,7 @@ TEST(TextureTest, ReachHoldsAllHeights)
 {
   const Dent dent{.x = 0.3, .y = -0.2, .depth = 2e-3, .radius = 0.1};
   const Dent bump{.x = 0.3, .y = -0.2, .depth = -2e-3, .radius = 0.1};
-  EXPECT_EQ(reach(Smooth{}).height, 0.0);
+  EXPECT_EQ(reach(Texture{}).height, 0.0);
   EXPECT_EQ(reach(bump).height, 2e-3);
   double highest = 0.0;
   for (double r = 0.0; r < 1.0; r += 1e-4)

@@ -68,7 +68,9 @@ void expect_same(const std::vector<IndentationRecord>& a, const std::vector<Inde
   // Rounding, which the iteration may carry on to some share of its tolerances, 1e-4 of the yield stress.
   constexpr double rounding = 1e-6;
   EXPECT_LT(difference(a, b, &IndentationRecord::approach), rounding);
-  EXPECT_LT(difference(a, b, &IndentationRecord::max_pressure), rounding);
+  // A cell an eighth of the contact radius wide turns the gap that the contact may leave, 1e-7 of the approach, into
+  // 1e-7 * 2.8 * 8 of the peak pressure (Hertz' approach and pressure; a cell gives way by 0.56 p dx / E').
+  EXPECT_LT(difference(a, b, &IndentationRecord::max_pressure), 3.0 * rounding);
   EXPECT_LT(difference(a, b, &IndentationRecord::residual_depth), rounding);
   EXPECT_LT(difference(a, b, &IndentationRecord::work), rounding);
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/sym_tensor.hpp"
+
+/// Influence coefficients of plane strain: a uniform pressure on a strip of the surface that has no end along y.
+///
+/// As for a rectangle, the value is the difference of an antiderivative at the two edges, f(x) = G(x + dx/2) - G(x - dx/2).
+namespace brinell::green
+{
+
+/// Antiderivative of -2 ln(|X| / reference) [m]: the integral of 1/r along a line has no end, and is counted from a point at
+/// the distance `reference` from the line (Johnson 1985, section 2.3).
+/// @param X  point minus edge [m], any sign or zero.
+[[nodiscard]] double strip_displacement_edge(double X, double reference);
+
+/// Antiderivative of the stress under a unit pressure [-], odd in X in all components but xz (Johnson 1985, Eqs. 2.31):
+///     xx = -(phi - X z / rho^2) / pi    zz = -(phi + X z / rho^2) / pi    xz = z^2 / (pi rho^2)    yy = nu (xx + zz)
+/// with phi = atan(X / z) and rho^2 = X^2 + z^2. No strain along y.
+/// @param z  depth [m], >= 0; on z = 0 the value at an edge is the mean of its two sides.
+[[nodiscard]] SymTensor strip_stress_edge(double X, double z, double nu);
+
+} // namespace brinell::green

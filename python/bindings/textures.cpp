@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "arrays.hpp"
+#include "module.hpp"
+
+#include "brinell/io/units.hpp"
+#include "brinell/simulation/texture.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <tuple>
+
+namespace brinell::python
+{
+
+using namespace nb::literals;
+
+namespace
+{
+
+/// Heights of a random surface, [y, x], at nx * ny points around its origin whose distances divide the size.
+Output random_heights(const std::tuple<double, double>& size, const std::tuple<int, int>& points, double cutoff,
+                      const std::optional<double>& rms_height, const std::optional<double>& rms_slope, double hurst,
+                      const std::optional<double>& rolloff, std::uint64_t seed)
+{
+  const auto [size_x, size_y] = size;
+  const auto [nx, ny] = points;
+  constexpr int most = 1 << 15;
+  if (nx < 1 || ny < 1 || nx > most || ny > most)
+    throw InputError(fmt::format("{} x {} points; allowed: 1 to {} along either axis", nx, ny, most));
+  const simulation::SelfAffine parameters{.hurst = hurst,
+                                          .rms_height = rms_height,
+                                          .rms_slope = rms_slope,
+                                          .rolloff = rolloff.value_or(std::numeric_limits<double>::infinity()),
+                                          .cutoff = cutoff,
+                                          .size_x = size_x,
+                                          .size_y = size_y,
+                                          .seed = seed};
+  const SurfaceGrid grid{nx, ny, size_x / nx, size_y / ny};
+  std::vector<double> heights = without_lock(
+      [&]
+      {
+        const simulation::Texture surface = simulation::RandomSurface(parameters);
+        std::vector<double> h = simulation::depths(surface, grid, grid.x(0), grid.y(0));
+        for (double& height : h)
+          height = -height;
+        return h;
+      });
+  return array(std::move(heights), {static_cast<std::size_t>(ny), static_cast<std::size_t>(nx)});
+}
+
+/// "3.85 mm" in m.
+double length(const std::string& text)
+{
+  io::Quantity quantity;
+  try
+  {
+    quantity = io::quantity(text);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(fmt::format("\"{}\" {}", text, error.what()));
+  }
+  if (quantity.dimension == io::dimension::none)
+    throw InputError(fmt::format("\"{}\" has no unit; allowed: a length with its unit, as \"3.85 mm\"", text));
+  if (!(quantity.dimension == io::dimension::length))
+    throw InputError(
+        fmt::format("\"{}\" is a {}; allowed: a length, as \"3.85 mm\"", text, io::dimension_name(quantity.dimension)));
+  return quantity.value;
+}
+
+} // namespace
+
+void bind_textures(nb::module_& m)
+{
+  m.def("random_heights", &random_heights, "size"_a, "points"_a, "cutoff"_a, "rms_height"_a.none(),
+        "rms_slope"_a.none(), "hurst"_a, "rolloff"_a.none(), "seed"_a);
+  m.def("length", &length, "text"_a);
+}
+
+} // namespace brinell::python

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "halfspace/cell_response.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/green/rectangle.hpp"
+#include "brinell/green/strip.hpp"
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+double scaled(double factor, double value)
+{
+  return factor * value;
+}
+
+SymTensor scaled(double factor, SymTensor value)
+{
+  for (double& component : value)
+    component *= factor;
+  return value;
+}
+
+void add(double value, double& sum)
+{
+  sum += value;
+}
+
+void add(const SymTensor& value, SymTensor& sum)
+{
+  for (std::size_t c = 0; c < sum.size(); ++c)
+    sum[c] += value[c];
+}
+
+/// The copies of a cell along a periodic axis, from one period to the next.
+struct Copies
+{
+  int cells;
+  double cell, period; ///< [m]
+
+  /// Beyond so many periods on either side the copies are spread over a strip (Euler and Maclaurin's sum, midpoint rule).
+  static constexpr int near = 8;
+  [[nodiscard]] int count() const { return cells == 1 ? 0 : near; }
+  /// How much of a copy counts: the end correction of the sum takes a little from the last one that is summed, and gives it
+  /// to the one behind. It vanishes where the copies touch each other.
+  [[nodiscard]] double weight(int copy) const
+  {
+    const double share = cell / period;
+    const double end = (1.0 - share * share) / 24.0;
+    const int distance = std::abs(copy);
+    return (distance <= count() ? 1.0 : 0.0) - (distance == count() ? end : 0.0) +
+           (distance == count() + 1 ? end : 0.0);
+  }
+  /// Length of the row of copies that are summed [m].
+  [[nodiscard]] double length() const { return (2 * count() + 1) * period; }
+};
+
+/// Response of a cell with copies along y, at offsets >= 0.
+/// @param corner  antiderivative of the rectangle, at (X, Y)
+/// @param edge    antiderivative of the strip, at X
+template <typename Value, typename Corner, typename Edge>
+void with_copies(const SurfaceGrid& grid, const Corner& corner, const Edge& edge, Quadrant<Value>& out)
+{
+  const Copies copies{grid.ny, grid.dy, grid.ny * grid.dy};
+  const double density = grid.dy / copies.period; // of the strip, which stands for the copies
+  const auto summed_corner = [&](double X, double Y)
+  {
+    Value sum{};
+    for (int copy = -copies.count() - 1; copy <= copies.count() + 1; ++copy)
+      if (const double weight = copies.weight(copy); weight != 0.0)
+        add(scaled(weight, corner(X, Y + copy * copies.period)), sum);
+    return sum;
+  };
+  /// The strip without the part over which the copies have been summed.
+  const auto rest = [&](double X, double y)
+  {
+    Value value = scaled(density, edge(X));
+    add(scaled(-density, corner(X, y + 0.5 * copies.length())), value);
+    add(scaled(density, corner(X, y - 0.5 * copies.length())), value);
+    return value;
+  };
+  const auto columns = static_cast<std::size_t>(out.nx + 1);
+  std::vector<Value> front(columns), back(columns), middle(columns);
+  const auto fill = [&](std::vector<Value>& row, const auto& function, double y)
+  {
+    for (std::size_t i = 0; i < columns; ++i)
+      row[i] = function((static_cast<double>(i) - 0.5) * grid.dx, y);
+  };
+  fill(back, summed_corner, -0.5 * grid.dy);
+  for (int j = 0; j < out.ny; ++j)
+  {
+    std::swap(front, back);
+    fill(back, summed_corner, (j + 0.5) * grid.dy);
+    fill(middle, rest, j * grid.dy);
+    for (int i = 0; i < out.nx; ++i)
+    {
+      const auto left = static_cast<std::size_t>(i);
+      Value& value = out.at(i, j);
+      value = middle[left + 1];
+      add(scaled(-1.0, middle[left]), value);
+      add(back[left + 1], value);
+      add(front[left], value);
+      add(scaled(-1.0, back[left]), value);
+      add(scaled(-1.0, front[left + 1]), value);
+    }
+  }
+}
+
+/// Response of a cell alone.
+template <typename Value, typename Corner>
+void alone(const SurfaceGrid& grid, const Corner& corner, Quadrant<Value>& out)
+{
+  const auto columns = static_cast<std::size_t>(out.nx + 1);
+  std::vector<Value> front(columns), back(columns);
+  const auto fill = [&](std::vector<Value>& row, int j)
+  {
+    for (std::size_t i = 0; i < columns; ++i)
+      row[i] = corner((static_cast<double>(i) - 0.5) * grid.dx, (j - 0.5) * grid.dy);
+  };
+  fill(back, 0);
+  for (int j = 0; j < out.ny; ++j)
+  {
+    std::swap(front, back);
+    fill(back, j + 1);
+    for (int i = 0; i < out.nx; ++i)
+    {
+      const auto left = static_cast<std::size_t>(i);
+      Value& value = out.at(i, j);
+      value = back[left + 1];
+      add(front[left], value);
+      add(scaled(-1.0, back[left]), value);
+      add(scaled(-1.0, front[left + 1]), value);
+    }
+  }
+}
+
+SurfaceGrid swapped(const SurfaceGrid& g)
+{
+  return {g.ny, g.nx, g.dy, g.dx, g.boundary_y, g.boundary_x};
+}
+
+double swapped(double value)
+{
+  return value;
+}
+
+/// With x and y exchanged.
+SymTensor swapped(const SymTensor& t)
+{
+  return {t[1], t[0], t[2], t[4], t[3], t[5]};
+}
+
+template <typename Value, typename Corner, typename Edge>
+Quadrant<Value> response(const SurfaceGrid& grid, const Corner& corner, const Edge& edge)
+{
+  if (grid.is_periodic())
+    throw InternalError("the response of a cell: a body that is periodic along both axes has waves instead");
+  Quadrant<Value> out(grid);
+  if (grid.is_periodic_y())
+    with_copies(grid, corner, edge, out);
+  else if (!grid.is_periodic_x())
+    alone(grid, corner, out);
+  else
+  {
+    const Quadrant<Value> across = response<Value>(swapped(grid), corner, edge);
+    for (int j = 0; j < out.ny; ++j)
+      for (int i = 0; i < out.nx; ++i)
+        out.at(i, j) = swapped(across.at(j, i));
+  }
+  return out;
+}
+
+} // namespace
+
+Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference)
+{
+  return response<double>(
+      grid, [](double X, double Y) { return green::rectangle_displacement_corner(X, Y); },
+      [reference](double X) { return green::strip_displacement_edge(X, reference); });
+}
+
+Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio)
+{
+  return response<SymTensor>(
+      grid, [=](double X, double Y) { return green::rectangle_stress_corner(X, Y, depth, poisson_ratio); },
+      [=](double X) { return green::strip_stress_edge(X, depth, poisson_ratio); });
+}
+
+} // namespace brinell::halfspace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/sym_tensor.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+/// What a unit pressure on one cell gives at the others, from the closed forms of rectangle and strip. Along a periodic axis
+/// the cell has copies, one per period: some near ones are summed, and the rest is a strip: docs/theory/half-space.md
+/// (copies).
+namespace brinell::halfspace
+{
+
+/// Distances of cells along one axis, in cells: those that occur on a grid, or in one period.
+class Offsets
+{
+public:
+  Offsets(int cells, Boundary boundary) : cells_(cells), is_periodic_(boundary == Boundary::periodic) {}
+  [[nodiscard]] int first() const { return is_periodic_ ? -(cells_ - 1) / 2 : 1 - cells_; }
+  [[nodiscard]] int last() const { return is_periodic_ ? cells_ / 2 : cells_ - 1; }
+  /// Of a function that is odd in the offset; where an offset is half a period, such a function vanishes.
+  [[nodiscard]] double sign(int offset) const
+  {
+    return offset < 0 ? -1.0 : is_periodic_ && 2 * offset == cells_ ? 0.0 : 1.0;
+  }
+
+private:
+  int cells_;
+  bool is_periodic_;
+};
+
+/// A value for each pair of offsets; only offsets >= 0 are stored.
+template <typename Value>
+struct Quadrant
+{
+  int nx = 0, ny = 0;
+  std::vector<Value> values;
+
+  explicit Quadrant(const SurfaceGrid& grid)
+      : nx(Offsets(grid.nx, grid.boundary_x).last() + 1), ny(Offsets(grid.ny, grid.boundary_y).last() + 1),
+        values(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny))
+  {
+  }
+  [[nodiscard]] Value& at(int i, int j) { return values[static_cast<std::size_t>(std::abs(i) + nx * std::abs(j))]; }
+  [[nodiscard]] const Value& at(int i, int j) const
+  {
+    return values[static_cast<std::size_t>(std::abs(i) + nx * std::abs(j))];
+  }
+};
+
+/// Integral of 1/r over the cell [m].
+/// @param reference  with one periodic axis, the distance at which a line load along it is counted as zero [m].
+[[nodiscard]] Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference);
+
+/// Stress at a depth under the cell [-].
+[[nodiscard]] Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio);
+
+} // namespace brinell::halfspace

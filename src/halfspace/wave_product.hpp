@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "foundation/blocked_fft.hpp"
+#include "foundation/fft.hpp"
+
+#include <span>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// A field on a surface -> the field whose waves are as many times as high as the factors say.
+///
+/// The work on a block of neighbouring columns, transform, product and transform back, is done in one go in the cache.
+class WaveProduct
+{
+public:
+  /// @param lengths  of the transforms; beyond the grid the field is zero.
+  /// @param factors  real and even: row by row, [lengths.y / 2 + 1][lengths.x / 2 + 1].
+  WaveProduct(const SurfaceGrid& grid, const PaddedLengths& lengths, std::span<const double> factors);
+
+  struct Scratch
+  {
+    AlignedVector<Complex> rows;
+    std::vector<BlockedFft::Scratch> threads; ///< one where the grid is too small to share
+  };
+  [[nodiscard]] Scratch make_scratch() const;
+  /// Whether a scratch is large enough.
+  [[nodiscard]] bool fits(const Scratch& scratch) const { return scratch.rows.size() >= fft_.rows_size(); }
+
+  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
+  /// `in` and `out` may be the same field.
+  void apply(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
+
+private:
+  void apply_to_block(int block, AlignedVector<Complex>& values, BlockedFft::Scratch& own) const;
+
+  BlockedFft fft_;
+  int rows_;                      ///< stored rows of the factors, ky >= 0
+  AlignedVector<double> factors_; ///< [block][row][lane]
+};
+
+} // namespace brinell::halfspace

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/case_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+/// Waves and roughness in a case file, and lists of textures.
+namespace brinell::io
+{
+
+namespace
+{
+
+using simulation::Dent;
+using simulation::RandomSurface;
+using simulation::SelfAffine;
+using simulation::Sinusoid;
+using simulation::Texture;
+
+constexpr const char* head = R"(scenario = "rolling"
+[rolling]
+load = 5
+distance = 1e-4
+[upper]
+shape = {type = "sphere", radius = "2 mm"}
+material = {rigid = true}
+[lower]
+shape = {type = "flat"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
+)"; // ten lines
+
+Texture texture(const std::string& lower, const std::vector<std::string>& overrides = {})
+{
+  const Case c = parse_case(head + lower, "sample.toml", overrides);
+  return std::get<simulation::RollingCase>(c.scenario).lower.texture;
+}
+
+std::string refusal(const std::string& lower, const std::vector<std::string>& overrides = {})
+{
+  try
+  {
+    static_cast<void>(texture(lower, overrides));
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_refused(const std::string& message, const std::string& part)
+{
+  EXPECT_NE(message.find(part), std::string::npos) << part << "\n  in: " << message;
+}
+
+constexpr const char* random_keys = R"(type = "random", hurst = 0.7, rolloff = "100 um", cutoff = "30 um")";
+
+TEST(TextureCase, WavesAndRoughness)
+{
+  EXPECT_EQ(texture(R"(texture = {type = "sinusoid", amplitude = "1 um", wavelength_y = "50 um", x = "3 um"})"),
+            Texture(Sinusoid{.amplitude = 1e-6, .wavelength_y = 50e-6, .x = 3e-6}));
+  const std::string keys = random_keys;
+  SelfAffine p{.hurst = 0.7,
+               .rms_height = 1e-7,
+               .rms_slope = {},
+               .rolloff = 100e-6,
+               .cutoff = 30e-6,
+               .size_x = 800e-6,
+               .size_y = 800e-6,
+               .seed = 0};
+  EXPECT_EQ(texture("texture = {" + keys + ", rms_height = \"0.1 um\"}"), Texture(RandomSurface(p)));
+  p.rms_height.reset();
+  p.rms_slope = 0.01;
+  p.seed = 12;
+  p.size_x = 1e-3;
+  p.size_y = 5e-4;
+  EXPECT_EQ(texture("texture = {" + keys + ", rms_slope = 0.01, size = [\"1 mm\", \"0.5 mm\"], seed = 12}"),
+            Texture(RandomSurface(p)));
+}
+
+TEST(TextureCase, SeveralAddUp)
+{
+  const Texture both(std::vector<simulation::TexturePart>{Dent{0.0, 0.0, 1e-6, 40e-6},
+                                                          Sinusoid{.amplitude = 1e-7, .wavelength_x = 5e-5}});
+  const std::string tables = R"([[lower.texture]]
+type = "dent"
+depth = "1 um"
+radius = "40 um"
+[[lower.texture]]
+type = "sinusoid"
+amplitude = "0.1 um"
+wavelength_x = "50 um"
+)";
+  const std::string list = R"(texture = [{type = "dent", depth = 1e-6, radius = 4e-5}, )"
+                           R"({type = "sinusoid", amplitude = 1e-7, wavelength_x = 5e-5}])";
+  EXPECT_EQ(texture(tables), both);
+  EXPECT_EQ(texture(list), both);
+  EXPECT_EQ(texture("", {"lower." + list}), both) << "by --set";
+  EXPECT_EQ(texture(R"(texture = {type = "bump", height = 1, radius = 1})", {"lower." + list}), both) << "in its place";
+  EXPECT_EQ(texture(list, {R"(lower.texture={type = "dent", depth = 1e-6, radius = 4e-5})"}),
+            Texture(Dent{0.0, 0.0, 1e-6, 40e-6}));
+  EXPECT_EQ(texture("texture = []"), Texture());
+  EXPECT_EQ(texture(R"(texture = [{type = "smooth"}])"), Texture());
+  // One of them.
+  EXPECT_EQ(std::get<Dent>(texture(list, {"lower.texture[0].depth=2e-6"}).parts.at(0)).depth, 2e-6);
+  EXPECT_EQ(
+      std::get<Dent>(texture(list, {R"(lower.texture[1]={type="bump", height=3e-6, radius=1e-5})"}).parts.at(1)).depth,
+      -3e-6);
+  // The resolved case stands for itself.
+  const Case c = parse_case(head + tables, "sample.toml");
+  const Case again = parse_case(resolved_text(c.values), "sample.toml");
+  EXPECT_EQ(std::get<simulation::RollingCase>(again.scenario).lower.texture, both);
+  EXPECT_EQ(resolved_text(again.values), resolved_text(c.values));
+}
+
+TEST(TextureCase, ErrorsNameLineAndKey)
+{
+  const std::string tables = "[[lower.texture]]\ntype = \"dent\"\ndepth = \"1 um\"\nradius = \"40 um\"\n"
+                             "[[lower.texture]]\ntype = \"sinusoid\"\namplitude = \"0.1 um\"\n";
+  expect_refused(refusal(tables), "sample.toml:16: lower.texture[1].type = \"sinusoid\" needs "
+                                  "lower.texture[1].wavelength_x or lower.texture[1].wavelength_y");
+  expect_refused(refusal(tables + "wavelength_x = -1\n"),
+                 "sample.toml:18: lower.texture[1].wavelength_x = -1 is out of range; allowed: length > 0");
+  expect_refused(refusal(tables + "wavelength_x = 1e-5\nwavelenth_y = 1\n"), "sample.toml:19: unknown key "
+                                                                             "lower.texture[1].wavelenth_y = 1");
+  expect_refused(refusal(tables + "wavelength_x = 1e-5\ndepth = 1\n"),
+                 "sample.toml:19: lower.texture[1].depth = 1 applies only with lower.texture[1].type = \"dent\"");
+  expect_refused(refusal("[[lower.texture]]\ntype = \"dent\"\ndepth = 1e-6\n"),
+                 "sample.toml:11: lower.texture[0].radius is missing");
+  expect_refused(refusal("texture = [{type = \"smooth\"}, 3]"),
+                 "sample.toml:11: lower.texture[1] = 3 is an integer, but must be a table with the keys type, ");
+  expect_refused(refusal("[[lower.shape]]\ntype = \"flat\"\n").substr(0, 400), "lower.shape");
+  expect_refused(refusal("\"texture[0]\".type = \"dent\"\n"), "unknown key lower.texture[0]");
+}
+
+TEST(TextureCase, OverridesThatMissTheList)
+{
+  const std::string list = R"(texture = [{type = "smooth"}, {type = "dent", depth = 1e-6, radius = 4e-5}])";
+  expect_refused(refusal(list, {"lower.texture[2].type=smooth"}),
+                 "--set lower.texture[2].type=smooth: lower.texture[2] does not exist: the list has 2, counted from 0");
+  expect_refused(refusal(list, {"lower.texture.depth=1"}),
+                 "lower.texture is a list of 2: name one of them, as lower.texture[0].depth");
+  expect_refused(refusal("", {"lower.texture[0].type=smooth"}), "lower.texture is one table, not a list");
+  expect_refused(refusal("", {"lower[0].shape.type=flat"}), "unknown key lower[0].shape.type");
+}
+
+TEST(TextureCase, RoughnessThatCannotBe)
+{
+  const std::string keys = random_keys;
+  const auto refused = [&](const std::string& more) { return refusal("texture = {" + keys + more + "}"); };
+  expect_refused(refused(""), "sample.toml:11: lower.texture.type = \"random\" needs lower.texture.rms_height or "
+                              "lower.texture.rms_slope");
+  expect_refused(refused(", rms_height = 1e-7, rms_slope = 0.1"), "cannot stand together with lower.texture.rms");
+  expect_refused(refused(", rms_height = 1e-7, size = [1e-3]"), "lower.texture.size = [0.001] needs two lengths");
+  expect_refused(refused(", rms_height = 1e-7, size = [1e-3, 1e-5]"), "lower.texture.cutoff: cutoff = 3e-05");
+  expect_refused(refused(", rms_height = 1e-7, seed = -1"), "lower.texture.seed = -1 is out of range");
+  expect_refused(refusal(R"(texture = {type = "random", rms_height = 1e-7, cutoff = 1e-5})"),
+                 "needs lower.texture.size or lower.texture.rolloff");
+  expect_refused(refusal(R"(texture = {type = "random", rms_height = 1e-7, cutoff = 1e-5, rolloff = 5e-6})"),
+                 "lower.texture.rolloff = 5e-06 is shorter than lower.texture.cutoff = 1e-05 m");
+  EXPECT_EQ(refusal(R"(texture = {type = "random", rms_height = 1e-7, cutoff = 1e-5, size = [1e-4, 1e-4]})"), "");
+  // On the command line the other rms wins.
+  EXPECT_EQ(refusal("texture = {" + keys + ", rms_height = 1e-7}", {"lower.texture.rms_slope=0.1"}), "");
+}
+
+} // namespace
+
+} // namespace brinell::io
