@@ -20,13 +20,35 @@ from typing import TYPE_CHECKING, Any
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, reference, surfaces
-from brinell.bodies import Berkovich, Body, Bump, Cone, Cylinder, Dent, Ellipsoid, Flat, Sphere, Vickers
+from brinell.bodies import (
+    Berkovich,
+    Body,
+    Bump,
+    Cone,
+    Cylinder,
+    Dent,
+    Ellipsoid,
+    Flat,
+    RandomSurface,
+    Sinusoid,
+    Sphere,
+    Vickers,
+)
 from brinell.case import Case, CaseWarning, ResolutionWarning
-from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, IoError
+from brinell.errors import (
+    BrinellError,
+    ConvergenceError,
+    GridError,
+    InputError,
+    InternalError,
+    IoError,
+    MissingExtraError,
+)
 from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect, Swift, Table, Voce
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import Indentation, Rolling, Tugging
+from brinell.settings import Grid, Output, Solver
 from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
 
@@ -54,6 +76,7 @@ __all__ = [
     "Dent",
     "Ellipsoid",
     "Flat",
+    "Grid",
     "GridError",
     "HeightMap",
     "Hollomon",
@@ -64,12 +87,17 @@ __all__ = [
     "Linear",
     "Ludwik",
     "Material",
+    "MissingExtraError",
+    "Output",
     "Perfect",
+    "RandomSurface",
     "ResolutionWarning",
     "Rolling",
     "Run",
     "RunError",
     "RunWarning",
+    "Sinusoid",
+    "Solver",
     "Sphere",
     "Stepping",
     "Swift",

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the reprs of several classes have in common."""
+"""What the reprs of several classes have in common, on a terminal and in a notebook."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import html
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
-__all__ = ["cells"]
+__all__ = ["cells", "column_table", "fact_table"]
 
 
 def cells(shape: Sequence[int]) -> str:
@@ -15,3 +17,43 @@ def cells(shape: Sequence[int]) -> str:
         shape: (nz, ny, nx) or (ny, nx), of an array on it.
     """
     return f"{' x '.join(map(str, reversed(shape)))} cells"
+
+
+def fact_table(title: str, facts: Iterable[Sequence[str]], remarks: Iterable[str] = ()) -> str:
+    """HTML of a table with a row per fact, remarks under it.
+
+    Args:
+        title: above it.
+        facts: name and value, perhaps a further cell; as text.
+        remarks: a line each.
+    """
+    rows = "".join(f"<tr>{_cells('td', fact, 'left')}</tr>" for fact in facts)
+    lines = "".join(f"<div>{html.escape(remark)}</div>" for remark in remarks)
+    return f"<div><b>{html.escape(title)}</b><table><tbody>{rows}</tbody></table>{lines}</div>"
+
+
+def column_table(title: str, columns: Mapping[str, Any], units: Mapping[str, str], most: int = 10) -> str:
+    """HTML of a table of columns, with names and units at the head; the middle of a long one is left out.
+
+    Args:
+        title: above it.
+        columns: arrays of one length, not of length 0.
+        units: of columns, "1" for a pure number.
+        most: rows that are shown.
+    """
+    count = len(next(iter(columns.values())))
+    shown = [*range(count)] if count <= most else [*range(most // 2), None, *range(count - most // 2, count)]
+    head = _cells("th", columns, "right")
+    named = _cells("th", (f"[{units[name]}]" if units.get(name, "1") != "1" else "" for name in columns), "right")
+    rows = "".join(
+        f"<tr>{_cells('td', ('…' if i is None else f'{column[i]:.6g}' for column in columns.values()), 'right')}</tr>"
+        for i in shown
+    )
+    return (
+        f"<div><b>{html.escape(title)}</b><table><thead><tr>{head}</tr><tr>{named}</tr></thead>"
+        f"<tbody>{rows}</tbody></table></div>"
+    )
+
+
+def _cells(tag: str, texts: Iterable[str], align: str) -> str:
+    return "".join(f'<{tag} style="text-align: {align}">{html.escape(text)}</{tag}>' for text in texts)

@@ -7,6 +7,7 @@ Lengths are in m, or text with a unit such as "3.85 mm". The fields are the keys
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from typing import Any, ClassVar, Protocol, TypeAlias
 
@@ -22,7 +23,9 @@ __all__ = [
     "Ellipsoid",
     "Flat",
     "Quantity",
+    "RandomSurface",
     "Shape",
+    "Sinusoid",
     "Sphere",
     "Vickers",
 ]
@@ -45,8 +48,9 @@ class _Typed:
     type: ClassVar[str]
 
     def to_case(self) -> dict[str, Any]:
-        """As nested dictionaries."""
-        return {"type": self.type} | {f.name: getattr(self, f.name) for f in fields(self)}  # type: ignore[arg-type]
+        """As nested dictionaries, without what is not given."""
+        values = {f.name: getattr(self, f.name) for f in fields(self)}  # type: ignore[arg-type]
+        return {"type": self.type} | {name: value for name, value in values.items() if value is not None}
 
 
 class Shape(_Typed):
@@ -72,11 +76,11 @@ class Ellipsoid(Shape):
 
 @dataclass(frozen=True)
 class Cylinder(Shape):
-    """A roller with its axis along y and plane ends."""
+    """A roller with its axis along y and plane ends; on a grid that is periodic along y it needs no length."""
 
     type: ClassVar[str] = "cylinder"
     radius: Quantity
-    length: Quantity
+    length: Quantity | None = None
 
 
 @dataclass(frozen=True)
@@ -134,30 +138,80 @@ class Bump(_Typed):
 
 
 @dataclass(frozen=True)
+class Sinusoid(_Typed):
+    """Waves: the height amplitude cos(2 pi (X - x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at (X, Y).
+
+    Along an axis without a wavelength there are no waves.
+    """
+
+    type: ClassVar[str] = "sinusoid"
+    amplitude: Quantity
+    wavelength_x: Quantity | None = None
+    wavelength_y: Quantity | None = None
+    x: Quantity = 0.0
+    y: Quantity = 0.0
+
+
+@dataclass(frozen=True)
+class RandomSurface(_Typed):
+    """Roughness: Gaussian, isotropic, self-affine between two wavelengths, the same for any cells and on any machine.
+
+    Its power spectral density is constant down to the wavelength `rolloff`, falls as q^(-2 (1 + hurst)) from there to
+    `cutoff` and is zero for shorter waves. The heights themselves: `brinell.surfaces.random`.
+
+    Args:
+        cutoff: shortest wavelength.
+        rms_height: root mean square of the height over a period; or
+        rms_slope: that of the gradient's length. One of the two.
+        hurst: exponent of Hurst.
+        rolloff: wavelength above which waves are not higher any more; None: self-affine up to the size.
+        size: (along x, along y), period and longest wavelength; None: 8 rolloff.
+        seed: other numbers give other surfaces of the same spectrum.
+    """
+
+    type: ClassVar[str] = "random"
+    cutoff: Quantity
+    rms_height: Quantity | None = None
+    rms_slope: float | None = None
+    hurst: float = 0.8
+    rolloff: Quantity | None = None
+    size: Sequence[Quantity] | None = None
+    seed: int = 0
+
+
+@dataclass(frozen=True)
 class Body:
     """One of the two bodies.
 
     Args:
         shape: where it touches.
         material: `brinell.Material` or `brinell.RIGID`.
-        texture: what lies on its surface: `Dent`, `Bump` or `brinell.HeightMap`; None: smooth.
+        texture: what lies on its surface: `Dent`, `Bump`, `Sinusoid`, `RandomSurface` or `brinell.HeightMap`, or a list
+            of them, which add up; None: smooth.
     """
 
     shape: Shape
     material: Part
-    texture: Part | None = None
+    texture: Part | Sequence[Part] | None = None
 
     def __post_init__(self) -> None:
         for name, allowed in (
             ("shape", "a shape such as brinell.Sphere('1 mm')"),
             ("material", "a brinell.Material, or brinell.RIGID"),
-            ("texture", "brinell.Dent, Bump or HeightMap, or None"),
+            ("texture", "brinell.Dent, Bump, Sinusoid, RandomSurface or HeightMap, a list of them, or None"),
         ):
-            part = getattr(self, name)
-            if isinstance(part, type) or not (hasattr(part, "to_case") or (part is None and name == "texture")):
-                raise InputError(f"{name} = {part!r} of a body; allowed: {allowed}")
+            given = getattr(self, name)
+            several = name == "texture" and isinstance(given, list | tuple)
+            for part in given if several else [given]:
+                is_smooth = name == "texture" and given is None
+                if isinstance(part, type) or not (hasattr(part, "to_case") or is_smooth):
+                    raise InputError(f"{name} = {part!r} of a body; allowed: {allowed}")
 
     def to_case(self) -> dict[str, Any]:
         """As nested dictionaries."""
-        tables = {"shape": self.shape.to_case(), "material": self.material.to_case()}
-        return tables if self.texture is None else tables | {"texture": self.texture.to_case()}
+        tables: dict[str, Any] = {"shape": self.shape.to_case(), "material": self.material.to_case()}
+        if self.texture is None:
+            return tables
+        if isinstance(self.texture, Sequence):
+            return tables | {"texture": [part.to_case() for part in self.texture]}
+        return tables | {"texture": self.texture.to_case()}

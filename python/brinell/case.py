@@ -8,18 +8,25 @@ import tempfile
 import warnings
 import weakref
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
-from typing import Any, Self, TypeAlias
+from typing import Any, Self, TypeAlias, TypeVar
 
 import tomli_w
-from tqdm.auto import tqdm
 
 from brinell import _core
 from brinell.errors import InputError
 from brinell.results import Run, RunWarning, open_run
+from brinell.results.run import run_of_image
 from brinell.stepping import Stepping
 
+with warnings.catch_warnings():  # a notebook without ipywidgets gets the bar of a terminal, without a word
+    warnings.simplefilter("ignore")
+    from tqdm.auto import tqdm
+
 __all__ = ["Case", "CaseWarning", "Progress", "ResolutionWarning"]
+
+_T = TypeVar("_T")
 
 Progress: TypeAlias = Callable[[int, int, str, int], None]
 """Called after each step: its number from 0, an estimate of their count, where it was, evaluations that it took."""
@@ -42,13 +49,21 @@ class Case:
         run = case.run(progress=True)
     """
 
-    def __init__(self, text: str, *, file: str | Path = "case.toml", overrides: Iterable[str] = ()):
+    def __init__(
+        self,
+        text: str,
+        *,
+        file: str | Path = "case.toml",
+        overrides: Iterable[str] = (),
+        names_lines: bool = True,
+    ):
         """Reads a case from the text of a case file.
 
         Args:
             text: TOML.
             file: its name in messages; the paths that it holds begin in its folder.
             overrides: "key=value", as behind --set.
+            names_lines: whether messages name file and line; False for a text that nobody sees.
 
         Raises:
             InputError: with all problems found, one per line.
@@ -56,13 +71,15 @@ class Case:
         self._text = text
         self._file = Path(file)
         self._overrides = (overrides,) if isinstance(overrides, str) else tuple(overrides)
-        self._core = _core.parse_case(text, self._file, list(self._overrides))
+        self._names_lines = names_lines
+        self._core = _core.parse_case(text, self._file, list(self._overrides), names_lines)
+        place = f"{self._file}: " if names_lines else ""
         for warning in self._core.warnings:
-            warnings.warn(f"{self._file}: {warning}", CaseWarning, stacklevel=_level_of_caller())
+            warnings.warn(f"{place}{warning}", CaseWarning, stacklevel=_level_of_caller())
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies and other processes read the case again; its warnings have been told."""
-        return _read_again, (type(self), self._text, self._file.absolute(), self._overrides)
+        return _read_again, (type(self), self._text, self._file.absolute(), self._overrides, self._names_lines)
 
     @classmethod
     def from_file(cls, path: str | Path, overrides: Iterable[str] = ()) -> Case:
@@ -86,7 +103,7 @@ class Case:
     @classmethod
     def from_values(cls, values: Mapping[str, Any], *, file: str | Path = "case.toml") -> Case:
         """A case from nested dictionaries, as a TOML parser would give them."""
-        return Case(tomli_w.dumps(plain(values)), file=file)
+        return Case(tomli_w.dumps(plain(values)), file=file, names_lines=False)
 
     @property
     def scenario(self) -> str:
@@ -117,7 +134,16 @@ class Case:
             values = [values]
         added = overrides_of(values) if isinstance(values, Mapping) else list(values)
         case = object.__new__(type(self))
-        Case.__init__(case, self._text, file=self._file, overrides=[*self._overrides, *added])
+        overrides = [*self._overrides, *added]
+        try:
+            Case.__init__(case, self._text, file=self._file, overrides=overrides, names_lines=self._names_lines)
+        except InputError as error:
+            if not isinstance(values, Mapping):
+                raise
+            text = str(error)
+            for override in overrides:  # the key is named behind it
+                text = text.replace(f"--set {override}: ", "").replace(f" (--set {override})", "")
+            raise type(error)(text) from None
         return case
 
     def to_toml(self, path: str | Path | None = None) -> str:
@@ -163,6 +189,7 @@ class Case:
         threads: int | None = None,
         resume: bool = False,
         accuracy: float | str | None = None,
+        in_memory: bool = False,
     ) -> Run:
         """Computes the case. What to be wary of in the result is told as `ResolutionWarning`, and is in `Run.warnings`.
 
@@ -177,6 +204,8 @@ class Case:
             accuracy: largest relative error of the key numbers that is accepted, 0.01 or "1 %": runs the case with
                 coarser cells first, and with finer ones as long as needed; `Run.accuracy` then tells the interval of
                 each number.
+            in_memory: write nothing to a disk, for loops of small runs: the result is lost with the run object, and so
+                is what a run has done that does not reach its end.
 
         Returns:
             The results; with an accuracy, those of the finest cells.
@@ -186,9 +215,14 @@ class Case:
             ConvergenceError: a step did not converge; those before are in the folder.
             IoError: the results cannot be written.
         """
+        if in_memory and (output is not None or resume or accuracy is not None):
+            raise InputError("in_memory = True has no folder; allowed: without output, resume and accuracy")
         if accuracy is not None:
             case = self.with_values({"solver.accuracy": accuracy})
             return case.run(output, progress=progress, threads=threads, resume=resume)
+        if in_memory:
+            count = _thread_count(threads)
+            return self._told(run_of_image(self._watched(progress, partial(self._core.run_in_memory, count))))
         if output is not None:
             self._compute(Path(output), progress, threads, resume)
             return self._told(open_run(output))
@@ -221,11 +255,12 @@ class Case:
         return run
 
     def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:
-        if threads is not None and (not isinstance(threads, int) or threads < 1):
-            raise InputError(f"threads = {threads!r}; allowed: a whole number, 1 or more, or None")
+        self._watched(progress, partial(self._core.run, folder, resume, _thread_count(threads)))
+
+    def _watched(self, progress: bool | Progress, run: Callable[[Progress | None], _T]) -> _T:
+        """Calls what runs the case, with a function that is to be called after each step."""
         if progress is not True:
-            self._core.run(folder, resume, threads or 0, progress or None)
-            return
+            return run(progress or None)
         with tqdm(unit="step", desc=self.title or self.name) as bar:
 
             def show(step: int, count: int, where: str, _: int) -> None:
@@ -233,17 +268,24 @@ class Case:
                 bar.set_postfix_str(where, refresh=False)
                 bar.update(step + 1 - bar.n)
 
-            self._core.run(folder, resume, threads or 0, show)
+            return run(show)
 
     def __repr__(self) -> str:
         return f"<brinell.{type(self).__name__} {self.scenario} {self.title or self.name!r}>"
 
 
-def _read_again(kind: type[Case], text: str, file: Path, overrides: tuple[str, ...]) -> Case:
+def _thread_count(threads: int | None) -> int:
+    """As the engine wants it: 0 for as OpenMP decides."""
+    if threads is not None and (not isinstance(threads, int) or threads < 1):
+        raise InputError(f"threads = {threads!r}; allowed: a whole number, 1 or more, or None")
+    return threads or 0
+
+
+def _read_again(kind: type[Case], text: str, file: Path, overrides: tuple[str, ...], names_lines: bool) -> Case:
     case = object.__new__(kind)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", CaseWarning)
-        Case.__init__(case, text, file=file, overrides=overrides)
+        Case.__init__(case, text, file=file, overrides=overrides, names_lines=names_lines)
     return case
 
 
@@ -258,6 +300,18 @@ def _level_of_caller() -> int:
     return max(1, level - 1)
 
 
+def in_arguments(text: str, scenario: str = "") -> str:
+    """A message about keys of the case file in the words of Python's arguments, where these differ.
+
+    Args:
+        text: the message.
+        scenario: its table is the class itself: "load = ..." instead of "indentation.load = ...".
+    """
+    if scenario:
+        text = text.replace(f"{scenario}.", "")
+    return text.replace("hardening.kinematic_moduli", "kinematic").replace("hardening.kinematic_recall", "kinematic")
+
+
 def overrides_of(values: Mapping[str, Any], table: str = "") -> list[str]:
     """Dotted keys and their values as behind --set; each entry of a table by itself."""
     overrides = []
@@ -265,8 +319,17 @@ def overrides_of(values: Mapping[str, Any], table: str = "") -> list[str]:
         if isinstance(value, Mapping):
             overrides += overrides_of(value, f"{table}{key}.")
         else:
-            overrides.append(f"{table}{key}={tomli_w.dumps({'value': value}).strip().removeprefix('value = ')}")
+            overrides.append(f"{table}{key}={_inline(value)}")
     return overrides
+
+
+def _inline(value: Any) -> str:
+    """A value as TOML on one line, where tomli_w would write a table of each entry of a list."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{key} = {_inline(entry)}" for key, entry in value.items()) + "}"
+    if isinstance(value, list) and any(isinstance(entry, Mapping) for entry in value):
+        return "[" + ", ".join(map(_inline, value)) + "]"
+    return tomli_w.dumps({"value": value}).strip().removeprefix("value = ")
 
 
 def plain(value: Any) -> Any:

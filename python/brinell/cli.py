@@ -18,7 +18,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from brinell import _core, completion
-from brinell.errors import BrinellError, ConvergenceError, InputError, InternalError
+from brinell.errors import BrinellError, ConvergenceError, GridError, InputError, InternalError, MissingExtraError
 
 __all__ = ["main", "root"]
 
@@ -26,6 +26,7 @@ COMMANDS = {
     "plot": "brinell.plot.cli:plot",
     "report": "brinell.report.cli:report",
     "sweep": "brinell.sweeps.cli:command",
+    "surface": "brinell.surface_commands:surface",
     "export": "brinell.export:export",
     "completion": "brinell.completion:command",
 }
@@ -112,7 +113,9 @@ def guarded(command: Callable[[], Any]) -> int:
         return _report(error.format_message(), error.exit_code)
     except (click.Abort, KeyboardInterrupt):
         return INTERRUPTED
-    except InputError as error:
+    except GridError as error:  # of a computation that could not go on: what was given is good
+        return _report(str(error))
+    except (InputError, MissingExtraError) as error:
         return _report(str(error), BAD_INPUT)
     except ConvergenceError as error:
         return _report(f"no convergence: {error}")

@@ -4,6 +4,8 @@
 grid = SurfaceGrid(65, 65, 1e-6, 1e-6)
 ball = (grid.x**2 + grid.y**2) / (2 * 0.01)
 result = ElasticContact(grid, Material("210 GPa", 0.3)).solve(ball, load=0.5)
+
+Surfaces that go on without end: SurfaceGrid(..., boundary="periodic").
 """
 
 from __future__ import annotations
@@ -52,24 +54,25 @@ class ContactResult:
 
 
 class ElasticContact:
-    """Contact of two bodies by the constrained conjugate gradient method (Polonsky, Keer 1999).
+    """Contact of two bodies by the preconditioned, constrained conjugate gradient method (after Polonsky, Keer 1999).
 
     Finds p >= 0, gap = distance - approach + A p >= 0, p gap = 0, with A the surface compliance.
     """
 
-    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID):
+    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID, *, reference: float | None = None):
         """Plans the contact.
 
         Args:
-            grid: wide enough that the contact ends on it.
+            grid: wide enough that the contact ends on it, along axes that are not periodic.
             lower: one body; of its material only the elastic constants count.
             upper: the other one.
+            reference: see `SurfaceCompliance`; the approach counts from there.
 
         Raises:
-            InputError: both are rigid, or a material is impossible.
+            InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
         """
         self.grid = grid
-        self.compliance = SurfaceCompliance(grid, lower, upper)
+        self.compliance = SurfaceCompliance(grid, lower, upper, reference=reference)
         """The `SurfaceCompliance` of the pair."""
 
     def __repr__(self) -> str:
@@ -90,7 +93,8 @@ class ElasticContact:
         Args:
             distance: (ny, nx) of the undeformed surfaces at no approach [m].
             load: [N], >= 0.
-            approach: instead of the load: how far the bodies have come together [m].
+            approach: instead of the load: how far the bodies have come together [m]. With two periodic axes at most the
+                mean distance, where all of the surface touches.
             tolerance: largest residual [m]. None: 1e-7 of the overlap of the undeformed surfaces if the approach is
                 given; of load/(E' sqrt(area of the grid)), less than the bodies come together, if the load is.
             max_iterations: after which it gives up.
@@ -98,7 +102,8 @@ class ElasticContact:
 
         Raises:
             ConvergenceError: the residual did not reach the tolerance.
-            InputError: a wrong shape, a negative load, or not one of load and approach is given.
+            InputError: a wrong shape, a negative load, an approach beyond full contact, or not one of load and approach
+                is given.
         """
         if max_iterations < 0:
             raise InputError(f"max_iterations = {max_iterations}; allowed: not below 0")

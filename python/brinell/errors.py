@@ -1,7 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The kinds of error, the same as in the engine."""
 
-__all__ = ["BrinellError", "ConvergenceError", "GridError", "InputError", "InternalError", "IoError"]
+__all__ = [
+    "BrinellError",
+    "ConvergenceError",
+    "GridError",
+    "InputError",
+    "InternalError",
+    "IoError",
+    "MissingExtraError",
+]
 
 
 class BrinellError(Exception):
@@ -26,3 +34,17 @@ class IoError(BrinellError, OSError):
 
 class InternalError(BrinellError):
     """A bug of brinell, please report it."""
+
+
+class MissingExtraError(BrinellError, ImportError):
+    """What was asked for needs a package that is not installed."""
+
+    def __init__(self, what: str, package: str, extra: str):
+        """Says how to install it.
+
+        Args:
+            what: needs it.
+            package: its name.
+            extra: of brinell that brings it.
+        """
+        super().__init__(f'{what} needs {package}, which is not installed: pip install "brinell[{extra}]"')

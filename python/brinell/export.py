@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from pathlib import Path
 from typing import Literal
 
@@ -14,6 +14,7 @@ from pyevtk.vtk import VtkFile, VtkGroup, VtkImageData
 
 from brinell.errors import InputError
 from brinell.results import Labelled, Run, open_run
+from brinell.results.snapshots import component_of
 
 __all__ = ["export", "export_vti"]
 
@@ -44,10 +45,13 @@ def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = N
     """
     folder = Path(folder)
     wanted = {body: _wanted(run, body, fields) for body in _BODIES}
-    unknown = sorted(set(fields or ()) - {field.name for chosen in wanted.values() for field in chosen})
+    exported = {field.name for chosen in wanted.values() for field in chosen}
+    unknown = sorted(name for name in set(fields or ()) - exported if not _is_part_of(exported, name))
     if unknown:
         known = sorted({name for body in _BODIES for name in run.field_names(body)})
-        raise InputError(f"{run.path}: no field {unknown[0]!r} to export; allowed: {', '.join(known)}")
+        raise InputError(
+            f"{run.path}: no field {unknown[0]!r} to export; allowed: {', '.join(known)}, and components as stress_xx"
+        )
     folder.mkdir(parents=True, exist_ok=True)
     written = []
     for body, chosen in wanted.items():
@@ -58,9 +62,22 @@ def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = N
     return written
 
 
+def _is_part_of(names: Set[str], name: str) -> bool:
+    """Whether it is a component of one of these tensors."""
+    component = component_of(name)
+    return component is not None and component[0] in names
+
+
 def _wanted(run: Run, body: Body, fields: Sequence[str] | None) -> list[Labelled]:
-    names = run.field_names(body)
-    return [run.field(body, name) for name in names if fields is None or name in fields]
+    """Of a body. A component of a tensor that is wanted as a whole comes with it."""
+    stored = run.field_names(body)
+    if fields is None:
+        return [run.field(body, name) for name in stored]
+    chosen = [name for name in stored if name in fields]
+    for name in dict.fromkeys(fields):
+        if _is_part_of(set(stored), name) and not _is_part_of(set(chosen), name):
+            chosen.append(name)
+    return [run.field(body, name) for name in chosen]
 
 
 def _write_collection(folder: Path, name: str, fields: Sequence[Labelled]) -> Path:
@@ -126,7 +143,9 @@ def _write_vti(
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path), default=Path("export"), help="Folder; default: export."
 )
-@click.option("--field", "fields", multiple=True, help="Only this field, as stress; may be given several times.")
+@click.option(
+    "--field", "fields", multiple=True, help="Only this field, as stress or stress_xx; may be given several times."
+)
 def export(run: Path, output: Path, fields: tuple[str, ...]) -> None:
     """Write RUN, a result folder or file, as .vti and .pvd files.
 

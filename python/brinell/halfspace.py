@@ -3,8 +3,8 @@
 
 Arrays on a grid are [y, x] or [z, y, x]; a tensor field is [component, z, y, x] with the six components xx, yy, zz, yz,
 xz, xy (tensor components, not engineering shear). z points into the body, pressure is positive in compression, stress
-in tension. Values belong to the middle of a cell; there are no periodic images. What comes back is a new array each
-time. An operator is planned once and may be applied by several threads.
+in tension. Values belong to the middle of a cell; there are no periodic images but along axes that are
+`periodic`. What comes back is a new array each time. An operator is planned once and may be applied by several threads.
 
     grid = VolumeGrid(SurfaceGrid(64, 64, 1e-6, 1e-6), nz=32, dz=1e-6)
     body = HalfSpace(grid, Material("210 GPa", 0.3))
@@ -30,7 +30,7 @@ __all__ = ["HalfSpace", "SurfaceCompliance", "SurfaceGrid", "VolumeGrid"]
 
 _SMALLEST, _LARGEST = 1e-30, 1e30
 """Sizes of cells [m]: beyond them products of three underflow or overflow."""
-_BYTES_OF_SURFACE, _BYTES_OF_VOLUME = 90, 380
+_BYTES_OF_SURFACE, _BYTES_OF_VOLUME = 110, 380
 """Per cell: planning the operator and applying it once, without the arrays that the caller has."""
 
 
@@ -53,15 +53,29 @@ class SurfaceGrid:
         ny: cells along y.
         dx: size along x [m].
         dy: size along y [m].
+        boundary: what lies beyond the ends: nothing, "open", or the same again, "periodic"; for both axes, or a pair
+            for x and y. It is kept as a pair.
     """
 
     nx: int
     ny: int
     dx: float
     dy: float
+    boundary: str | tuple[str, str] = "open"
 
     def __post_init__(self) -> None:
         _check_cells(self, counts=("nx", "ny"), sizes=("dx", "dy"))
+        pair = (self.boundary, self.boundary) if isinstance(self.boundary, str) else tuple(self.boundary)
+        if len(pair) != 2 or not set(pair) <= {"open", "periodic"}:
+            raise InputError(
+                f"boundary = {self.boundary!r} of a grid; allowed: 'open', 'periodic', or a pair of them for x and y"
+            )
+        object.__setattr__(self, "boundary", pair)
+
+    @property
+    def is_periodic(self) -> tuple[bool, bool]:
+        """Whether along x, and along y."""
+        return self.boundary[0] == "periodic", self.boundary[1] == "periodic"
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -85,7 +99,7 @@ class SurfaceGrid:
 
     @property
     def _engine(self) -> _core.SurfaceGrid:
-        return _core.SurfaceGrid(self.nx, self.ny, self.dx, self.dy)
+        return _core.SurfaceGrid(self.nx, self.ny, self.dx, self.dy, *self.is_periodic)
 
 
 @dataclass(frozen=True)
@@ -128,25 +142,35 @@ class VolumeGrid:
 class SurfaceCompliance:
     """Pressure -> sum of the elastic normal displacements of two bodies (Love 1929).
 
-    The operator is symmetric and positive definite, so it is its own transpose.
+    The operator is symmetric and positive definite, so it is its own transpose. On a grid that is periodic along both
+    axes a uniform pressure gives no displacement: displacements are those from the mean plane.
     """
 
-    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID):
+    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID, *, reference: float | None = None):
         """Plans the operator.
 
         Args:
             grid: of pressure and displacement.
             lower: one body; of its material only the elastic constants count.
             upper: the other one.
+            reference: on a grid that is periodic along one axis, the distance from a line load at which its
+                displacement is counted as zero [m], larger than the surface: it has a logarithm without end.
 
         Raises:
-            InputError: both are rigid, or a material is impossible.
+            InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
         """
         require_memory(grid.nx * grid.ny, _BYTES_OF_SURFACE, "a surface")
+        if (sum(grid.is_periodic) == 1) != (reference is not None):
+            raise InputError(
+                f"reference = {reference} with the boundary {grid.boundary}; allowed: a length if one axis is "
+                "periodic, otherwise None"
+            )
+        if reference is not None and not number(reference, "reference") > 0.0:
+            raise InputError(f"reference = {reference}; allowed: a length above 0")
         self.grid = grid
         self.contact_modulus = _core.contact_modulus(lower._engine, upper._engine)
         """E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
-        self._engine = _core.SurfaceCompliance(grid._engine, self.contact_modulus)
+        self._engine = _core.SurfaceCompliance(grid._engine, self.contact_modulus, reference or 0.0)
 
     def __repr__(self) -> str:
         return f"<SurfaceCompliance {cells(self.grid.shape)}>"

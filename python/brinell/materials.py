@@ -12,11 +12,12 @@ from __future__ import annotations
 
 import itertools
 import math
-import re
+import tomllib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, ClassVar, TypeAlias
+from pathlib import Path
+from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 import tomli_w
@@ -24,7 +25,7 @@ import tomli_w
 from brinell import _core
 from brinell._arrays import require_unmasked
 from brinell.bodies import Quantity
-from brinell.case import plain
+from brinell.case import in_arguments, plain
 from brinell.errors import InputError
 
 __all__ = [
@@ -114,20 +115,60 @@ class Voce(Hardening):
 
 @dataclass(frozen=True)
 class Table(Hardening):
-    """Linear between points, constant after the last one.
+    """Linear between points, constant after the last one. Of a file: `from_file`; of a function: `of`.
 
     Attributes:
         plastic_strain: equivalent plastic strains, ascending from 0 [-].
         stress: yield stresses, as many, not falling [Pa].
+        monotone: a stress below an earlier one, as the scatter of a measurement has it, becomes that one.
     """
 
     law: ClassVar[str] = "table"
     plastic_strain: Sequence[float]
     stress: Sequence[Quantity]
+    monotone: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "plastic_strain", tuple(plain(self.plastic_strain)))
         object.__setattr__(self, "stress", tuple(plain(self.stress)))
+
+    @classmethod
+    def from_file(
+        cls, path: str | Path, *, unit: str = "Pa", strain: Literal["1", "%"] = "1", monotone: bool = False
+    ) -> Table:
+        """A measured curve: a text file with a point per line, plastic strain and stress.
+
+        Columns stand between commas, semicolons, tabs or blanks; where something else than a comma stands between them,
+        commas are decimal ones. Lines of titles may come first; comments begin with #.
+
+        Args:
+            path: of the file.
+            unit: of its stresses, "MPa".
+            strain: unit of its plastic strains.
+            monotone: a stress below an earlier one becomes that one; without it a curve that falls is refused.
+
+        Raises:
+            InputError: the file, a line of it or the unit is not as it should be, or the curve is no hardening law.
+        """
+        table = {
+            "law": cls.law,
+            "file": str(Path(path).absolute()),
+            "stress_unit": unit,
+            "strain_unit": strain,
+            "monotone": monotone,
+        }
+        try:
+            case = _case_of({"young_modulus": 1e12, "poisson_ratio": 0.3, "hardening": table})
+        except InputError as error:
+            text = str(error).replace("material.hardening.", "").replace("stress_unit", "unit")
+            raise InputError(text.replace("strain_unit", "strain")) from None
+        hardening = tomllib.loads(case.resolved_text())["lower"]["material"]["hardening"]
+        return cls(hardening["plastic_strain"], hardening["stress"])
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.hardening` of the case file."""
+        table = super().to_case()
+        return table if self.monotone else {key: value for key, value in table.items() if key != "monotone"}
 
     @classmethod
     def of(cls, law: Law, max_strain: float = 1.0) -> Table:
@@ -215,21 +256,29 @@ class Material:
         """
         if self.is_rigid:
             return _core.rigid_material()
-        ball = {"type": "sphere", "radius": 1.0}
-        case = {
-            "scenario": "indentation",
-            "lower": {"shape": ball, "material": self.to_case()},
-            "upper": {"shape": ball, "material": {"rigid": True}},
-            "indentation": {"load": [1.0]},
-        }
-        try:
-            return _core.lower_material(_core.parse_case(tomli_w.dumps(case), "material", []))
-        except InputError as error:
-            text = re.sub(r"^material:\d+: ", "", str(error), flags=re.MULTILINE)
-            raise InputError(text.replace("lower.material", "material")) from None
+        return _core.lower_material(_case_of(self.to_case()))
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}  # what is pickled: not the engine's
+
+
+def _case_of(material: dict[str, Any]) -> _core.Case:
+    """A case of which only the material of the lower body counts.
+
+    Raises:
+        InputError: a value, unit or combination that the case file would not allow; names the keys of the material.
+    """
+    ball = {"type": "sphere", "radius": 1.0}
+    values = {
+        "scenario": "indentation",
+        "lower": {"shape": ball, "material": material},
+        "upper": {"shape": ball, "material": {"rigid": True}},
+        "indentation": {"load": [1e-15]},  # a contact that needs few cells, however soft the material is
+    }
+    try:
+        return _core.parse_case(tomli_w.dumps(plain(values)), "material", [], names_lines=False)
+    except InputError as error:
+        raise InputError(in_arguments(str(error)).replace("lower.material", "material")) from None
 
 
 RIGID = Material(math.inf, 0.0)

@@ -17,8 +17,9 @@ from typing import Any
 import tomli_w
 
 from brinell.bodies import Body, Quantity
-from brinell.case import Case, plain
+from brinell.case import Case, in_arguments, plain
 from brinell.errors import InputError
+from brinell.settings import Grid, Output, Solver
 
 __all__ = ["Indentation", "Rolling", "Tugging"]
 
@@ -35,13 +36,16 @@ class _Scenario(Case):
         table: Mapping[str, Any],
         *,
         title: str | None,
-        grid: Mapping[str, Any] | None,
-        solver: Mapping[str, Any] | None,
-        output: Mapping[str, Any] | None,
+        grid: Grid | Mapping[str, Any] | None,
+        solver: Solver | Mapping[str, Any] | None,
+        output: Output | Mapping[str, Any] | None,
     ):
         for name, body in (("lower", lower), ("upper", upper)):
             if not isinstance(body, Body):
                 raise InputError(f"{name} = {body!r}; allowed: a brinell.Body")
+        for name, part, kind in (("grid", grid, Grid), ("solver", solver, Solver), ("output", output, Output)):
+            if not (part is None or isinstance(part, kind | Mapping)):
+                raise InputError(f"{name} = {part!r}; allowed: a brinell.{kind.__name__}, a dictionary, or None")
         values = {
             "scenario": self._table,
             "title": title,
@@ -52,7 +56,10 @@ class _Scenario(Case):
             "solver": solver,
             "output": output,
         }
-        super().__init__(tomli_w.dumps(plain(values)), file=Path(f"{self._table}.toml"))
+        try:
+            super().__init__(tomli_w.dumps(plain(values)), file=Path(f"{self._table}.toml"), names_lines=False)
+        except InputError as error:  # the keys of the scenario's own table are arguments
+            raise type(error)(in_arguments(str(error), self._table)) from None
 
 
 class Tugging(_Scenario):
@@ -72,9 +79,9 @@ class Tugging(_Scenario):
         shift: Quantity | None = None,
         kinematics: str | None = None,
         title: str | None = None,
-        grid: Mapping[str, Any] | None = None,
-        solver: Mapping[str, Any] | None = None,
-        output: Mapping[str, Any] | None = None,
+        grid: Grid | Mapping[str, Any] | None = None,
+        solver: Solver | Mapping[str, Any] | None = None,
+        output: Output | Mapping[str, Any] | None = None,
     ):
         """Describes a tugging.
 
@@ -89,9 +96,9 @@ class Tugging(_Scenario):
             shift: arc by which the contact moves on each body per step.
             kinematics: "exact" or "paper".
             title: copied into the results.
-            grid: keys of the table [grid]: spacing, resolution, extent.
-            solver: keys of [solver].
-            output: keys of [output]: snapshots, directory, checkpoint_interval.
+            grid: its cells, `brinell.Grid` or a dictionary.
+            solver: `brinell.Solver` or a dictionary.
+            output: what is stored, `brinell.Output` or a dictionary.
 
         Raises:
             InputError: with all problems found.
@@ -119,14 +126,15 @@ class Indentation(_Scenario):
         *,
         load: Sequence[Quantity] | None = None,
         approach: Sequence[Quantity] | None = None,
+        pressure: Sequence[Quantity] | None = None,
         normalised: bool = False,
         steps: int | None = None,
         cycles: int | None = None,
         places: Sequence[Quantity] | None = None,
         title: str | None = None,
-        grid: Mapping[str, Any] | None = None,
-        solver: Mapping[str, Any] | None = None,
-        output: Mapping[str, Any] | None = None,
+        grid: Grid | Mapping[str, Any] | None = None,
+        solver: Solver | Mapping[str, Any] | None = None,
+        output: Output | Mapping[str, Any] | None = None,
     ):
         """Describes an indentation.
 
@@ -135,14 +143,15 @@ class Indentation(_Scenario):
             upper: the indenter.
             load: loads to be reached one after the other, from none: ["10 N", 0] presses and lifts off.
             approach: instead, depths of the indenter from the touch of the undeformed bodies.
-            normalised: whether these are in their values at first yield, P_c and alpha_c.
+            pressure: instead, means over the period of a grid that is periodic along both axes.
+            normalised: whether loads or approaches are in their values at first yield, P_c and alpha_c.
             steps: from one entry of the list to the next.
             cycles: how often the list is gone through at each place.
             places: along x, indented one after the other.
             title: copied into the results.
-            grid: keys of the table [grid]: spacing, resolution, extent.
-            solver: keys of [solver].
-            output: keys of [output]: snapshots, directory, checkpoint_interval.
+            grid: its cells, `brinell.Grid` or a dictionary.
+            solver: `brinell.Solver` or a dictionary.
+            output: what is stored, `brinell.Output` or a dictionary.
 
         Raises:
             InputError: with all problems found.
@@ -150,6 +159,7 @@ class Indentation(_Scenario):
         table = {
             "load": load,
             "approach": approach,
+            "pressure": pressure,
             "normalised": normalised,
             "steps": steps,
             "cycles": cycles,
@@ -177,9 +187,9 @@ class Rolling(_Scenario):
         shift: Quantity | None = None,
         load_steps: int | None = None,
         title: str | None = None,
-        grid: Mapping[str, Any] | None = None,
-        solver: Mapping[str, Any] | None = None,
-        output: Mapping[str, Any] | None = None,
+        grid: Grid | Mapping[str, Any] | None = None,
+        solver: Solver | Mapping[str, Any] | None = None,
+        output: Output | Mapping[str, Any] | None = None,
     ):
         """Describes a rolling; one of load, hertz_pressure and approach is given.
 
@@ -195,9 +205,9 @@ class Rolling(_Scenario):
             shift: by which the contact moves on the lower body per step.
             load_steps: in which the upper body is pressed on before a pass and lifted off after it.
             title: copied into the results.
-            grid: keys of the table [grid]: spacing, resolution, extent.
-            solver: keys of [solver].
-            output: keys of [output]: snapshots, directory, checkpoint_interval.
+            grid: its cells, `brinell.Grid` or a dictionary.
+            solver: `brinell.Solver` or a dictionary.
+            output: what is stored, `brinell.Output` or a dictionary.
 
         Raises:
             InputError: with all problems found.

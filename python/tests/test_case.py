@@ -77,8 +77,13 @@ def test_values_can_be_replaced(case: brinell.Case) -> None:
     ],
 )
 def test_errors_name_key_value_and_what_is_allowed(case: brinell.Case, values: dict[str, object], message: str) -> None:
-    with pytest.raises(brinell.InputError, match="--set") as error:
+    with pytest.raises(brinell.InputError) as error:
         case.with_values(values)
+    assert message in str(error.value)
+    assert "--set" not in str(error.value)  # the key is named, and no option was given
+    overrides = [f"{key}={value}" for key, value in values.items()]
+    with pytest.raises(brinell.InputError, match="^--set ") as error:
+        case.with_values(overrides)
     assert message in str(error.value)
     assert isinstance(error.value, ValueError)
 

@@ -158,7 +158,8 @@ def test_output_that_cannot_be_written(make_run: MakeRun, tmp_path: Path, capsys
         (["section", "x", "--plane", "y=1 furlong"], "is not a plane; allowed: 'y=0'"),
         (["section", "x", "--field", "stress_xy_"], "did you mean stress_xy?"),
         (["section", "x", "--body", "middle"], "'middle' is not one of"),
-        (["no-such-command"], "No such command"),
+        (["first"], "'first' is no folder or file of a result, and no command; there are all, paper"),
+        (["secton", "x"], "did you mean section?"),
         (["all", "x", "y"], "unexpected extra argument"),
     ],
 )

@@ -1,13 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The console script: the same as the C++ program where both have a command, and what only it has."""
 
+import contextlib
+import fcntl
 import importlib.util
+import json
 import os
+import pty
 import re
 import signal
+import struct
 import subprocess
 import sys
+import termios
 import time
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -178,7 +185,7 @@ def raising(error: BaseException) -> Callable[[], object]:
             2,
             "brinell: error: a.toml:3: x\nbrinell: error: a.toml:4: y\n",
         ),
-        (brinell.GridError("too fine"), 2, "brinell: error: too fine\n"),
+        (brinell.GridError("too fine"), 1, "brinell: error: too fine\n"),
         (brinell.ConvergenceError("step 3"), 1, "brinell: error: no convergence: step 3\n"),
         (brinell.IoError("out: no space"), 1, "brinell: error: out: no space\n"),
         (PermissionError(13, "Permission denied", "out"), 1, "brinell: error: [Errno 13] Permission denied: 'out'\n"),
@@ -234,7 +241,7 @@ def offered(*words: str) -> list[str]:
 
 def test_commands_are_completed() -> None:
     assert offered("") == [command.name for command in _core.commands()]
-    assert offered("s") == ["schema", "sweep"]
+    assert offered("s") == ["schema", "sweep", "surface"]
     assert offered("--v") == ["--version"]
 
 
@@ -258,7 +265,7 @@ def test_options_are_completed() -> None:
 
 def test_keys_are_completed() -> None:
     assert offered("run", "--set", "tugging.in") == ["tugging.interference="]
-    assert offered("check", "case.toml", "--set", "grid.") == ["grid.spacing=", "grid.resolution=", "grid.extent="]
+    assert offered("check", "case.toml", "--set", "grid.s") == ["grid.size=", "grid.spacing="]
     assert offered("cite", "--set", "title=x", "--set", "solver.integration=b") == ["solver.integration=backward_euler"]
     shell = ShellComplete(cli.root, {}, "brinell", completion.VARIABLE)
     assert shell.get_completions(["run", "--set"], "tugging.passes")[0].help.startswith("How often the upper body")
@@ -294,7 +301,7 @@ def test_script_says_where_it_belongs(shell: str, folder: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "expected"),
     [
-        ("brinell s", ["schema", "sweep"]),
+        ("brinell s", ["schema", "sweep", "surface"]),
         ("brinell run case.toml --set tugging.in", ["tugging.interference="]),
         ("brinell check ca", ["case.toml"]),
         ("brinell new r", ["rolling"]),
@@ -329,3 +336,58 @@ def test_reference_page_is_up_to_date() -> None:
     tool.loader.exec_module(module)
     page = (ROOT / "docs" / "reference" / "command-line.md").read_text(encoding="utf-8")
     assert module.rendered(str(SCRIPT)) == page, "run tools/render_command_line.py (make docs does)"
+
+
+def columns_on_a_terminal(width: int, folder: Path, *arguments: str) -> list[str]:
+    """What each rewriting of the bar puts on a terminal of that width."""
+    here, there = pty.openpty()
+    fcntl.ioctl(there, termios.TIOCSWINSZ, struct.pack("HHHH", 24, width, 0, 0))
+    with subprocess.Popen([SCRIPT, *arguments], cwd=folder, stdout=subprocess.DEVNULL, stderr=there) as process:
+        os.close(there)
+        shown = b""
+        with contextlib.suppress(OSError):  # the end, on Linux
+            while part := os.read(here, 4096):
+                shown += part
+    os.close(here)
+    assert process.returncode == 0
+    return [line.replace("\x1b[K", "") for line in re.split(r"[\r\n]+", shown.decode()) if line.startswith("[")]
+
+
+@pytest.mark.parametrize("width", [40, 60, 100])
+def test_the_bar_fits_the_terminal(folder: Path, width: int) -> None:
+    if not SCRIPT.exists():
+        pytest.skip("the command brinell is not installed beside this Python")
+    bars = columns_on_a_terminal(width, folder, "run", "case.toml", "-o", "out")
+    assert bars
+    assert max(map(len, bars)) < width  # the last column would begin a new line
+    assert bars[-1].startswith("[" + "#" * (24 if width == 100 else 8))
+    if width == 100:
+        assert bars[-1].endswith(" left")
+
+
+def test_a_grid_that_outgrows_the_memory_is_no_bad_input(capsys: pytest.CaptureFixture[str]) -> None:
+    def outgrow() -> None:
+        raise brinell.GridError("larger grids would need 31 GB")
+
+    assert cli.guarded(outgrow) == 1
+    assert capsys.readouterr().err == "brinell: error: larger grids would need 31 GB\n"
+
+
+@pytest.mark.parametrize("scenario", ["tugging", "indentation", "rolling"])
+def test_the_schema_of_editors_takes_the_cases_of_new(scenario: str, folder: Path) -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    schema = json.loads(called(SCRIPT, "schema", "--json", folder=folder).stdout)
+    case = tomllib.loads(called(SCRIPT, "new", scenario, folder=folder).stdout)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(case, schema)
+    case["lower"]["material"]["poisson_ratio"] = 0.7
+    case["lower"]["shape"]["raduis"] = 1.0
+    problems = {error.json_path for error in jsonschema.Draft202012Validator(schema).iter_errors(case)}
+    assert problems == {"$.lower.material.poisson_ratio", "$.lower.shape"}
+
+
+def test_the_readme_installs_what_its_commands_need() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (extras,) = re.findall(r'`pip install "\.\[([\w,]+)\]"`', readme)
+    assert "brinell sweep" in readme
+    assert "sweep" in extras.split(",")

@@ -155,3 +155,32 @@ def test_reprs_are_short() -> None:
     assert repr(contact) == "<ElasticContact 7 x 7 cells>"
     result = contact.solve(distance, load=2.5)
     assert repr(result) == f"<ContactResult 7 x 7 cells, load 2.5 N, approach {result.approach:g} m>"
+
+
+def test_periodic_waves_are_westergaards() -> None:
+    # The mean pressure pi E' h / L closes a wave h (1 - cos(2 pi x / L)); half of it presses on (2/pi) asin(sqrt(1/2)).
+    n, length, height = 256, 1e-3, 1e-6
+    grid = SurfaceGrid(n, 4, length / n, length / n, boundary="periodic")
+    contact = ElasticContact(grid, STEEL)
+    distance = height * (1 - np.cos(2 * np.pi * grid.x / length)) + 0 * grid.y
+    full = np.pi * contact.compliance.contact_modulus * height / length
+    half = contact.solve(distance, load=0.5 * full * length * 4 * grid.dy)
+    assert np.count_nonzero(half.pressure) / half.pressure.size == pytest.approx(0.5, abs=2 / n)
+    with pytest.raises(brinell.InputError, match="allowed: at most the mean distance of the surfaces"):
+        contact.solve(distance, approach=1.01 * height)
+
+
+def test_a_row_with_copies_is_a_long_roller() -> None:
+    load, modulus = 1e5, 210e9 / (1 - 0.3**2)  # N/m
+    half_width = float(np.sqrt(4 * load * RADIUS / (np.pi * modulus)))
+    grid = SurfaceGrid(161, 1, half_width / 40, 1e-3, boundary=("open", "periodic"))
+    contact = ElasticContact(grid, STEEL, reference=1.0)
+    result = contact.solve(grid.x**2 / (2 * RADIUS) + 0 * grid.y, load=load * grid.dy)
+    # A strip of one cell at the edge carries a share (dx / a)^1.5 of the load.
+    assert result.pressure.max() == pytest.approx(2 * load / (np.pi * half_width), rel=40**-1.5)
+    with pytest.raises(brinell.InputError, match="reference = None"):
+        ElasticContact(grid, STEEL)
+    with pytest.raises(brinell.InputError, match="reference = -1"):
+        ElasticContact(grid, STEEL, reference=-1.0)
+    with pytest.raises(brinell.InputError, match="boundary = 'closed' of a grid; allowed: 'open', 'periodic'"):
+        SurfaceGrid(3, 3, 1.0, 1.0, "closed")

@@ -5,11 +5,13 @@ import dataclasses
 import re
 import subprocess
 import sys
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+import brinell
 from brinell import _core
 from brinell.results import Indent, RollingPass
 
@@ -122,6 +124,32 @@ def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind:
     keys = {name + ending.replace("^", "").replace("/", "_per_") for name, ending in endings.items()}
     page = (ROOT / "docs" / "reference" / "results-format.md").read_text(encoding="utf-8")
     assert set(re.findall(rf"`{part}\[\]\.(\w+)`", page)) == keys | derived
+
+
+@pytest.mark.parametrize("page", ["curves", "notebooks", "rough-sliding"])
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_the_code_of_a_page_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("pandas")
+    monkeypatch.chdir(tmp_path)
+    text = (ROOT / "docs" / "howto" / f"{page}.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    assert blocks
+    names: dict[str, object] = {}
+    for block in blocks:
+        exec(compile(block, f"{page}.md", "exec"), names)
+
+
+def test_the_curve_of_the_page_is_that_of_its_case_file(tmp_path: Path) -> None:
+    text = (ROOT / "docs" / "howto" / "curves.md").read_text(encoding="utf-8")
+    (curve,) = re.findall(r"^```text\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    (table,) = re.findall(r"^```toml\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    (tmp_path / "100Cr6.csv").write_text(curve, encoding="utf-8")
+    shape = 'scenario = "indentation"\nlower.shape.type = "flat"\nupper.shape = {type = "sphere", radius = "1 mm"}\n'
+    drive = 'upper.material.rigid = true\nindentation.load = ["1 N", 0]\n'
+    case = brinell.Case(shape + drive + table, file=tmp_path / "case.toml")
+    law = brinell.Table.from_file(tmp_path / "100Cr6.csv", unit="MPa", strain="%")
+    hardening = tomllib.loads(case.to_toml())["lower"]["material"]["hardening"]
+    assert (tuple(hardening["plastic_strain"]), tuple(hardening["stress"])) == (law.plastic_strain, law.stress)
 
 
 def outline(page: str) -> list[tuple[str, list[str]]]:

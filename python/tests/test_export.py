@@ -12,6 +12,7 @@ import brinell
 from brinell.cli import main
 from brinell.errors import InputError
 from brinell.export import export, export_vti
+from brinell.results import COMPONENTS
 from vtk_images import vti_image
 
 
@@ -72,6 +73,16 @@ def test_cells_of_some_nanometres(tmp_path: Path) -> None:
     np.testing.assert_array_equal(volume.cell_data["von_mises_stress"], lower.von_mises_stress)
     surface = vti_image(collection(surfaces)[run.history.steps])
     np.testing.assert_array_equal(surface.point_data["residual_displacement"][0], lower.residual_displacement)
+
+
+def test_a_component_alone(real_folder: Path, tmp_path: Path) -> None:
+    run = brinell.open(real_folder)
+    (volumes, *_) = export_vti(run, tmp_path, fields=["stress_xz", "plastic_strain", "plastic_strain_xx"])
+    arrays = vti_image(collection(volumes)[run.history.steps]).cell_data
+    assert sorted(arrays) == sorted(["stress_xz", *(f"plastic_strain_{c}" for c in COMPONENTS)])
+    np.testing.assert_array_equal(arrays["stress_xz"], run.snapshot("final").lower.stress["xz"])
+    with pytest.raises(brinell.InputError, match="no field 'stress_zx' to export"):
+        export_vti(run, tmp_path, fields=["stress_zx"])
 
 
 def test_command(interrupted_folder: Path, tmp_path: Path) -> None:

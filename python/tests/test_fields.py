@@ -47,6 +47,30 @@ def test_tensor_has_an_axis_of_components(run: Run) -> None:
     np.testing.assert_array_equal(one.values, [stress[c][0, :, ::-2] for c in ("yz", "xz")])
 
 
+@pytest.mark.parametrize("name", ["stress_xz", "plastic_strain_yy"])
+def test_a_component_has_the_name_that_figures_have_for_it(run: Run, name: str) -> None:
+    tensor, _, component = name.rpartition("_")
+    field = run.field("lower", name)
+    assert field.name == name
+    assert field.dims == ("step", "z", "y", "x")
+    assert field.long_name.endswith(f", {component}")
+    np.testing.assert_array_equal(field.values, run.field("lower", tensor).sel(component=component).values)
+    last = run.snapshot("final").lower
+    np.testing.assert_array_equal(last[name], field.isel(step=-1).values)
+    np.testing.assert_array_equal(getattr(last, tensor)[component], last[name])
+    assert name in brinell.plot.QUANTITIES
+
+
+def test_a_name_that_is_nearly_one(run: Run) -> None:
+    with pytest.raises(RunError, match=r"no field 'stres_xx'; did you mean stress_xx\? stored are .*components as"):
+        run.field("lower", "stres_xx")
+    lower = run.snapshot("final").lower
+    with pytest.raises(KeyError, match=r"no field 'mises_stress'; did you mean von_mises_stress\?"):
+        lower["mises_stress"]
+    with pytest.raises(KeyError, match="stress has no component 'rr'; allowed: xx, yy"):
+        lower.stress["rr"]
+
+
 def test_contact_lies_on_the_lower_body(run: Run) -> None:
     step = run.steps[2]
     snapshot = run.snapshot(step)
@@ -129,7 +153,7 @@ def test_without_xarray(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
         return original(name, *rest)
 
     monkeypatch.setattr(builtins, "__import__", refuse)
-    with pytest.raises(ImportError, match=r"pip install 'brinell\[xarray\]'"):
+    with pytest.raises(ImportError, match=r'pip install "brinell\[xarray\]"'):
         run.field("lower", "residual_displacement").to_xarray()
 
 

@@ -147,6 +147,71 @@ def test_each_law_of_the_case_file_is_here() -> None:
     assert {law.law for law in Hardening.__subclasses__()} == names - {"none", "swift_microstrain"}
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0, 930\n0.2, 1010.5\n1, 1200\n",
+        "strain;stress\n%;MPa\n0;930\n0,2;1010,5\n1,0;1200,0\n",
+        "\ufeff0;930;\n0,2;1010,5;\n1;1200;\n",  # as Excel saves it: a mark of the encoding, no titles
+        '"plastic strain"\t"stress"\r\n0\t930\r\n0,2\t1010,5\r\n1\t1200\r\n',
+        "# measured\n0 930\n0,2 1010,5\n1 1,2e3\n",
+        "0,\t930\n0.2,\t1010.5\n1,\t1200\n",
+    ],
+)
+def test_a_table_of_a_measured_curve(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "100Cr6.csv"
+    path.write_text(text, encoding="utf-8")
+    law = Table.from_file(path, unit="MPa", strain="%")
+    assert law == Table([0, 0.002, 0.01], [930e6, 1010.5e6, 1200e6])  # to the last digit
+    assert Table.from_file(str(path)).stress == (930.0, 1010.5, 1200.0)  # Pa
+
+
+def test_a_measured_curve_that_scatters(tmp_path: Path) -> None:
+    path = tmp_path / "scatter.csv"
+    path.write_text("0, 2000\n0.01, 2743.4\n0.02, 2739.4\n0.03, 2760\n")
+    with pytest.raises(brinell.InputError, match=r"point 3, 2\.7394e\+09 Pa, follows .* monotone = true"):
+        Table.from_file(path, unit="MPa")
+    law = Table.from_file(path, unit="MPa", monotone=True)
+    assert law.stress == (2000e6, 2743.4e6, 2743.4e6, 2760e6)
+    same = Table([0, 0.01, 0.02, 0.03], ["2 GPa", "2743.4 MPa", "2739.4 MPa", "2.76 GPa"], monotone=True)
+    strain = np.linspace(0, 0.05, 11)
+    np.testing.assert_array_equal(yield_stress(law, strain), yield_stress(same, strain))
+
+
+@pytest.mark.parametrize(
+    ("text", "keywords", "message"),
+    [
+        ("0, 930\n0.01, many\n", {}, r'^file = ".*curve\.csv" has in line 2 "0\.01, many"; allowed: plastic strain'),
+        ("0,002,930,5\n", {}, 'has in line 1 "0,002,930,5"'),
+        ("0, 930\n", {"unit": "mm"}, '^unit = "mm" is a unit of length; allowed: a unit of stress, such as "MPa"'),
+        ("0, 930\n", {"unit": "Mpa"}, r"unknown unit .*did you mean MPa or mPa\?"),
+        ("0, 930\n", {"strain": "percent"}, '^strain = "percent" is not known; allowed: "1" or "%"'),
+        ("strain, stress\n", {}, "0 strains and 0 stresses"),
+    ],
+)
+def test_what_is_wrong_with_a_curve(tmp_path: Path, text: str, keywords: Any, message: str) -> None:
+    path = tmp_path / "curve.csv"
+    path.write_text(text)
+    with pytest.raises(brinell.InputError, match=message):
+        Table.from_file(path, **keywords)
+
+
+def test_a_curve_whose_unit_was_forgotten_is_warned_of(tmp_path: Path) -> None:
+    path = tmp_path / "curve.csv"
+    path.write_text("0, 930\n2, 1200\n")
+    body = brinell.Body(brinell.Sphere("5 mm"), Material("210 GPa", 0.3, Table.from_file(path)))
+    rigid = brinell.Body(brinell.Flat(), RIGID)
+    yields = "lower than that of any metal; is a unit missing"
+    strains = "goes up to 2, which is 200 %; is it in percent?"
+    with pytest.warns(brinell.CaseWarning) as told:
+        brinell.Indentation(body, rigid, load=["1e-12 N", 0])
+    assert [one in str(warning.message) for warning, one in zip(told, (yields, strains), strict=True)] == [True] * 2
+    with pytest.raises(brinell.InputError, match="with a plastic zone of 6.87 m") as error:  # and not a word of why?
+        brinell.Indentation(body, rigid, load=["1 N", 0])
+    assert yields in str(error.value)
+    assert strains in str(error.value)
+
+
 def test_materials_can_be_compared() -> None:
     def steel(factor: float) -> Material:
         return Material(2e11, 0.3, Table(np.array([0.0, 1.0]), np.array([1e9, 2e9])), yield_profile=([0], [factor]))

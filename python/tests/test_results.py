@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import json
+import pickle
 import shutil
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,7 +11,7 @@ import numpy as np
 import pytest
 
 import brinell
-from brinell.results import HISTORY_COLUMNS, RunError, open_run
+from brinell.results import COMPONENTS, HISTORY_COLUMNS, RunError, open_run
 
 MakeRun = Callable[..., Path]
 
@@ -86,8 +88,54 @@ def test_snapshot_holds_the_stored_fields(make_run: MakeRun, which: int | str) -
             assert body.x[1] - body.x[0] == pytest.approx(data.attrs["spacing"][0])
 
 
-def test_tensors_are_read_only_if_asked_for(make_run: MakeRun) -> None:
-    assert open_run(make_run()).snapshot("aligned").lower.stress == {}
+def test_components_are_read_when_they_are_asked_for(make_run: MakeRun) -> None:
+    folder = make_run()
+    later, at_once, gone = (open_run(folder).snapshot("aligned", tensors=whole) for whole in (False, True, False))
+    assert list(later.lower.stress) == list(COMPONENTS)
+    assert "xx" in later.lower.stress
+    np.testing.assert_array_equal(later.lower.stress["xz"], at_once.lower.stress["xz"])
+    assert later.lower.stress["xz"] is later.lower.stress["xz"]
+    with h5py.File(folder / "result.vtkhdf") as file:
+        np.testing.assert_array_equal(later.upper.stress["yy"], file["steps/000012/upper/stress/yy"])
+    shutil.rmtree(folder)
+    np.testing.assert_array_equal(at_once.lower.stress["yz"].shape, later.lower.stress["xz"].shape)
+    with pytest.raises(RunError, match="no result.vtkhdf"):
+        gone.lower.stress["xx"]
+
+
+def test_what_is_not_stored_says_so(make_indentation: MakeRun) -> None:
+    upper = open_run(make_indentation()).snapshot("aligned").upper
+    with pytest.raises(KeyError, match="nothing is stored of the stress of this body: it is rigid"):
+        upper.stress["xx"]
+    assert upper.stress.get("xx") is None
+
+
+def test_a_history_is_a_table_of_pandas(make_run: MakeRun) -> None:
+    pandas = pytest.importorskip("pandas")
+    history = open_run(make_run()).history
+    for table in (history.to_pandas(), pandas.DataFrame(history)):
+        assert list(table.columns) == list(history)
+        assert len(table) == history.steps
+        assert table["step"].dtype == table["pass"].dtype == table["iterations"].dtype == np.int64
+        assert table["F_X"].dtype == np.float64
+        np.testing.assert_array_equal(table["F_X"], history["F_X"])
+    assert history.to_pandas().attrs["units"]["F_X"] == "N"
+    assert history.units["step"] == "1"
+
+
+def test_without_pandas(make_run: MakeRun, monkeypatch: pytest.MonkeyPatch) -> None:
+    history = open_run(make_run()).history
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(brinell.MissingExtraError, match=r'pip install "brinell\[pandas\]"'):
+        history.to_pandas()
+
+
+def test_a_history_can_be_sent_to_another_process(make_run: MakeRun) -> None:
+    history = open_run(make_run()).history
+    again = pickle.loads(pickle.dumps(history))
+    assert type(again) is type(history)
+    assert again.scenario == history.scenario
+    np.testing.assert_array_equal(again["F_X"], history["F_X"])
 
 
 def test_elastic_body_has_zero_plastic_fields(make_run: MakeRun) -> None:
@@ -191,8 +239,8 @@ def test_reprs_are_short(make_run: MakeRun, make_indentation: MakeRun) -> None:
     assert repr(run) == f"<brinell.Run tugging {run.title!r} {run.history.steps} steps, complete, '{run.path}'>"
     assert repr(run.history) == f"<History tugging {run.history.steps} steps, {len(run.history)} columns>"
     final = run.snapshot("final")
-    assert repr(run.snapshot(6)) == "<Snapshot tugging step 6, pass_ 0>"
-    assert repr(final) == "<Snapshot tugging final state, pass_ 1>"
+    assert repr(run.snapshot(6)) == "<Snapshot tugging step 6, pass 1>"
+    assert repr(final) == "<Snapshot tugging final state, pass 2>"
     body = final.lower
     assert repr(body) == f"<BodyFields {len(body.x)} x {len(body.y)} x {len(body.z)} cells>"
     assert repr(final.contact) == f"<ContactFields {len(final.contact.x)} x {len(final.contact.y)} cells>"

@@ -15,6 +15,7 @@ MakeRun = Callable[..., Path]
 def test_pass_by_pass(make_rolling: MakeRun) -> None:
     run = open_run(make_rolling(passes=4))
     fig = rolling.pass_by_pass([run])
+    assert fig is not None
     names = ("rut_depth", "shoulder_height", "resistance", "track_plastic_strain", "track_plastic_increment")
     for ax, name, scale in zip(fig.axes, (*names, "dissipation"), (1e-6, 1e-6, 1.0, 0.01, 0.01, 1.0), strict=True):
         line = curve(ax, "rolling")
@@ -25,8 +26,14 @@ def test_pass_by_pass(make_rolling: MakeRun) -> None:
     texts(fig)
 
 
-def test_single_pass_is_drawn_without_decades(make_rolling: MakeRun) -> None:
-    fig = rolling.pass_by_pass([open_run(make_rolling(passes=1))])
+def test_single_pass_has_nothing_to_compare(make_rolling: MakeRun) -> None:
+    assert rolling.pass_by_pass([open_run(make_rolling(passes=1))]) is None
+
+
+def test_few_passes_are_drawn_without_decades(make_rolling: MakeRun) -> None:
+    runs = [open_run(make_rolling(passes=1, name="one")), open_run(make_rolling(passes=2, name="two"))]
+    fig = rolling.pass_by_pass(runs)
+    assert fig is not None
     assert {ax.get_yscale() for ax in fig.axes} == {"linear"}
     for ax in fig.axes:
         ticks = ax.get_xticks()

@@ -73,6 +73,45 @@ def test_a_rolling_over_a_dent_runs() -> None:
     assert run.case("lower", "texture", "depth") == pytest.approx(0.2e-6)
 
 
+@pytest.mark.parametrize("yields", [True, False])
+def test_a_rough_ball_slides_over_a_rough_flat(yields: bool) -> None:
+    def waves(phase: float) -> brinell.HeightMap:
+        return brinell.surfaces.sampled(
+            lambda x, y: 4e-9 * math.cos(x / 3.2e-7 + phase) * math.exp(-((x / 4e-6) ** 2) - (y / 4e-6) ** 2),
+            (4e-7, 4e-7),
+            x=(-8e-6, 8e-6),
+            y=(-8e-6, 8e-6),
+        )
+
+    copper = brinell.Material("120 GPa", 0.34, brinell.Linear("300 MPa", "1 GPa") if yields else None)
+    run = brinell.Rolling(
+        brinell.Body(brinell.Flat(), copper, waves(0.0)),
+        brinell.Body(brinell.Sphere("100 um"), brinell.Material("210 GPa", 0.3), waves(1.0)),
+        "8 um",
+        load="3 mN",
+        slide_to_roll=2,
+        grid=brinell.Grid(resolution=5),
+        output=brinell.Output(snapshots="none"),
+    ).run(in_memory=True)
+    history, middle = run.history, np.abs(run.history["x"]) <= 2e-6 * (1 + 1e-9)
+    touching = history.in_contact
+    np.testing.assert_allclose(history["friction"][touching], history["F_X"][touching] / history["F_n"][touching])
+    assert not history["friction"][~touching].any()
+    track = run.passes[0]
+    assert track.friction == pytest.approx(history["F_X"][middle].sum() / history["F_n"][middle].sum())
+    assert track.contact_area == pytest.approx(history["contact_area"][middle].mean())
+    swing = np.ptp(history["friction"][middle])
+    mean = history["friction"][np.abs(history["x"]) < 4e-6].mean()
+    assert swing > 1e-4  # the slopes of the peaks are in F_X
+    if yields:
+        assert mean > 5e-4
+        assert "Friction F_X / F_n" in run._repr_html_()
+        assert len(brinell.plot.along_track([run]).axes) == 3
+    else:  # what is pushed up a slope comes down it again
+        assert abs(mean) < 0.1 * swing
+        assert abs(run.history["work"][-1]) < 0.02 * run.history["work"].max()
+
+
 def test_a_tugging_of_rough_ellipsoids_runs() -> None:
     waves = brinell.surfaces.sampled(
         lambda x, y: 2e-10 * math.cos(x / 4e-8) * math.exp(-((x / 2e-7) ** 2) - (y / 2e-7) ** 2),
@@ -144,16 +183,21 @@ def test_shapes_and_textures_have_all_keys_of_their_tables() -> None:
     shapes = [getattr(bodies, s.__name__) for s in bodies.Shape.__subclasses__()]
     assert keys(*shapes) == of_page("shape.")
     assert {s.type for s in shapes} == set(re.findall(r'"(\w+)"', PAGE.split("`shape.type` |")[1].split("|")[0]))
-    of_a_map = {"file", "spacing", "heights", "columns"}
-    assert keys(bodies.Dent, bodies.Bump) == of_page("texture.") - of_a_map
+    of_a_map = {"file", "spacing", "heights", "columns", "periodic"}
+    textures = (bodies.Dent, bodies.Bump, bodies.Sinusoid, bodies.RandomSurface)
+    assert keys(*textures) == of_page("texture.") - of_a_map
 
 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"interference": -1}, "tugging.interference = -1 is out of range"),
-        ({"interference": None}, "tugging.interference is missing"),
+        ({"interference": -1}, "interference = -1 is out of range"),
+        ({"interference": None}, "interference is missing"),
         ({"load": 3}, "cannot stand together"),
+        ({"grid": brinell.Grid(resolution=0)}, "grid.resolution = 0 is out of range"),
+        ({"grid": 8}, "grid = 8; allowed: a brinell.Grid, a dictionary, or None"),
+        ({"solver": brinell.Grid(resolution=5)}, "allowed: a brinell.Solver, a dictionary, or None"),
+        ({"output": brinell.Output(snapshots="some")}, 'output.snapshots = "some"'),
         ({"grid": {"resolutin": 3}}, "did you mean grid.resolution?"),
         ({"upper": brinell.Body(brinell.Flat(), STEEL)}, "upper.shape.type"),
         ({"upper": body_of_radius("3 kg")}, "upper.shape.radius"),
@@ -164,6 +208,62 @@ def test_errors_are_those_of_the_case_file(arguments: dict[str, Any], message: s
     with pytest.raises(brinell.InputError) as error:
         brinell.Tugging(**good | arguments)
     assert message in str(error.value)
+    assert "toml" not in str(error.value)
+    assert "tugging." not in str(error.value)
+
+
+def test_errors_name_arguments_and_no_line_of_a_file_that_is_not_there() -> None:
+    falling = brinell.Table([0, 0.01], ["2743.4 MPa", "2739.4 MPa"])
+    soft = brinell.Body(brinell.Flat(), brinell.Material("210 GPa", 0.3, falling))
+    ball = body_of_radius("5 mm", brinell.RIGID)
+    with pytest.raises(brinell.InputError) as error:
+        brinell.Indentation(soft, ball, load=["3 kN", 0])
+    assert str(error.value) == (
+        "lower.material.hardening.law: the stresses of a hardening table must not fall; point 2, 2.7394e+09 Pa, "
+        "follows 2.7434e+09 Pa (softening is not modelled); of a measurement that scatters, monotone = true takes the "
+        "largest stress so far"
+    )
+    assert len(error.traceback) <= 3  # this test, the scenario, its base: not the writer of TOML
+    bend = brinell.Material("210 GPa", 0.3, brinell.Perfect("1 GPa"), kinematic=[("1 mm", 0)])
+    with pytest.raises(brinell.InputError, match=r'^lower\.material\.kinematic = \["1 mm"\] has the element'):
+        brinell.Indentation(brinell.Body(brinell.Flat(), bend), ball, load=["3 kN", 0])
+    with pytest.raises(brinell.InputError, match=r"^load = \[\] has 0 elements"):
+        brinell.Indentation(soft, ball, load=[])
+    tugging = brinell.Tugging(body_of_radius(1.0), body_of_radius(1.0), 4)
+    with pytest.raises(brinell.InputError, match=r"^tugging\.interference = -4 is out of range"):
+        tugging.with_values({"tugging.interference": -4})
+    huge = {"grid.spacing": [1e-7, 1e-7, 1e-7]}
+    with pytest.raises(brinell.InputError, match=r"^grid\.spacing = \[1e-07, 1e-07, 1e-07\]") as error:
+        tugging.with_values(huge).run()
+    assert "toml" not in str(error.value)
+
+
+def test_warnings_of_a_scenario_name_no_file() -> None:
+    soft = body_of_radius(1.0, brinell.Material(210, 0.3, brinell.Perfect(900)))
+    with pytest.warns(brinell.CaseWarning, match=r"^lower\.material\.young_modulus is 210 Pa"):
+        brinell.Tugging(soft, body_of_radius(1.0), "1 mm", normalised=False)
+
+
+@pytest.mark.parametrize("kind", [brinell.Grid, brinell.Solver, brinell.Output])
+def test_settings_have_all_keys_of_their_tables(kind: Any) -> None:
+    assert {field.name for field in fields(kind)} == keys_of(kind.__name__.lower())
+
+
+def test_settings_are_the_same_as_dictionaries() -> None:
+    pair = (body_of_radius(1.0), body_of_radius(1.0), 4)
+    of_classes = brinell.Tugging(
+        *pair,
+        grid=brinell.Grid(resolution=7, extent=1.2),
+        solver=brinell.Solver(max_iterations=50, mirror=False),
+        output=brinell.Output(snapshots=[0, 3]),
+    )
+    of_tables = brinell.Tugging(
+        *pair,
+        grid={"resolution": 7, "extent": 1.2},
+        solver={"max_iterations": 50, "mirror": False},
+        output={"snapshots": [0, 3]},
+    )
+    assert of_classes.to_toml() == of_tables.to_toml()
 
 
 def test_a_law_of_ones_own_gives_what_the_same_law_of_the_engine_gives() -> None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cuts along any plane, profiles over the depth, gap maps, energy balances, animations."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -10,7 +11,17 @@ import pytest
 from matplotlib.animation import FFMpegWriter
 
 from brinell.errors import InputError
-from brinell.plot import animate, energy_balance, gap_map, load_depth, save_animation, section, stress_over_depth
+from brinell.plot import (
+    animate,
+    energy_balance,
+    gap_map,
+    in_si,
+    load_depth,
+    residual_surfaces,
+    save_animation,
+    section,
+    stress_over_depth,
+)
 from brinell.plot.energy import balance_error
 from brinell.plot.planes import Plane, on_plane, plane_of
 from brinell.plot.quantities import QUANTITIES, quantity_of
@@ -128,17 +139,52 @@ def test_a_plane_beside_the_contact_has_no_line_of_contact(make_run: MakeRun) ->
     texts(fig)
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"plane": "y = 5 m"}, "the plane y = 5 m lies outside the grids"),
-        ({"field": "stress_xx"}, "stress_xx is not stored at step 12"),
-    ],
-)
-def test_sections_that_cannot_be_drawn(options: dict[str, str], message: str, make_run: MakeRun) -> None:
+def test_sections_that_cannot_be_drawn(make_run: MakeRun) -> None:
+    folder = make_run()
+    run = open_run(folder)
+    with pytest.raises(RunError, match="the plane y = 5 m lies outside the grids"):
+        section(run, run.snapshot("aligned"), plane="y = 5 m")
+    with h5py.File(folder / "result.vtkhdf", "a") as file:
+        for body in ("lower", "upper"):
+            del file[f"steps/000012/{body}/stress"]
+    with pytest.raises(RunError, match="stress_xx is not stored at step 12"):
+        section(run, run.snapshot("aligned"), field="stress_xx")
+
+
+def test_components_are_drawn_of_any_snapshot(make_run: MakeRun) -> None:
     run = open_run(make_run())
-    with pytest.raises(RunError, match=message):
-        section(run, run.snapshot("aligned"), **options)  # type: ignore[arg-type]
+    whole = section(run, run.snapshot("aligned", tensors=True), field="stress_xx").axes[0].images[0].get_array()
+    later = section(run, run.snapshot("aligned"), field="stress_xx").axes[0].images[0].get_array()
+    np.testing.assert_array_equal(later, whole)
+
+
+def test_figures_in_si(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    snapshot = run.snapshot("aligned")
+    over = section(run, snapshot, field="von_mises_stress")
+    with in_si():
+        plain = section(run, snapshot, field="von_mises_stress")
+        surfaces = residual_surfaces(run, run.snapshot("final"))
+    assert "a_c" in over.axes[0].get_xlabel()
+    assert re.search(r"\[(nm|µm|mm|m)\]", plain.axes[0].get_xlabel())
+    assert re.search(r"\[[kMG]?Pa\]", plain.axes[-1].get_ylabel())
+    assert r"\alpha_c" not in surfaces.axes[-1].get_ylabel()
+    assert "a_c" in section(run, snapshot).axes[0].get_ylabel()  # only within
+    ratio = over.axes[0].get_xlim()[1] / plain.axes[0].get_xlim()[1]
+    power = {"nm": 1e-9, "µm": 1e-6, "mm": 1e-3, "m": 1.0}[plain.axes[0].get_xlabel().split("[")[1].rstrip("]")]
+    assert ratio == pytest.approx(power / run.critical.contact_radius)
+
+
+def test_pile_up_and_groove_have_a_half_of_the_bar_each(make_run: MakeRun) -> None:
+    run = open_run(make_run(9.0))
+    bar = residual_surfaces(run, run.snapshot("final")).axes[-1]
+    low, high = bar.get_ylim()
+    assert low < 0 < high
+    ticks = bar.get_yticks()
+    assert np.count_nonzero(ticks < 0) >= 2
+    assert np.count_nonzero(ticks > 0) >= 2
+    places = bar.transAxes.inverted().transform(bar.transData.transform([(0.0, t) for t in (low, 0.0, high)]))[:, 1]
+    np.testing.assert_allclose(places, [0.0, 0.5, 1.0], atol=1e-9)
 
 
 def test_an_unknown_field_names_the_known_ones() -> None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -37,17 +38,19 @@ def wavy(ny: int = 5, nx: int = 7) -> HeightMap:
 
 def assert_equal(a: HeightMap, b: HeightMap) -> None:
     np.testing.assert_array_equal(a.heights, b.heights)
-    assert (a.spacing, a.x, a.y) == (b.spacing, b.x, b.y)
+    assert (a.spacing, a.x, a.y, a.periodic) == (b.spacing, b.x, b.y, b.periodic)
 
 
-def test_npz_holds_all_of_it(tmp_path: Path) -> None:
-    surfaces.write(tmp_path / "map.npz", wavy())
-    assert_equal(surfaces.read(tmp_path / "map.npz"), wavy())
+@pytest.mark.parametrize("ending", [".npz", ".csv", ".txt", ".dat"])
+@pytest.mark.parametrize("periodic", [False, True])
+def test_files_that_hold_all_of_it(tmp_path: Path, ending: str, periodic: bool) -> None:
+    written = replace(wavy(), periodic=periodic)
+    surfaces.write(tmp_path / f"map{ending}", written)
+    assert_equal(surfaces.read(tmp_path / f"map{ending}"), written)
 
 
-@pytest.mark.parametrize("ending", [".npy", ".csv", ".txt", ".dat"])
-def test_other_files_hold_the_heights(tmp_path: Path, ending: str) -> None:
-    path = tmp_path / f"map{ending}"
+def test_npy_holds_the_heights(tmp_path: Path) -> None:
+    path = tmp_path / "map.npy"
     surfaces.write(path, wavy())
     again = surfaces.read(path, spacing=(2e-5, 3e-5))
     np.testing.assert_array_equal(again.heights, wavy().heights)
@@ -60,6 +63,11 @@ def test_text_as_the_case_reads_it(tmp_path: Path) -> None:
     (tmp_path / "map.csv").write_text("# nm\n1e-9, 2e-9, 3e-9\r\n\n4e-9; 5e-9\t6e-9\n")
     heights = surfaces.read(tmp_path / "map.csv", spacing=(1, 1)).heights
     np.testing.assert_array_equal(heights, [[1e-9, 2e-9, 3e-9], [4e-9, 5e-9, 6e-9]])
+    with pytest.raises(InputError, match="give spacing"):
+        surfaces.read(tmp_path / "map.csv")
+    (tmp_path / "map.csv").write_text("# spacing = as in the lab\n1e-9, 2e-9\n")
+    with pytest.raises(InputError, match="give spacing"):
+        surfaces.read(tmp_path / "map.csv")
 
 
 @pytest.mark.parametrize(
@@ -177,7 +185,7 @@ def test_a_file_without_a_unit(tmp_path: Path) -> None:
     (tmp_path / "map.xyz").write_text("\n".join(lines) + "\n")
     with pytest.raises(InputError, match="tells no unit"):
         surfaces.read(tmp_path / "map.xyz")
-    with pytest.raises(InputError, match="Unknown unit"):
+    with pytest.raises(InputError, match="unit = 'parsnip' is no unit of length; allowed: m, "):
         surfaces.read(tmp_path / "map.xyz", unit="parsnip")
     read = surfaces.read(tmp_path / "map.xyz", unit="um")
     expected = 1e-6 * (10 * np.arange(4) + np.arange(3)[:, None])  # [y, x]
@@ -196,6 +204,48 @@ def test_points_that_were_not_measured(tmp_path: Path) -> None:
     # A plane is harmonic, so it is what fills the hole.
     filled = surfaces.read(tmp_path / "map.nc", fill=True)
     np.testing.assert_allclose(filled.heights, plane * 1e-6, rtol=1e-12)
+
+
+def test_the_unit_of_a_text_is_honoured(tmp_path: Path) -> None:
+    path = tmp_path / "map.csv"
+    path.write_text("0,10,0\n0,20,0\n")
+    read = surfaces.read(path, spacing=(1e-6, 1e-6), unit="nm")
+    np.testing.assert_allclose(read.heights, [[0, 10e-9, 0], [0, 20e-9, 0]], rtol=1e-15)
+    np.testing.assert_array_equal(surfaces.read(path, spacing=(1, 1)).heights, [[0, 10, 0], [0, 20, 0]])  # m
+    with pytest.raises(InputError, match="no unit of length"):
+        surfaces.read(path, spacing=(1, 1), unit="GPa")
+    np.save(tmp_path / "map.npy", np.zeros((2, 3)))
+    with pytest.raises(InputError, match="holds heights in m; leave out unit = 'nm'"):
+        surfaces.read(tmp_path / "map.npy", spacing=(1, 1), unit="nm")
+
+
+def test_text_of_gwyddion(tmp_path: Path) -> None:
+    path = tmp_path / "map.txt"
+    header = "# Channel: Topography\n# Width: 90.00\N{NO-BREAK SPACE}µm\n# Height: 40 um\n# Value units: nm\n"
+    path.write_text(header + "0 10 0\n0 20 0\n", encoding="utf-8")
+    read = surfaces.read(path)
+    np.testing.assert_allclose(read.heights, [[0, 10e-9, 0], [0, 20e-9, 0]], rtol=1e-15)
+    assert read.spacing == pytest.approx((30e-6, 20e-6))
+    assert surfaces.read(path, spacing=(1e-6, 1e-6)).spacing == (1e-6, 1e-6)
+    with pytest.raises(InputError, match="tells its unit, nm; leave out unit = 'um'"):
+        surfaces.read(path, unit="um")
+    path.write_text(header.replace("90.00", "wide") + "0 10 0\n", encoding="utf-8")
+    with pytest.raises(InputError, match="in its header; allowed: a length"):
+        surfaces.read(path)
+
+
+def test_an_object_of_surface_topography() -> None:
+    topography = pytest.importorskip("SurfaceTopography")
+    heights = np.arange(12.0).reshape(3, 4)
+    object_ = topography.Topography(heights.T, (80.0, 90.0), unit="um")
+    read = surfaces.HeightMap.from_topography(object_)
+    np.testing.assert_allclose(read.heights, heights * 1e-6)
+    assert read.spacing == pytest.approx((20e-6, 30e-6))
+    assert repr(read) == "<HeightMap 4 x 3 points every 2e-05 x 3e-05 m, Sz = 1.1e-05 m>"
+    with pytest.raises(InputError, match="tells no unit"):
+        surfaces.HeightMap.from_topography(topography.Topography(heights.T, (80.0, 90.0)))
+    with pytest.raises(InputError, match="line scan"):
+        surfaces.HeightMap.from_topography(topography.UniformLineScan(heights[0], 80.0, unit="um"))
 
 
 def test_no_map_at_all(tmp_path: Path) -> None:

@@ -32,6 +32,19 @@ from brinell.sweeps.point import Outcome
 from brinell.sweeps.pools import LocalPool, Lost
 from sweep_case import CASE, LONG, is_under_way, wait_for
 
+INDENTATION = """scenario = "indentation"
+[lower]
+shape = {type = "flat"}
+material = {young_modulus = "210 GPa", poisson_ratio = 0.3, hardening = {law = "perfect", yield_stress = "900 MPa"}}
+[upper]
+shape = {type = "sphere", radius = "5 mm"}
+material = {rigid = true}
+[indentation]
+load = ["50 N", 0]
+steps = 3
+[grid]
+resolution = 3
+"""
 OVER = {"tugging.interference": [1, 2], "lower.material.young_modulus": ["200 GPa", "210 GPa"]}
 
 
@@ -181,8 +194,22 @@ def test_without_the_extra_the_error_tells_what_to_install(
     for module in [name for name in sys.modules if name == "brinell.sweeps" or name == "pyarrow"]:
         monkeypatch.delitem(sys.modules, module)
     monkeypatch.setitem(sys.modules, "pyarrow", None)
-    assert exit_code(case_file, "--over", "tugging.interference=1,2", "-o", tmp_path / "sweep") == 1
-    assert 'pyarrow, which is not installed: pip install "brinell[sweep]"' in capsys.readouterr().err
+    assert exit_code(case_file, "--over", "tugging.interference=1,2", "-o", tmp_path / "sweep") == 2
+    error = capsys.readouterr().err
+    assert error == 'brinell: error: a sweep needs pyarrow, which is not installed: pip install "brinell[sweep]"\n'
+
+
+def test_a_sweep_over_the_loads_of_an_indentation(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    case = tmp_path / "case.toml"
+    case.write_text(INDENTATION)
+    over = ["--over", "indentation.load=100 N:200 N:3", "--workers", "1"]
+    assert exit_code(case, *over, "-o", tmp_path / "sweep") == 0
+    table = open_sweep(tmp_path / "sweep").table
+    assert table["indentation.load"].tolist() == [100.0, 150.0, 200.0]
+    assert table["indents.0.max_load_N"].tolist() == pytest.approx([100.0, 150.0, 200.0])
+    assert (table["indents.0.final_approach_m"] > 0).all()  # the second entry, 0, has stayed: the contact opens
+    assert exit_code(case, "--over", "indentation.load.2=1,2", "-o", tmp_path / "other") == 2
+    assert "indentation.load has 2 entries in the case" in capsys.readouterr().err
 
 
 @contextlib.contextmanager

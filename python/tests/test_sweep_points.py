@@ -17,6 +17,7 @@ from brinell.sweeps import Choices, Range, driver
 from brinell.sweeps.axes import axis_of
 from brinell.sweeps.designs import points_of
 from brinell.sweeps.folder import Ledger, flattened
+from brinell.sweeps.lists import with_whole_lists
 from brinell.sweeps.point import Outcome, Task, compute, finished_summary
 from brinell.sweeps.pools import Lost
 from sweep_case import CASE
@@ -108,6 +109,18 @@ def test_designs_refuse_what_does_not_suit_them() -> None:
         points_of({"a": axis_of("0:1:3")}, "grid", samples=3)
     with pytest.raises(InputError, match="at least one axis"):
         points_of({}, "grid")
+
+
+def test_entries_of_lists() -> None:
+    table = {"indentation": {"load": [10.0, 0.0, 20.0], "steps": 3}}
+    point = {"indentation.load": "5 N", "indentation.load.2": 7, "indentation.steps": 4}
+    assert with_whole_lists(point, table) == {"indentation.load": ["5 N", 0.0, 7], "indentation.steps": 4}
+    assert with_whole_lists({"indentation.load": [1, 2]}, table) == {"indentation.load": [1, 2]}
+    assert with_whole_lists({"indentation.approach": 3}, table) == {"indentation.approach": [3]}
+    assert with_whole_lists({"grid.spacing": [1, 2, 3]}, table) == {"grid.spacing": [1, 2, 3]}
+    for key in ("indentation.load.3", "indentation.approach.1"):
+        with pytest.raises(InputError, match="entries in the case; allowed"):
+            with_whole_lists({key: 1}, table)
 
 
 def test_summary_in_one_row() -> None:

@@ -3,10 +3,10 @@
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling` (several runs of these
 scenarios), `fields`, `sections` and `depth` (one state of any scenario), `history` and `energy` (one run step by step),
-`animation` (one pass as a moving picture), `standard` (what suits a run), `cli` (`brinell plot`). Below them:
-`style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name),
-`planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which
-bodies), `cells` (cell values as pictures).
+`animation` (one pass as a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell
+plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the
+fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which
+state and which bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -19,9 +19,11 @@ from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
 from brinell.plot.planes import Plane
 from brinell.plot.quantities import QUANTITIES
 from brinell.plot.rolling import along_track, depth_profiles, pass_by_pass, track_profile
+from brinell.plot.scales import in_si
 from brinell.plot.sections import section
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
+from brinell.plot.surfaces import surface
 
 __all__ = [
     "QUANTITIES",
@@ -38,6 +40,7 @@ __all__ = [
     "fig15",
     "gap_map",
     "imprint",
+    "in_si",
     "load_depth",
     "overview",
     "pass_by_pass",
@@ -49,5 +52,6 @@ __all__ = [
     "section",
     "standard_figures",
     "stress_over_depth",
+    "surface",
     "track_profile",
 ]

@@ -7,6 +7,9 @@ with one line on the standard error stream that says what.
 
 from __future__ import annotations
 
+import contextlib
+import difflib
+import functools
 import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -26,6 +29,7 @@ from brinell.plot import rolling as tracks
 from brinell.plot import style
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import QUANTITIES, needs_tensors, quantity_of
+from brinell.plot.scales import in_si
 from brinell.plot.sections import section as draw_section
 from brinell.plot.standard import standard_figures
 from brinell.plot.states import Bodies
@@ -44,6 +48,19 @@ class _PlotGroup(click.Group):
             if word.startswith("-") or os.sep in word or Path(word).exists():
                 args = ["all", *args]
         return super().parse_args(ctx, args)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """A word that is no command was meant for one, or for a result that is not there."""
+        if args and args[0] not in self.commands:
+            near = difflib.get_close_matches(args[0], self.commands, n=1)
+            hint = f"did you mean {near[0]}? " if near else ""
+            ctx.fail(
+                f"{args[0]!r} is no folder or file of a result, and no command; {hint}there are "
+                f"{', '.join(self.commands)}"
+            )
+        return super().resolve_command(ctx, args)
 
 
 def _checked(convert: Callable[[str], Any]) -> Callable[[click.Context, click.Parameter, Any], Any]:
@@ -93,6 +110,20 @@ _formats = click.option(
     help=f"Out of {', '.join(style.FORMATS)}, with commas; by default png.",
 )
 _cells = click.option("--cells", is_flag=True, help="One colour per cell instead of interpolation.")
+
+
+def _takes_si(command: Callable[..., None]) -> Callable[..., None]:
+    """Adds --si to a command."""
+
+    @click.option("--si", "si", is_flag=True, help="In µm and MPa, not over the values at first yield.")
+    @functools.wraps(command)
+    def wrapper(*args: Any, si: bool, **kwargs: Any) -> None:
+        with in_si() if si else contextlib.nullcontext():
+            command(*args, **kwargs)
+
+    return wrapper
+
+
 _plane = click.option(
     "--plane",
     callback=_checked(plane_of),
@@ -131,6 +162,7 @@ def _print(paths: Sequence[Path]) -> None:
 @_run_folder
 @_into_run
 @_formats
+@_takes_si
 @tells_errors
 def _all(run: Path, output: Path | None, formats: list[str]) -> None:
     """All figures that suit a run, finished or not."""
@@ -185,6 +217,7 @@ def _state_name(which: int | str) -> str:
 @_cells
 @_into_run
 @_formats
+@_takes_si
 @tells_errors
 def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, formats: list[str]) -> None:
     """Contact pressure, gap, residual surfaces, stress and plastic strain of one state."""
@@ -214,6 +247,7 @@ def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, f
 @_cells
 @_into_run
 @_formats
+@_takes_si
 @tells_errors
 def _section(
     run: Path,
@@ -259,6 +293,7 @@ def _section(
     type=click.Path(path_type=Path),
     help="A .gif, or an .mp4 (needs ffmpeg); by default RUN/figures/FIELD.gif.",
 )
+@_takes_si
 @tells_errors
 def _animate(
     run: Path,
@@ -285,6 +320,7 @@ def _animate(
 @_run_folder
 @_into_run
 @_formats
+@_takes_si
 @tells_errors
 def _history(run: Path, output: Path | None, formats: list[str]) -> None:
     """Forces, energies, deformation and cost of one run, step by step."""

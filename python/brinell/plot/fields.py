@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Normalize, TwoSlopeNorm
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
@@ -178,9 +179,16 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
     highest = max(0.0, *(float(_height(side.body).max()) for side in deformed))
     depth = scales.displacement(max(-lowest, highest))
     length = scales.length(max(float(np.abs(side.body.x).max()) for side in deformed))
-    ranges = _active_range(deformed, 0.01 * max(-lowest, highest), length.size)
-
     width = 8.0
+    if deformed[0].body.y.size == 1:  # plane strain: the profile is all there is
+        fig = style.new_figure(width, 3.2)
+        ax = fig.subplots()
+        _draw_profile(ax, deformed, length.size, depth)
+        ax.set_title(f"Residual surfaces:  {state_title(run, snapshot)}")
+        ax.set_xlabel(length.label("along the surface", "x"))
+        return fig
+
+    ranges = _active_range(deformed, 0.01 * max(-lowest, highest), length.size)
     map_height = (width - 1.9) * (ranges[1][1] - ranges[1][0]) / (ranges[0][1] - ranges[0][0])
     count = len(deformed)
     fig = style.new_figure(width, 3.8 + count * map_height, to_scale=True)
@@ -205,7 +213,7 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         ax.text(0.01, 0.95, side.name, transform=ax.transAxes, ha="left", va="top")
     axes[-1].set_xlabel(length.label("along the surface", "x"))
     bar = fig.colorbar(image, ax=axes[1:], label=depth.label("height", "-u^r"), pad=0.02)
-    bar.ax.set_yscale("linear")
+    bar.set_ticks(_height_ticks(lowest / depth.size, highest / depth.size))
     return fig
 
 
@@ -222,11 +230,25 @@ def _draw_profile(ax: Axes, deformed: Sequence[Side], length: float, depth: Scal
 
 
 def _height_norm(lowest: float, highest: float) -> Normalize:
-    """The pile-up is much lower than the groove is deep: each side of zero gets its own half of the colours."""
+    """The pile-up is much lower than the groove is deep: each side of zero gets its own half of colours and bar."""
     if lowest == highest == 0.0:
         return Normalize(-1.0, 1.0)
-    small = 1e-3 * max(-lowest, highest)
+    small = _NEGLIGIBLE * max(-lowest, highest)
     return TwoSlopeNorm(0.0, min(lowest, -small), max(highest, small))
+
+
+def _height_ticks(lowest: float, highest: float) -> list[float]:
+    """Round heights on both halves of the bar, each with its own distance."""
+    ticks = [0.0]
+    for end in (lowest, highest):
+        if abs(end) > _NEGLIGIBLE * max(-lowest, highest):
+            low, high = min(end, 0.0), max(end, 0.0)
+            ticks += [t for t in MaxNLocator(nbins=4).tick_values(low, high) if low <= t <= high and t != 0.0]
+    return sorted(ticks)
+
+
+_NEGLIGIBLE = 1e-3
+"""Share of the larger of depth and pile-up that is not worth a colour."""
 
 
 def _active_range(

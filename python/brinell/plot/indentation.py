@@ -39,8 +39,9 @@ class _Line:
 
 
 def _touches_at_zero(run: Run) -> bool:
-    """Whether the first contact is at depth 0: dents and bumps shift it."""
-    return all(run.case(body, "texture", "type") == "smooth" for body in ("lower", "upper"))
+    """Whether the first contact is at depth 0: textures shift it."""
+    textures = [run.case(body, "texture") for body in ("lower", "upper")]
+    return all(isinstance(texture, dict) and texture["type"] == "smooth" for texture in textures)
 
 
 def _curve(run: Run, rows: History, *, is_first: bool) -> tuple[FloatArray, FloatArray]:
@@ -168,26 +169,28 @@ def imprint(runs: Sequence[Run]) -> Figure | None:
     deepest = max(float(i.body.residual_displacement.max()) for i in imprints)
     height, length = si(max(highest, deepest), "m"), si(largest(i.body.x for i in imprints), "m")
     rows = 2 if highest > 1e-3 * deepest else 1
-    fig = style.new_figure(8.6, 2.6 + 2.0 * (rows - 1))
-    axes = fig.subplots(rows, 2, sharex="col", sharey="row", squeeze=False, height_ratios=[1.5, 1.0][:rows])
+    planes = 1 if all(i.body.y.size == 1 for i in imprints) else 2  # plane strain has no profile along y
+    fig = style.new_figure(4.3 * planes, 2.6 + 2.0 * (rows - 1))
+    axes = fig.subplots(rows, planes, sharex="col", sharey="row", squeeze=False, height_ratios=[1.5, 1.0][:rows])
     for ax in axes.flat:
         zero_line(ax)
     for one in imprints:
         for ax in axes[:, 0]:
             ax.plot(one.body.x / length.size, one.along_x / height.size, **one.entry.look)
-        for ax in axes[:, 1]:
+        for ax in axes[:, 1:].flat:
             ax.plot(one.body.y / length.size, one.along_y / height.size, **one.entry.look)
     _limit(axes[0, 0], [_reach(i.body.x, i.along_x) for i in imprints], length)
-    _limit(axes[0, 1], [_reach(i.body.y, i.along_y) for i in imprints], length)
+    if planes == 2:
+        _limit(axes[0, 1], [_reach(i.body.y, i.along_y) for i in imprints], length)
+        axes[0, 1].set_title(f"(b)  along $y$, through {_cut(imprints)}")
+        axes[-1, 1].set_xlabel(length.label("", "y"))
     if rows == 2:
         axes[1, 0].set_ylim(-0.4 * highest / height.size, 1.15 * highest / height.size)
         axes[1, 0].set_ylabel(height.label("pile-up", "-u^r"))
     axes[0, 0].set_ylabel(height.label("height", "-u^r"))
     axes[0, 0].set_title("(a)  along $x$, through $y$ = 0")
-    axes[0, 1].set_title(f"(b)  along $y$, through {_cut(imprints)}")
     axes[-1, 0].set_xlabel(length.label("", "x"))
-    axes[-1, 1].set_xlabel(length.label("", "y"))
-    legend_beside(axes[0, 1], [one.entry.look for one in imprints])
+    legend_beside(axes[0, -1], [one.entry.look for one in imprints])
     return fig
 
 

@@ -44,12 +44,17 @@ _FALLING = ("track_plastic_increment", "dissipation")  # towards shakedown: over
 
 
 @style.figure
-def pass_by_pass(runs: Sequence[Run]) -> Figure:
+def pass_by_pass(runs: Sequence[Run]) -> Figure | None:
     """Pass by pass: rut, shoulders, resistance, plastic strain under the middle of the track, its growth, dissipation.
 
     Growth and dissipation have a logarithmic axis if they fall by more than a factor of a hundred.
+
+    Returns:
+        None if no run has two passes: the summary tells the numbers of one.
     """
     shown = entries(runs, "rolling")
+    if all(len(entry.run.passes) < 2 for entry in shown):
+        return None
     fig = style.new_figure(11.0, 5.6)
     axes = fig.subplots(2, 3, sharex=True)
     for ax, quantity, letter in zip(axes.flat, _QUANTITIES, "abcdef", strict=True):
@@ -176,29 +181,51 @@ def _some(handles: Sequence[Look], most: int = 8) -> list[Look]:
 def along_track(runs: Sequence[Run]) -> Figure:
     """Resistance F_X and approach along the track, pass by pass; the load where the approach is imposed.
 
-    A single run shows all passes; of several runs the first and the last are drawn.
+    With sliding under a load the friction F_X/F_n stands for the resistance, and the area of contact beside it. A
+    single run shows all passes; of several runs the first and the last are drawn.
     """
     shown = entries(runs, "rolling")
     lines = _along(shown)
     imposed = all(entry.run.case("rolling", "approach") is not None for entry in shown)
-    follows = ("F_n", "load", "F_n", "N") if imposed else ("approach", "approach", r"\delta", "m")
+    quantities = [
+        *(_OF_SLIDING if _all_slide(shown) and not imposed else [("F_X", "resistance", "F_X", "N")]),
+        ("F_n", "load", "F_n", "N") if imposed else ("approach", "approach", r"\delta", "m"),
+    ]
     length = si(largest(one["x"] for one, _ in lines), "m")
-    fig = style.new_figure(6.6, 5.4)
-    axes = fig.subplots(2, 1, sharex=True)
-    for ax, (column, name, symbol, unit) in zip(axes, (("F_X", "resistance", "F_X", "N"), follows), strict=True):
-        scale = si(largest([one[column] for one, _ in lines]), unit)
+    fig = style.new_figure(6.6, 2.7 * len(quantities))
+    axes = fig.subplots(len(quantities), 1, sharex=True)
+    for ax, (column, name, symbol, unit) in zip(axes, quantities, strict=True):
+        scale = _scale_of([one[column] for one, _ in lines], unit)
         for one, look in lines:
             ax.plot(one["x"] / length.size, one[column] / scale.size, **look)
-        ax.set_ylabel(scale.label(name, symbol))
-    zero_line(axes[0])
-    axes[1].set_xlabel(length.label("place of the contact", "x"))
-    axes[1].margins(x=0.02)
+        ax.set_ylabel(scale.label(name, symbol) if unit != "1" else f"{name}  ${symbol}$")
+        if column in ("F_X", "friction"):
+            zero_line(ax)
+    axes[-1].set_xlabel(length.label("place of the contact", "x"))
+    axes[-1].margins(x=0.02)
     handles = [look for _, look in lines]
     if len(shown) == 1:
         legend_beside(axes[0], _some(handles), title="pass")
     else:
         legend_beside(axes[0], handles)
     return fig
+
+
+_OF_SLIDING = (("friction", "friction", "F_X/F_n", "1"), ("contact_area", "area of contact", "A", "m²"))
+"""Column, name, symbol, unit of what is drawn if a body slides."""
+
+
+def _all_slide(shown: Sequence[Entry]) -> bool:
+    """Whether the surfaces have different speeds in each run; those of older versions have no friction to draw."""
+    return all(entry.run.case("rolling", "slide_to_roll") and "friction" in entry.run.history for entry in shown)
+
+
+def _scale_of(values: Sequence[FloatArray], unit: str) -> Scale:
+    if unit == "1":
+        return Scale(1.0, "", "")
+    if unit == "m²":  # a prefix of it would count twice
+        return Scale(1e-12, "", "µm²") if largest(values) < 1e-7 else Scale(1e-6, "", "mm²")
+    return si(largest(values), unit)
 
 
 FIGURES: dict[str, Callable[[Sequence[Run]], Figure | None]] = {

@@ -2,12 +2,14 @@
 """What a quantity is divided by before it is drawn, and how its axis says so.
 
 A complete run with a body that yields is drawn over its values at first yield, which the label gives in SI. Where these
-do not exist (an elastic pair, a pyramid, a run that has not finished) the axis is in SI.
+do not exist (an elastic pair, a pyramid, a run that has not finished), and within `in_si`, the axis is in SI.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import contextlib
+from collections.abc import Iterator, Sequence
+from contextvars import ContextVar
 from dataclasses import astuple, dataclass
 from typing import Literal
 
@@ -17,7 +19,25 @@ from matplotlib.axes import Axes
 from brinell.plot import style
 from brinell.results import Run
 
-__all__ = ["PERCENT", "Scale", "Scales", "common_scales", "si", "twin_axis"]
+__all__ = ["PERCENT", "Scale", "Scales", "common_scales", "in_si", "si", "twin_axis"]
+
+_IN_SI: ContextVar[bool] = ContextVar("in_si", default=False)
+
+
+@contextlib.contextmanager
+def in_si() -> Iterator[None]:
+    """Within it figures are drawn in SI, µm and MPa, also where values at first yield exist.
+
+    Example:
+        >>> with brinell.plot.in_si():
+        ...     figure = brinell.plot.section(run, run.snapshot("aligned"))
+
+    """
+    token = _IN_SI.set(True)
+    try:
+        yield
+    finally:
+        _IN_SI.reset(token)
 
 
 @dataclass(frozen=True)
@@ -82,8 +102,9 @@ class Scales:
     """Scales of one run; each takes the largest value to be drawn [SI], which only matters for SI axes."""
 
     def __init__(self, run: Run):
-        self._critical = run.critical if run.complete and run.has_critical_values else None
-        self._radius = run.equivalent_radius if run.complete and run.scenario == "tugging" else None
+        normalised = run.complete and not _IN_SI.get()
+        self._critical = run.critical if normalised and run.has_critical_values else None
+        self._radius = run.equivalent_radius if normalised and run.scenario == "tugging" else None
 
     @property
     def normalised(self) -> bool:

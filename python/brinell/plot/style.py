@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import io
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
@@ -120,6 +121,19 @@ def figure(draw: Callable[_P, _R]) -> Callable[_P, _R]:
     return wrapper
 
 
+class _ShownFigure(Figure):
+    """A figure that a notebook shows as the value of a cell, without `%matplotlib inline`."""
+
+    def _repr_png_(self) -> bytes:
+        image = io.BytesIO()
+        with matplotlib.rc_context(rc=_RC):
+            self.savefig(image, format="png", dpi=_NOTEBOOK_DPI, metadata={"Software": None})
+        return image.getvalue()
+
+
+_NOTEBOOK_DPI = 100
+
+
 def new_figure(width: float, height: float, *, to_scale: bool = False) -> Figure:
     """An empty figure that belongs to no window and no global list.
 
@@ -128,7 +142,7 @@ def new_figure(width: float, height: float, *, to_scale: bool = False) -> Figure
         height: [inch].
         to_scale: its axes have equal units along both directions, so their boxes cannot stretch to fill the sheet.
     """
-    return Figure(figsize=(width, height), layout="compressed" if to_scale else "constrained")
+    return _ShownFigure(figsize=(width, height), layout="compressed" if to_scale else "constrained")
 
 
 def save(fig: Figure, folder: str | Path, name: str, formats: Sequence[str] = ("png",)) -> list[Path]:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -95,6 +96,9 @@ def _of_rolling(run: Run) -> Iterator[Number]:
         steady = "" if last.steady else ", not steady"
         yield _force(run, f"Resistance, last pass{steady}", last.resistance)
         yield Number("Growth of strain in the last pass", text.percent(last.track_plastic_increment, 3))
+        if run.case("rolling", "slide_to_roll") and not math.isnan(last.friction):
+            yield Number("Friction F_X / F_n, last pass", text.number(last.friction))
+            yield Number("Area of contact, last pass", text.quantity(last.contact_area, "m²"))
 
 
 def energies_of(run: Run) -> list[Number]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 from brinell.errors import InputError
 
@@ -25,7 +24,7 @@ def one_line(error: BaseException) -> str:
 
 
 @contextlib.contextmanager
-def tells_damage(path: Path, part: str = "it") -> Iterator[None]:
+def tells_damage(path: object, part: str = "it") -> Iterator[None]:
     """Whatever h5py and NumPy raise of a file that is not as it was written becomes a `RunError` that names it.
 
     Args:

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
+import difflib
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Literal, get_args
 
 import h5py
@@ -13,8 +14,8 @@ from numpy.typing import NDArray
 
 from brinell.results.errors import RunError, listed, tells_damage
 from brinell.results.labelled import Axis, Labelled
-from brinell.results.result_file import ResultFile
-from brinell.results.snapshots import COMPONENTS
+from brinell.results.result_file import ResultFile, Source
+from brinell.results.snapshots import COMPONENTS, TENSORS, component_of
 
 __all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
 
@@ -28,7 +29,7 @@ CONTACT_FIELDS = ("pressure", "gap")
 """Fields of the contact, which lie on the surface of the lower body."""
 
 
-def field_names(path: Path, body: Body) -> list[str]:
+def field_names(path: Source, body: Body) -> list[str]:
     """Names of what is stored of a body; none if it is rigid and carries no contact.
 
     Raises:
@@ -45,11 +46,15 @@ def field_names(path: Path, body: Body) -> list[str]:
             return [*group[body], *(CONTACT_FIELDS if body == "lower" else ())]
 
 
-def labelled_field(path: Path, body: Body, name: str) -> Labelled:
+def labelled_field(path: Source, body: Body, name: str) -> Labelled:
     """One field of a body in all stored states; see `Run.field`."""
     names = field_names(path, body)
     if name not in names:
-        raise RunError(f"{path}: the {body} body has no field {name!r}; stored are {listed(names)}")
+        found = component_of(name)
+        if found is not None and found[0] in names:
+            tensor = labelled_field(path, body, found[0])
+            return replace(tensor.sel(component=found[1]), name=name, long_name=f"{tensor.long_name}, {found[1]}")
+        raise RunError(f"{path}: the {body} body has no field {name!r}; {_alternatives(name, names)}")
     with ResultFile(path) as file:
         states = file.states()
         last = file.group(list(states.values())[-1])  # grids only grow: its grid holds those of all states
@@ -77,6 +82,14 @@ def labelled_field(path: Path, body: Body, name: str) -> Labelled:
     all_coords: dict[str, NDArray[Any]] = {"step": np.array(list(states)), **coords}
     taken = tuple(range(len(axis)) for axis in all_coords.values())
     return Labelled(name, units, long_name.removesuffix(", xx"), all_coords, read, taken)
+
+
+def _alternatives(name: str, names: Sequence[str]) -> str:
+    """What may be meant by a name that is none, and what there is."""
+    components = [f"{tensor}_{c}" for tensor in names if tensor in TENSORS for c in COMPONENTS]
+    near = difflib.get_close_matches(name, [*names, *components], n=1)
+    tensors = f"; components as {components[-len(COMPONENTS)]}" if components else ""
+    return f"{f'did you mean {near[0]}? ' if near else ''}stored are {listed(names)}{tensors}"
 
 
 def _first_dataset(state: h5py.Group, body: str, name: str) -> h5py.Dataset:

@@ -6,39 +6,53 @@ from __future__ import annotations
 import csv
 import difflib
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell._reprs import column_table
+from brinell.errors import MissingExtraError
 from brinell.results.errors import RunError, listed
-from brinell.results.scenarios import Scenario, scenario_of
+from brinell.results.scenarios import COLUMN_UNITS, INTEGER_COLUMNS, Scenario, scenario_of
+
+if TYPE_CHECKING:
+    import pandas
 
 __all__ = ["History", "read_history"]
 
-FloatArray = NDArray[np.float64]
+Column = NDArray[Any]
+"""Of floats; of integers if it counts."""
 
 
-class History(Mapping[str, FloatArray]):
-    """Columns of history.csv by name, SI, one value per step; see HISTORY_COLUMNS.
+class History(dict[str, Column]):
+    """Columns of history.csv by name, SI, one value per step; see HISTORY_COLUMNS. Numbers of steps are integers.
 
-    Steps of several passes follow each other; `passes` takes them apart.
+    Steps of several passes follow each other; `passes` takes them apart. A table for pandas: `to_pandas`, or
+    ``pandas.DataFrame(run.history)``.
 
     Raises:
         RunError: columns are missing, whatever the scenario.
     """
 
-    def __init__(self, columns: Mapping[str, FloatArray]):
-        self._columns = {name: np.asarray(column, dtype=np.float64) for name, column in columns.items()}
-        self.scenario: Scenario = scenario_of(self._columns)
+    def __init__(self, columns: Mapping[str, Column]):
+        self.scenario: Scenario = scenario_of(columns)
         """Told by the columns."""
+        counts = INTEGER_COLUMNS[self.scenario]
+        super().__init__(
+            {
+                name: np.asarray(column, dtype=np.int64 if name in counts else np.float64)
+                for name, column in columns.items()
+            }
+        )
 
-    def __getitem__(self, name: str) -> FloatArray:
-        try:
-            return self._columns[name]
-        except KeyError:
-            raise KeyError(f"no column {name!r}; {self._alternatives(str(name))}") from None
+    def __missing__(self, name: str) -> Column:
+        raise KeyError(f"no column {name!r}; {self._alternatives(str(name))}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self),)
 
     def _alternatives(self, name: str) -> str:
         """Columns that may be meant by a name that is none."""
@@ -46,11 +60,28 @@ class History(Mapping[str, FloatArray]):
         close = difflib.get_close_matches(name.lower(), by_lower)
         return f"close: {listed([by_lower[one] for one in close])}" if close else f"allowed: {listed(list(self))}"
 
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
+    def to_pandas(self) -> pandas.DataFrame:
+        """The same as a table of pandas: a row per step, by its number; the units are in `attrs["units"]`.
 
-    def __len__(self) -> int:
-        return len(self._columns)
+        Raises:
+            MissingExtraError: pandas is not installed.
+        """
+        try:
+            import pandas
+        except ImportError as error:
+            raise MissingExtraError("to_pandas", "pandas", "pandas") from error
+        table = pandas.DataFrame(dict(self))
+        table.attrs["units"] = {name: unit for name, unit in self.units.items() if name in self}
+        return table
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """Of each column; "1" for a pure number."""
+        return COLUMN_UNITS[self.scenario]
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the first and the last rows, with units."""
+        return column_table(f"History of the {self.scenario}: {self.steps} steps", self, self.units)
 
     def __repr__(self) -> str:
         return f"<History {self.scenario} {self.steps} steps, {len(self)} columns>"
@@ -58,7 +89,7 @@ class History(Mapping[str, FloatArray]):
     @property
     def steps(self) -> int:
         """Number of rows."""
-        return len(self._columns["step"])
+        return len(self["step"])
 
     @property
     def in_contact(self) -> NDArray[np.bool_]:

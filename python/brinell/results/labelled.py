@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell.errors import InputError
+from brinell.errors import InputError, MissingExtraError
 from brinell.results.errors import listed
 
 if TYPE_CHECKING:
@@ -135,12 +135,12 @@ class Labelled:
         """The same as an array of xarray, with units.
 
         Raises:
-            ImportError: xarray is not installed.
+            MissingExtraError: xarray is not installed.
         """
         try:
             import xarray
         except ImportError as error:
-            raise ImportError("to_xarray needs xarray: pip install 'brinell[xarray]'") from error
+            raise MissingExtraError("to_xarray", "xarray", "xarray") from error
         array = xarray.DataArray(
             self.values,
             coords={dim: ((dim,) if dim in self.dims else (), coord) for dim, coord in self.coords.items()},

@@ -3,35 +3,78 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import Literal
+from typing import Literal, TypeAlias
 
 import h5py
 import numpy as np
+from numpy.typing import NDArray
 
 from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, tells_damage
 from brinell.results.history import History
 from brinell.results.scenarios import Scenario, distance_from_middle
 from brinell.results.snapshots import Snapshot, row_of, snapshot_of
 
-__all__ = ["FILE_NAME", "ResultFile"]
+__all__ = ["FILE_NAME", "MemoryFile", "ResultFile", "Source"]
+
+FloatArray = NDArray[np.float64]
 
 FILE_NAME = "result.vtkhdf"
 """In the folder of a run."""
+
+
+class MemoryFile:
+    """The bytes of a result file that is on no disk."""
+
+    def __init__(self, image: bytes):
+        self.image = image
+
+    @cached_property
+    def opened(self) -> h5py.File:
+        """Stays open."""
+        return h5py.File(h5py.h5f.open_file_image(self.image))
+
+    def __getstate__(self) -> dict[str, bytes]:
+        return {"image": self.image}  # what is pickled: not the open file
+
+    def __str__(self) -> str:
+        return "result in memory"
+
+
+Source: TypeAlias = Path | MemoryFile
+"""Where a result is read from."""
+
+
+@dataclass(frozen=True)
+class _Components:
+    """Reads components of the tensors of a state."""
+
+    path: Source
+    state: str
+    owner: object
+
+    def __call__(self, body: str, tensor: str, component: str) -> FloatArray:
+        with ResultFile(self.path) as file, tells_damage(self.path, f"/{self.state}/{body}/{tensor}"):
+            return np.asarray(file.group(self.state)[body][tensor][component][()], dtype=np.float64)
 
 
 class ResultFile:
     """An open result.vtkhdf; to be used in a with statement.
 
     Args:
-        path: of the file.
+        path: of the file, or one in memory.
 
     Raises:
         RunError: it is missing, not HDF5, not a result, or of another version.
     """
 
-    def __init__(self, path: Path):
+    def __init__(self, path: Source):
         self.path = path
+        if isinstance(path, MemoryFile):
+            self._file = path.opened
+            return
         if not path.is_file():
             raise RunError(f"{path.parent}: no {path.name}, so there are no fields to read")
         try:
@@ -56,7 +99,8 @@ class ResultFile:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._file.close()
+        if not isinstance(self.path, MemoryFile):
+            self._file.close()
 
     def text(self, name: str) -> str | None:
         """A text in the file: "case", the resolved case, "sources" or "summary"; None if it is not there."""
@@ -93,20 +137,26 @@ class ResultFile:
                 groups[int(self.group("final").attrs["step"]) + 1] = "final"
         return groups
 
-    def snapshot(self, which: int | Literal["aligned", "final"], scenario: Scenario, *, tensors: bool) -> Snapshot:
-        """Fields at one step; see `Run.snapshot`."""
+    def snapshot(self, which: int | Literal["aligned", "final"], scenario: Scenario, owner: object = None) -> Snapshot:
+        """Fields at one step; see `Run.snapshot`.
+
+        Args:
+            which: of the states.
+            scenario: of the run.
+            owner: kept as long as the snapshot, which reads components of tensors from the file when asked for them.
+        """
         name = self._group_name(which, scenario)
         group = self.group(name)
         with tells_damage(self.path, f"/{name}"):
-            return snapshot_of(group, tensors, scenario, is_final=which == "final")
+            return snapshot_of(group, _Components(self.path, name, owner), scenario, is_final=which == "final")
 
     def group(self, name: str) -> h5py.Group:
         """A step; while the run has not finished it is a link to a file in snapshots/."""
         try:
             group = self._file[name]
         except (KeyError, OSError, RuntimeError) as error:
-            folder = self.path.parent / "snapshots"
-            raise RunError(f"{self.path}: /{name} cannot be opened; is {folder} missing?") from error
+            missing = f"; is {self.path.parent / 'snapshots'} missing?" if isinstance(self.path, Path) else ""
+            raise RunError(f"{self.path}: /{name} cannot be opened{missing}") from error
         if not isinstance(group, h5py.Group):
             raise RunError(f"{self.path}: /{name} is damaged (no group)")
         return group

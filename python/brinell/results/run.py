@@ -5,24 +5,29 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from brinell._reprs import fact_table
 from brinell.results.accuracy import Accuracy, RunWarning, accuracy_of, warnings_of
+from brinell.results.blocks import blocks_of
 from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.fields import field_names, labelled_field
 from brinell.results.history import History, read_history
 from brinell.results.labelled import Labelled
-from brinell.results.result_file import FILE_NAME, ResultFile
+from brinell.results.result_file import FILE_NAME, MemoryFile, ResultFile, Source
 from brinell.results.scenarios import Indent, RollingPass, Scenario, TrackProfile, parsed
 from brinell.results.snapshots import Snapshot
 
-__all__ = ["CriticalValues", "Run", "open_run"]
+if TYPE_CHECKING:
+    import pyvista
+
+__all__ = ["CriticalValues", "Run", "open_run", "run_of_image"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,14 +58,18 @@ class Run:
     """One result. Made by `brinell.open`."""
 
     path: Path
-    """The folder, or the file if that was opened alone."""
+    """The folder, or the file if that was opened alone; of a run in memory only a name."""
     history: History
     summary: dict[str, Any] | None
     """Key results and the case, docs/reference/results-format.md; None if the run has not finished."""
+    memory: MemoryFile | None = None
+    """Of a run in memory: what would be its file."""
 
     @property
-    def file(self) -> Path:
+    def file(self) -> Source:
         """The HDF5 file with the fields."""
+        if self.memory is not None:
+            return self.memory
         return self.path if self.path.is_file() else self.path / FILE_NAME
 
     @property
@@ -85,7 +94,17 @@ class Run:
 
     def __repr__(self) -> str:
         state = "complete" if self.complete else "unfinished"
-        return f"<brinell.Run {self.scenario} {self.title!r} {self.history.steps} steps, {state}, '{self.path}'>"
+        place = f"'{self.path}'" if self.memory is None else "in memory"
+        return f"<brinell.Run {self.scenario} {self.title!r} {self.history.steps} steps, {state}, {place}>"
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the key numbers, and what to be wary of."""
+        from brinell.report.findings import findings_of  # these modules know this one
+        from brinell.report.numbers import key_numbers
+
+        facts = [(number.name, number.value, number.normalised) for number in key_numbers(self)]
+        title = f"{self.scenario}{f': {self.title}' if self.title else ''} ({self.history.steps} steps)"
+        return fact_table(title, facts, findings_of(self))
 
     def _value(self, *keys: str) -> Any:
         """An entry of the summary."""
@@ -251,8 +270,9 @@ class Run:
 
         Args:
             body: whose grid it is on.
-            name: a field of `BodyFields`; "pressure" or "gap" of the contact, which lie on the lower body's surface
-                (around the contact's grid the pressure is 0, the gap NaN).
+            name: a field of `BodyFields`, or a component of a tensor, as "stress_xx"; "pressure" or "gap" of the
+                contact, which lie on the lower body's surface (around the contact's grid the pressure is 0, the gap
+                NaN).
 
         Returns:
             The axes are step, component (of a tensor), z (of a volume), y, x. The final state has the number after the
@@ -270,13 +290,44 @@ class Run:
             which: number of a stored step; "aligned", the stored step of the first pass nearest to the middle (X = 0 or
                 x = 0), in an indentation the one under the largest load; or "final", the state after the last step,
                 over the entire track.
-            tensors: also read all components of plastic strain and stress.
+            tensors: read all components of plastic strain and stress at once; otherwise each one when it is asked
+                for, as in `snapshot.lower.stress["xx"]`.
 
         Raises:
             RunError: there is no such step, or the file is damaged.
         """
         with ResultFile(self.file) as file:
-            return file.snapshot(which, self.scenario, tensors=tensors)
+            snapshot = file.snapshot(which, self.scenario, self)
+        if tensors:
+            for body in (snapshot.lower, snapshot.upper):
+                for tensor in (body.plastic_strain, body.stress):
+                    list(tensor.values())
+        return snapshot
+
+    def to_pyvista(
+        self, which: int | Literal["aligned", "final"] = "aligned", *, fields: Sequence[str] | None = None
+    ) -> pyvista.MultiBlock:
+        """One state as datasets of pyvista, upright: the lower body lies below z = 0, the upper one above it.
+
+        While the bodies touch, x counts from the centre of contact, as in the figures; afterwards as on each body.
+
+        Args:
+            which: as in `snapshot`.
+            fields: names as in `field`, such as "stress_xx"; all if None, which reads much of a large run.
+
+        Returns:
+            The blocks "lower_volume" and "upper_volume", of cells; "lower_surface" and "upper_surface", sheets of
+            points with the residual displacement, which warp_by_scalar raises (by a negative factor that of the lower
+            body: the displacement is into the body); and "contact", a sheet with pressure and gap, if they touch. What
+            is not stored, as of a rigid body, is left out. Components of tensors are those of each body's own axes,
+            with z into it.
+
+        Raises:
+            RunError: there is no such step, or the file is damaged.
+            InputError: there is no such field.
+            MissingExtraError: pyvista is not installed.
+        """
+        return blocks_of(self.snapshot(which), fields)
 
 
 def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
@@ -301,6 +352,15 @@ def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
     run = Run(path, history, _checked_summary(summary, path, history.scenario))
     _require_all_steps(run)
     return run
+
+
+def run_of_image(image: bytes) -> Run:
+    """The result whose file has these bytes."""
+    memory = MemoryFile(image)
+    with ResultFile(memory) as file:
+        history, summary = file.history(), file.text("summary")
+    path = Path("memory")
+    return Run(path, history, _checked_summary(summary or "", path, history.scenario), memory)
 
 
 def _require_all_steps(run: Run) -> None:

@@ -19,7 +19,9 @@ from brinell import _core
 from brinell.results.errors import RunError
 
 __all__ = [
+    "COLUMN_UNITS",
     "HISTORY_COLUMNS",
+    "INTEGER_COLUMNS",
     "Indent",
     "RollingPass",
     "Scenario",
@@ -34,7 +36,7 @@ FloatArray = NDArray[np.float64]
 Scenario = Literal["tugging", "indentation", "rolling"]
 """Names of the scenarios, as in the case file."""
 
-_ADDED_LATER = ("height",)
+_ADDED_LATER = ("height", "friction")
 """Columns that the histories of older versions do not have."""
 
 HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(
@@ -44,6 +46,22 @@ HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(
     }
 )
 """Columns that history.csv must have in each scenario, in order; a file may have more."""
+
+INTEGER_COLUMNS: Mapping[Scenario, frozenset[str]] = MappingProxyType(
+    {
+        scenario: frozenset(column.name for column in _core.columns()[scenario] if column.is_integer)
+        for scenario in get_args(Scenario)
+    }
+)
+"""Those that count or number something."""
+
+COLUMN_UNITS: Mapping[Scenario, Mapping[str, str]] = MappingProxyType(
+    {
+        scenario: MappingProxyType({column.name: column.unit for column in _core.columns()[scenario]})
+        for scenario in get_args(Scenario)
+    }
+)
+"""Units of the columns; "1" for a pure number."""
 
 # Smallest for the state that "aligned" stands for. In an indentation the stored steps are the ends of the list of
 # loads: the unloaded ones have nothing to show.
@@ -136,6 +154,10 @@ class RollingPass:
     """Difference of it between the two quarters of the middle half, over the larger of them; steady up to 0.1 [-]."""
     mean_F_X: float = math.nan
     """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
+    friction: float = math.nan
+    """Mean F_X over mean F_n over the same [-]."""
+    contact_area: float = math.nan
+    """Mean over the same [m^2]."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,22 +3,80 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import difflib
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 
 import h5py
 import numpy as np
 from numpy.typing import NDArray
 
 from brinell._reprs import cells
+from brinell.results.errors import listed
 from brinell.results.scenarios import Scenario
 
-__all__ = ["COMPONENTS", "BodyFields", "ContactFields", "Snapshot", "row_of", "snapshot_of"]
+__all__ = [
+    "COMPONENTS",
+    "TENSORS",
+    "BodyFields",
+    "ContactFields",
+    "Snapshot",
+    "TensorField",
+    "component_of",
+    "row_of",
+    "snapshot_of",
+]
 
 FloatArray = NDArray[np.float64]
 
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 """Components of a symmetric tensor, in order."""
+
+TENSORS = ("plastic_strain", "stress")
+"""Fields of six components."""
+
+
+def component_of(name: str) -> tuple[str, str] | None:
+    """Tensor and component that a name such as "stress_xx" means; None if it means none."""
+    tensor, _, component = name.rpartition("_")
+    return (tensor, component) if tensor in TENSORS and component in COMPONENTS else None
+
+
+class TensorField(Mapping[str, FloatArray]):
+    """The components of a tensor by name, "xx" to "xy": arrays [z][y][x], each read when it is first asked for."""
+
+    def __init__(self, name: str, read: Callable[[str], FloatArray] | None):
+        """Describes where they come from.
+
+        Args:
+            name: "stress" or "plastic_strain".
+            read: gives a component; None if the run has not stored them.
+        """
+        self._name = name
+        self._read = read
+        self._known: dict[str, FloatArray] = {}
+
+    def __getitem__(self, component: str) -> FloatArray:
+        if self._read is None:
+            raise KeyError(f"nothing is stored of the {self._name} of this body: it is rigid, or has no such field")
+        if component not in COMPONENTS:
+            raise KeyError(f"{self._name} has no component {component!r}; allowed: {listed(COMPONENTS)}")
+        if component not in self._known:
+            self._known[component] = self._read(component)
+        return self._known[component]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(COMPONENTS if self._read is not None else ())
+
+    def __len__(self) -> int:
+        return len(COMPONENTS) if self._read is not None else 0
+
+    def __contains__(self, component: object) -> bool:
+        return self._read is not None and component in COMPONENTS
+
+    def __repr__(self) -> str:
+        return f"<TensorField {self._name} {listed(list(self))}>"
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,10 +114,24 @@ class BodyFields:
     """[-]; zero if the body is elastic."""
     von_mises_stress: FloatArray | None
     """Of contact pressure and plastic strain together [Pa]; None if the run did not store it."""
-    plastic_strain: dict[str, FloatArray] = field(default_factory=dict)
-    """By component [-]; only if asked for and stored."""
-    stress: dict[str, FloatArray] = field(default_factory=dict)
-    """By component, positive in tension [Pa]; only if asked for and stored."""
+    plastic_strain: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("plastic_strain", None))
+    """By component, "xx" to "xy" [-]; read when asked for; empty if not stored."""
+    stress: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("stress", None))
+    """By component, positive in tension [Pa]; read when asked for; empty if not stored."""
+
+    def __getitem__(self, name: str) -> FloatArray:
+        """A field by the name that figures, `Run.field` and the result file have for it, as "stress_xx"."""
+        if found := component_of(name):
+            tensor: Mapping[str, FloatArray] = getattr(self, found[0])
+            return tensor[found[1]]
+        known = [*_SCALARS, *(f"{tensor}_{c}" for tensor in TENSORS for c in COMPONENTS)]
+        if name not in _SCALARS:
+            near = difflib.get_close_matches(str(name), known, n=1)
+            raise KeyError(f"no field {name!r}; {f'did you mean {near[0]}? ' if near else ''}allowed: {listed(known)}")
+        values: FloatArray | None = getattr(self, name)
+        if values is None:
+            raise KeyError(f"nothing is stored of {name}")
+        return values
 
     @property
     def is_rigid(self) -> bool:
@@ -85,7 +157,7 @@ class Snapshot:
 
     def __repr__(self) -> str:
         which = "final state" if self.is_final else f"step {self.step}"
-        return f"<Snapshot {self.scenario} {which}, pass_ {self.pass_}>"
+        return f"<Snapshot {self.scenario} {which}, pass {self.pass_ + 1}>"
 
     @property
     def step(self) -> int:
@@ -103,6 +175,10 @@ class Snapshot:
         return bool(np.any(self.contact.pressure > 0.0))
 
 
+_SCALARS = ("residual_displacement", "equivalent_plastic_strain", "von_mises_stress")
+"""Fields of a body that are no tensors."""
+
+
 def row_of(group: h5py.Group) -> dict[str, float]:
     """A step's row of the history."""
     return {name: float(value) for name, value in group.attrs.items()}
@@ -112,8 +188,18 @@ def _axis(origin: float, spacing: float, count: int) -> FloatArray:
     return origin + spacing * np.arange(count, dtype=np.float64)
 
 
-def snapshot_of(group: h5py.Group, tensors: bool, scenario: Scenario, *, is_final: bool) -> Snapshot:
+ReadComponent = Callable[[str, str, str], FloatArray]
+"""Of a body ("lower"), a tensor ("stress") and a component ("xx")."""
+
+
+def snapshot_of(group: h5py.Group, read: ReadComponent, scenario: Scenario, *, is_final: bool) -> Snapshot:
     """The fields in a group of the file.
+
+    Args:
+        group: of the state.
+        read: gives components of tensors later, when the file is closed.
+        scenario: of the run.
+        is_final: whether it is the state after the last step.
 
     Raises:
         KeyError, OSError, ValueError and others of h5py: it is damaged.
@@ -123,8 +209,8 @@ def snapshot_of(group: h5py.Group, tensors: bool, scenario: Scenario, *, is_fina
         row=row_of(group),
         is_final=is_final,
         contact=_contact(group["contact"]),
-        lower=_body(group["lower"], tensors),
-        upper=_body(group["upper"], tensors),
+        lower=_body(group["lower"], partial(read, "lower")),
+        upper=_body(group["upper"], partial(read, "upper")),
     )
 
 
@@ -140,14 +226,13 @@ def _contact(group: h5py.Group) -> ContactFields:
     )
 
 
-def _body(group: h5py.Group, tensors: bool) -> BodyFields:
+def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -> BodyFields:
     def read(name: str) -> FloatArray | None:
         return np.asarray(group[name][()], dtype=np.float64) if name in group else None
 
-    def components(name: str) -> dict[str, FloatArray]:
-        if not tensors or name not in group:
-            return {}
-        return {c: np.asarray(group[name][c][()], dtype=np.float64) for c in COMPONENTS}
+    def components(name: str) -> TensorField:
+        stored = name in group and all(c in group[name] for c in COMPONENTS)
+        return TensorField(name, partial(read_component, name) if stored else None)
 
     residual = read("residual_displacement")
     strain = read("equivalent_plastic_strain")

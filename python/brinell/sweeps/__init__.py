@@ -8,12 +8,14 @@ Modules: `axes` (what is varied), `designs` (which points), `point` (one run, in
 `folder` (what is on disk), `driver` (all together), `cli` (the command).
 """
 
+from brinell.errors import MissingExtraError
+
 try:
     import pandas as _pandas  # noqa: F401 (asked for at the door)
     import pyarrow as _pyarrow  # noqa: F401
     import scipy as _scipy  # noqa: F401
 except ModuleNotFoundError as error:
-    raise ImportError(f'sweeps need {error.name}, which is not installed: pip install "brinell[sweep]"') from error
+    raise MissingExtraError("a sweep", str(error.name), "sweep") from error
 
 from brinell.sweeps.axes import Axis, Choices, Range
 from brinell.sweeps.designs import Design

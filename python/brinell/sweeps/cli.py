@@ -33,7 +33,7 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
     metavar="KEY=VALUES",
     shell_complete=completion.schema_keys,
     help="A key and its values: 1:15:15 (start, stop, count; both ends), 200GPa:220GPa:3, log:1:100:5, or a,b,c. "
-    "Once per key.",
+    "Of a key that is a list, its first entry: indentation.load=10:200:12. Once per key.",
 )
 @click.option(
     "-o", "--output", required=True, type=click.Path(path_type=Path), metavar="DIR", help="Folder of the sweep."
@@ -102,8 +102,6 @@ def command(
             )
     except KeyboardInterrupt:
         _end(f"brinell: interrupted; what is done is in {output / 'table.csv'}, and the same command goes on", 130)
-    except ImportError as error:  # an extra is missing; other errors are told by the root command
-        raise click.ClickException(str(error)) from error
     if not quiet:
         click.echo(f"{len(result.table)} runs, {len(result.failures)} failed: {output / 'table.csv'}")
     if len(result.failures) > 0:

@@ -23,6 +23,7 @@ from brinell.results import Run, open_run
 from brinell.sweeps.axes import Axis, Choices, axis_of
 from brinell.sweeps.designs import Design, Point, points_of
 from brinell.sweeps.folder import FORMAT_VERSION, Ledger, locked, read_record, run_folder, start_folder
+from brinell.sweeps.lists import table_of, with_whole_lists
 from brinell.sweeps.point import Outcome, Task
 from brinell.sweeps.pools import DaskPool, LocalPool, Lost, Pool
 
@@ -115,6 +116,8 @@ def sweep(
         case: what is varied; or its file.
         over: values by dotted key of the case: a sequence; or text, "1:15:15" for a range with both ends, "200 GPa:220
             GPa:3" with a unit, "log:1:100:5" for equal ratios, "swift,voce" for choices; or a `Range` or `Choices`.
+            For a key that is a list, such as "indentation.load", numbers are those of its first entry, and the other
+            entries stay; "indentation.load.2" is the third one.
         output: folder of the sweep.
         design: "grid", all combinations; "list", the axes walked in step; "latin_hypercube", points drawn from ranges
             without a count.
@@ -186,11 +189,12 @@ def _told(axis: Axis) -> dict[str, Any]:
 def _case_texts(base: Case, points: list[Point]) -> list[str]:
     """The cases with all their defaults; what is wrong with any of them is told now."""
     texts = []
+    table = table_of(base)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", CaseWarning)
         for index, point in enumerate(points):
             try:
-                texts.append(base.with_values(point).to_toml())
+                texts.append(base.with_values(with_whole_lists(point, table)).to_toml())
             except InputError as error:
                 values = ", ".join(f"{key} = {value}" for key, value in point.items())
                 raise InputError(f"run {index} ({values}): {error}") from error

@@ -20,6 +20,7 @@ import pandas as pd
 
 from brinell.errors import InputError, IoError
 from brinell.sweeps.designs import Point
+from brinell.sweeps.lists import entry_of
 from brinell.sweeps.point import Outcome, finished_summary
 
 __all__ = [
@@ -274,7 +275,11 @@ def _is_formula(cell: object) -> bool:
 
 
 def _at(case: Mapping[str, Any], key: str, otherwise: object) -> Any:
-    """The value of a dotted key as the case has it, in SI."""
+    """The value of a dotted key, or of an entry of a list, as the case has it, in SI."""
+    of_list = entry_of(key, otherwise)
+    if of_list is not None:
+        whole = _at(case, of_list[0], [])
+        return whole[of_list[1]] if len(whole) > of_list[1] else otherwise
     entry: Any = case
     for name in key.split("."):
         if not isinstance(entry, Mapping) or name not in entry:

@@ -20,7 +20,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Protocol
 
-from brinell.errors import BrinellError, IoError
+from brinell.errors import BrinellError, IoError, MissingExtraError
 from brinell.sweeps.point import ONE_AT_A_TIME, Outcome, Task, compute, stopped
 
 __all__ = ["DaskPool", "LocalPool", "Lost", "Pool"]
@@ -186,9 +186,7 @@ class DaskPool:
         try:
             from distributed import Client
         except ModuleNotFoundError as error:
-            raise ImportError(
-                'a cluster needs distributed, which is not installed: pip install "brinell[sweep]"'
-            ) from error
+            raise MissingExtraError("a cluster", "distributed", "sweep") from error
         self.threads = threads
         self._stop_file = stop_file
         stop_file.unlink(missing_ok=True)

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One state of a run as datasets of pyvista, upright: the lower body below z = 0, the upper one above it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brinell.errors import InputError, MissingExtraError
+from brinell.results.errors import listed
+from brinell.results.snapshots import COMPONENTS, TENSORS, BodyFields, ContactFields, Snapshot
+
+if TYPE_CHECKING:
+    import pyvista
+
+__all__ = ["blocks_of"]
+
+FloatArray = NDArray[np.float64]
+
+
+def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.MultiBlock:
+    """See `Run.to_pyvista`.
+
+    Raises:
+        MissingExtraError: pyvista is not installed.
+        InputError: there is no such field.
+    """
+    try:
+        import pyvista
+    except ImportError as error:
+        raise MissingExtraError("to_pyvista", "pyvista", "pyvista") from error
+    _require_known(fields)
+    blocks = pyvista.MultiBlock()
+    for name, body, below in (("lower", snapshot.lower, True), ("upper", snapshot.upper, False)):
+        if body.is_rigid:
+            continue
+        left = body.x[0] - (body.contact_x if snapshot.in_contact else 0.0)
+        volume = dict(_volume_fields(body, fields))
+        if volume:
+            blocks[f"{name}_volume"] = _volume(pyvista, body, left, volume, below=below)
+        if _wanted("residual_displacement", fields):
+            sheet = {"residual_displacement": body.residual_displacement}
+            blocks[f"{name}_surface"] = _sheet(pyvista, (left, body.y[0]), _spacing(body), sheet)
+    contact = {name: getattr(snapshot.contact, name) for name in _CONTACT if _wanted(name, fields)}
+    if snapshot.in_contact and contact:
+        corner = (snapshot.contact.x[0], snapshot.contact.y[0])
+        blocks["contact"] = _sheet(pyvista, corner, _spacing(snapshot.contact), contact)
+    return blocks
+
+
+_CONTACT = ("pressure", "gap")
+_VOLUME = (
+    "von_mises_stress",
+    "equivalent_plastic_strain",
+    *(f"{tensor}_{component}" for tensor in TENSORS for component in COMPONENTS),
+)
+
+
+def _wanted(name: str, fields: Sequence[str] | None) -> bool:
+    """Whether a field is asked for, itself or as a component of a tensor."""
+    return fields is None or name in fields or name.rpartition("_")[0] in (set(fields) & set(TENSORS))
+
+
+def _require_known(fields: Sequence[str] | None) -> None:
+    known = (*_VOLUME, *TENSORS, "residual_displacement", *_CONTACT)
+    for name in (fields,) if isinstance(fields, str) else fields or ():
+        if isinstance(fields, str) or name not in known:
+            wrong = f"fields = {fields!r} is no list" if isinstance(fields, str) else f"no field {name!r}"
+            raise InputError(f"{wrong}; allowed: a list out of {listed(known)}")
+
+
+def _volume_fields(body: BodyFields, fields: Sequence[str] | None) -> Iterator[tuple[str, FloatArray]]:
+    for name in _VOLUME:
+        if _wanted(name, fields):
+            try:
+                yield name, body[name]
+            except KeyError:  # an elastic body has no plastic strain
+                continue
+
+
+def _spacing(grid: BodyFields | ContactFields) -> tuple[float, float]:
+    """Of the cells along x and y [m]; that of a single row is not known, and only the look depends on it."""
+    dx = grid.x[1] - grid.x[0] if len(grid.x) > 1 else 1.0
+    return float(dx), float(grid.y[1] - grid.y[0] if len(grid.y) > 1 else dx)
+
+
+def _volume(pyvista: Any, body: BodyFields, left: float, arrays: dict[str, FloatArray], *, below: bool) -> Any:
+    """Cells with one value each; x runs fastest. The depth of the lower body points down."""
+    dx, dy = _spacing(body)
+    dz = 2.0 * float(body.z[0])
+    nz, ny, nx = len(body.z), len(body.y), len(body.x)
+    image = pyvista.ImageData(
+        dimensions=(nx + 1, ny + 1, nz + 1),
+        spacing=(dx, dy, dz),
+        origin=(left - 0.5 * dx, body.y[0] - 0.5 * dy, -nz * dz if below else 0.0),
+    )
+    for name, values in arrays.items():
+        image.cell_data[name] = (values[::-1] if below else values).reshape(-1)
+    return image
+
+
+def _sheet(pyvista: Any, corner: tuple[float, float], spacing: tuple[float, float], arrays: dict[str, Any]) -> Any:
+    """Points in the centres of the surface's cells, so that they can be warped."""
+    ny, nx = next(iter(arrays.values())).shape
+    image = pyvista.ImageData(dimensions=(nx, ny, 1), spacing=(*spacing, 1.0), origin=(*corner, 0.0))
+    for name, values in arrays.items():
+        image.point_data[name] = values.reshape(-1)
+    return image

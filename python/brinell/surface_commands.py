@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line of the surfaces: ``brinell surface``.
+
+Exit code 0: done; 2: something about the request or a file is wrong, with one line on the standard error stream that
+says what.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from brinell import _core, surfaces
+from brinell.commands import tells_errors
+from brinell.errors import InputError
+from brinell.surfaces import HeightMap
+
+__all__ = ["surface"]
+
+
+if TYPE_CHECKING:
+    _Type = click.ParamType[Any]  # not every version has the brackets when it runs
+else:
+    _Type = click.ParamType
+
+
+class _Length(_Type):
+    """A length with its unit."""
+
+    name = "length"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """In m."""
+        try:
+            return value if isinstance(value, float) else _core.length(value)
+        except InputError as error:
+            self.fail(str(error), param, ctx)
+
+
+class _Pair(_Type):
+    """One value for both axes, or two between which a comma stands."""
+
+    def __init__(self, part: _Type):
+        self._part = part
+        self.name = part.name
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[Any, Any]:
+        """Along x and along y."""
+        if isinstance(value, tuple):
+            return value
+        words = value.split(",")
+        if len(words) > 2:
+            self.fail(f"{value!r} has {len(words)} parts; allowed: one, or two as in 'X,Y'", param, ctx)
+        parts = [self._part.convert(word.strip(), param, ctx) for word in words]
+        return parts[0], parts[-1]
+
+
+_LENGTH = _Length()
+_file = click.argument("file", type=click.Path(path_type=Path), metavar="FILE")
+
+
+def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Options of what a file may not tell."""
+    for option in (
+        click.option("--level", is_flag=True, help="Take away the plane that fits best."),
+        click.option("--fill", is_flag=True, help="Put a smooth surface where an instrument has not measured."),
+        click.option("--unit", metavar="UNIT", help="Unit of an instrument's file that tells none, as um."),
+        click.option(
+            "--spacing",
+            type=_Pair(_LENGTH),
+            metavar="DX[,DY]",
+            help="Distances of the points, as 2um or 2um,3um: where the file has none.",
+        ),
+    ):
+        command = option(command)
+    return command
+
+
+def _read(file: Path, spacing: tuple[float, float] | None, unit: str | None, fill: bool, level: bool) -> HeightMap:
+    try:
+        heightmap = surfaces.read(file, spacing=spacing, unit=unit, fill=fill)
+    except ImportError as error:  # which tells what to install
+        raise InputError(str(error)) from error
+    return heightmap.levelled() if level else heightmap
+
+
+@click.group()
+def surface() -> None:
+    """Make, read, inspect and write surfaces.
+
+    Files: .npz, .csv, .txt, .dat with all of a surface, .npy with its heights alone, and what SurfaceTopography reads.
+    """
+
+
+@surface.command("make")
+@click.argument("out", type=click.Path(path_type=Path), metavar="OUT")
+@click.option(
+    "--size", type=_Pair(_LENGTH), metavar="LX[,LY]", required=True, help="Period and longest wavelength, as 1mm."
+)
+@click.option(
+    "--cells",
+    type=_Pair(click.IntRange(1, 32768)),
+    metavar="NX[,NY]",
+    required=True,
+    help="Points along x and y; 8 per cutoff are enough for contact.",
+)
+@click.option("--rms-height", type=_LENGTH, help="Root mean square height, as 0.5um; or")
+@click.option("--rms-slope", type=click.FloatRange(min=0.0), help="root mean square of the length of the gradient.")
+@click.option("--hurst", type=click.FloatRange(0.0, 1.0), default=0.8, show_default=True, help="Exponent of Hurst.")
+@click.option("--rolloff", type=_LENGTH, help="Wavelength above which waves are not higher any more; default: none.")
+@click.option("--cutoff", type=_LENGTH, required=True, help="Shortest wavelength.")
+@click.option(
+    "--seed", type=click.IntRange(0, 2**63 - 1), default=0, show_default=True, help="Another one: another surface."
+)
+@tells_errors
+def _make(
+    out: Path,
+    size: tuple[float, float],
+    cells: tuple[int, int],
+    rms_height: float | None,
+    rms_slope: float | None,
+    hurst: float,
+    rolloff: float | None,
+    cutoff: float,
+    seed: int,
+) -> None:
+    """Make a random, self-affine, periodic surface and write it to OUT.
+
+    A texture of type "random" in a case is this surface without a file.
+    """
+    made = surfaces.random(
+        size,
+        cells,
+        cutoff=cutoff,
+        rms_height=rms_height,
+        rms_slope=rms_slope,
+        hurst=hurst,
+        rolloff=rolloff,
+        seed=seed,
+    )
+    surfaces.write(out, made)
+    click.echo(_table(made))
+    click.echo(out)
+
+
+@surface.command("show")
+@_file
+@_reading
+@click.option(
+    "--figure", type=click.Path(path_type=Path), metavar="PICTURE", help="Draw it as well: .png, .pdf or .svg."
+)
+@tells_errors
+def _show(
+    file: Path,
+    spacing: tuple[float, float] | None,
+    unit: str | None,
+    fill: bool,
+    level: bool,
+    figure: Path | None,
+) -> None:
+    """Print the roughness of FILE, and draw it.
+
+    The picture has the map, the power spectral density, the distribution of the heights and the bearing-area curve.
+    """
+    ending = figure.suffix.lstrip(".").lower() if figure else None
+    if figure and ending not in ("png", "pdf", "svg"):
+        raise InputError(f"{figure}: cannot draw {figure.suffix!r}; allowed: .png, .pdf, .svg")
+    heightmap = _read(file, spacing, unit, fill, level)
+    click.echo(_table(heightmap))
+    if figure and ending:
+        from brinell.plot import style
+        from brinell.plot.surfaces import surface as drawn
+
+        path = style.save(drawn(heightmap, title=file.name), figure.parent, figure.stem, [ending])[0]
+        click.echo(path)
+
+
+@surface.command("convert")
+@click.argument("file", type=click.Path(path_type=Path), metavar="IN")
+@click.argument("out", type=click.Path(path_type=Path), metavar="OUT")
+@_reading
+@tells_errors
+def _convert(
+    file: Path,
+    out: Path,
+    spacing: tuple[float, float] | None,
+    unit: str | None,
+    fill: bool,
+    level: bool,
+) -> None:
+    """Read IN and write it as OUT: .npz, .csv, .txt, .dat or .npy."""
+    surfaces.write(out, _read(file, spacing, unit, fill, level))
+    click.echo(out)
+
+
+def _table(heightmap: HeightMap) -> str:
+    """Roughness with names and symbols of ISO 25178-2."""
+    ny, nx = heightmap.heights.shape
+    rows = [
+        ("points", f"{nx} x {ny}", "along x, along y"),
+        ("spacing", " x ".join(f"{d:.6g} m" for d in heightmap.spacing), ""),
+        ("size", " x ".join(f"{s:.6g} m" for s in heightmap.size), "periodic" if heightmap.periodic else ""),
+        ("Sa", f"{heightmap.Sa:.6g} m", "arithmetic mean height"),
+        ("Sq", f"{heightmap.Sq:.6g} m", "root mean square height"),
+        ("Sz", f"{heightmap.Sz:.6g} m", "highest peak to deepest pit"),
+        ("Ssk", f"{heightmap.Ssk:.4g}", "skewness; 0 if symmetric"),
+        ("Sku", f"{heightmap.Sku:.4g}", "kurtosis; 3 if Gaussian"),
+        ("Sdq", f"{heightmap.Sdq:.6g}", "root mean square slope"),
+        ("curvature", f"{heightmap.rms_curvature:.6g} 1/m", "root mean square of the mean curvature"),
+    ]
+    return "\n".join(f"{name:<10} {value:<28} {text}".rstrip() for name, value, text in rows)
