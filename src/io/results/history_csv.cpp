@@ -42,6 +42,7 @@ std::vector<double> parsed_row(const std::string& line, std::size_t count, const
 std::vector<HistoryColumn> columns_of(const std::vector<NamedNumber>& record)
 {
   std::vector<HistoryColumn> columns;
+  columns.reserve(record.size());
   for (const auto& [name, unit, text, value] : record)
     columns.push_back({name, unit, text, std::holds_alternative<int>(value), {}});
   return columns;
