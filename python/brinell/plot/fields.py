@@ -27,7 +27,7 @@ FloatArray = NDArray[np.float64]
 
 @style.figure
 def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
-    """Contact pressure over p0_c in the plane of contact, with the edge of contact.
+    """Contact pressure over p0_c in the plane of contact, with the edge of contact; in plane strain a line over x.
 
     Args:
         run: where the scales come from.
@@ -44,14 +44,41 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
     scales = Scales(run)
     length = scales.length(max(np.abs(contact.x).max(), np.abs(contact.y).max()))
     pressure = scales.pressure(contact.pressure.max())
+    title = f"Contact pressure:  {state_title(run, snapshot)}"
+    if _is_one_row(contact):
+        return _row(contact.pressure, pressure, pressure.label("", "p"), title, snapshot, length, cells)
     fig = style.new_figure(5.4, 4.3, to_scale=True)
     ax = fig.subplots()
     draw = _pressure_cells if cells else _smooth_pressure
     image = draw(ax, contact, length.size, pressure.size)
     _crop(ax, *_patch(contact, length.size))
     _name_axes(ax, length, snapshot)
-    ax.set_title(f"Contact pressure:  {state_title(run, snapshot)}")
+    ax.set_title(title)
     fig.colorbar(image, ax=ax, label=pressure.label("", "p"), pad=0.02)
+    return fig
+
+
+def _is_one_row(contact: ContactFields) -> bool:
+    """Whether the contact is in plane strain, so that a line shows all of it."""
+    return bool(contact.y.size == 1)
+
+
+def _row(
+    values: FloatArray, scale: Scale, label: str, title: str, snapshot: Snapshot, length: Scale, cells: bool
+) -> Figure:
+    """A field of the contact over x, around what touches, where there is one row of cells."""
+    contact = snapshot.contact
+    left, right = _patch(contact, length.size)[0]
+    x = contact.x / length.size
+    shown = (left <= x) & (x <= right)
+    fig = style.new_figure(5.4, 3.2)
+    ax = fig.subplots()
+    ax.plot(x[shown], values[0, shown] / scale.size, drawstyle="steps-mid" if cells else "default")
+    ax.set_xlim(left, right)
+    ax.set_ylim(bottom=0.0)
+    ax.set_xlabel(length.label("along the motion" if snapshot.scenario != "indentation" else "", "x'"))
+    ax.set_ylabel(label)
+    ax.set_title(title)
     return fig
 
 
@@ -86,10 +113,10 @@ def _pressure_image(ax: Axes, contact: ContactFields, shown: FloatArray, length:
 
 def _patch(contact: ContactFields, scale: float) -> tuple[tuple[float, float], tuple[float, float]]:
     """Ranges of x and y around the contact, over the scale, within the grid."""
-    columns, rows = np.any(contact.pressure > 0.0, axis=0), np.any(contact.pressure > 0.0, axis=1)
-    reach_x = (1.25 * np.abs(contact.x[columns]).max() + contact.x[1] - contact.x[0]) / scale
-    reach_y = (1.25 * np.abs(contact.y[rows]).max() + contact.y[1] - contact.y[0]) / scale
     left, right, bottom, top = extent(contact.x, contact.y, scale)
+    columns, rows = np.any(contact.pressure > 0.0, axis=0), np.any(contact.pressure > 0.0, axis=1)
+    reach_x = 1.25 * np.abs(contact.x[columns]).max() / scale + (right - left) / contact.x.size
+    reach_y = 1.25 * np.abs(contact.y[rows]).max() / scale + (top - bottom) / contact.y.size
     return (max(left, -reach_x), min(right, reach_x)), (max(bottom, -reach_y), min(top, reach_y))
 
 
@@ -100,7 +127,7 @@ def _crop(ax: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
 
 @style.figure
 def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
-    """Gap between the deformed surfaces around the contact, with the edge of contact.
+    """Gap between the deformed surfaces around the contact, with the edge of contact; in plane strain a line over x.
 
     Args:
         run: where the scales come from.
@@ -122,6 +149,9 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     ]
     largest = float(contact.gap[np.ix_(shown[1], shown[0])].max())
     gap = scales.displacement(largest)
+    title = f"Gap:  {state_title(run, snapshot)}"
+    if _is_one_row(contact):
+        return _row(contact.gap, gap, gap.label("", "h"), title, snapshot, length, cells)
     fig = style.new_figure(5.4, 4.3, to_scale=True)
     ax = fig.subplots()
     image = draw_cells(
@@ -144,7 +174,7 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     )
     _crop(ax, *ranges)
     _name_axes(ax, length, snapshot)
-    ax.set_title(f"Gap:  {state_title(run, snapshot)}")
+    ax.set_title(title)
     fig.colorbar(image, ax=ax, label=gap.label("", "h"), pad=0.02)
     return fig
 

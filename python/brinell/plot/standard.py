@@ -86,10 +86,8 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
         "gap": (f"Gap between the surfaces {where}, with the edge of contact.", partial(fields.gap_map, run, snapshot)),
         "section": (f"Stress and plastic strain in the plane y = 0 {where}.", partial(fields.section, run, snapshot)),
     }
-    is_plane = snapshot.contact.pressure.shape[0] == 1  # of one row there is no map
     for name, (caption, draw) in drawn.items():
-        if name == "section" or not is_plane:
-            yield Named(f"loaded-{name}", caption, "loaded", draw())
+        yield Named(f"loaded-{name}", caption, "loaded", draw())
 
 
 def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
