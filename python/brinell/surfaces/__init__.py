@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Height maps of surfaces: make, read, prepare, look at, put onto a body.
+
+    dent = brinell.surfaces.read("dent.xyz").levelled().cropped(x=(-1e-4, 1e-4))
+    case = brinell.Case.from_file("case.toml").with_values({"lower.texture": dent.to_case()})
+
+    rough = brinell.surfaces.random("1 mm", 512, rms_height="0.5 um", rolloff="200 um", cutoff="16 um")
+    print(rough.Sq, rough.Sdq, rough.Sku)
+
+Files of measuring instruments are read by SurfaceTopography (pip install "brinell[surfaces]").
+"""
+
+from __future__ import annotations
+
+from brinell.surfaces.files import read, write
+from brinell.surfaces.heightmap import HeightMap, PowerSpectrum
+from brinell.surfaces.making import random, sampled
+
+__all__ = ["HeightMap", "PowerSpectrum", "random", "read", "sampled", "write"]

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Height maps read from files and written to them."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+import zipfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from brinell.errors import InputError, IoError, MissingExtraError
+from brinell.surfaces.heightmap import FloatArray, HeightMap
+from brinell.surfaces.units import metres, one_unit, pair
+
+_TEXT = (".csv", ".txt", ".dat")
+"""Endings of text files of heights as texture.file of a case takes them."""
+_LARGEST_TEXT = 100_000_000
+"""Bytes, as of all texts that a case names."""
+
+
+def read(
+    path: str | Path, *, spacing: Sequence[float] | None = None, unit: str | None = None, fill: bool = False
+) -> HeightMap:
+    """Reads a height map.
+
+    Args:
+        path: .npz as `write` makes it; .npy with heights [ny, nx]; .csv, .txt, .dat with a line per row, as
+            texture.file of a case; of any other ending what SurfaceTopography reads.
+        spacing: (dx, dy) [m]; needed where the file has none: .npy, and text that neither `write` has made nor has
+            the header of Gwyddion.
+        unit: of the heights, as "um", where the file tells none: text is in m otherwise, .npy and .npz always; in an
+            instrument's file of the places as well.
+        fill: replace points that the instrument has not measured by a smooth surface (harmonic) through their
+            neighbours.
+
+    Returns:
+        The heights in m; an instrument's map has its first row at the smallest y.
+
+    Raises:
+        InputError: spacing or unit are missing, or the content is no height map.
+        MissingExtraError: SurfaceTopography is needed and not installed.
+        IoError: the file cannot be read.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise IoError(f"{path}: no such file")
+    ending = path.suffix.lower()
+    try:
+        if ending in (".npz", ".npy") and unit is not None:
+            raise InputError(f"holds heights in m; leave out unit = {unit!r}")
+        if ending == ".npz":
+            return _from_npz(path)
+        if ending == ".npy":
+            return HeightMap(_loaded(path), _needed(spacing, path))
+        if ending in _TEXT:
+            return _from_text(path, spacing, unit)
+        return _from_instrument(path, spacing, unit, fill)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
+
+
+def write(path: str | Path, heightmap: HeightMap) -> None:
+    """Writes a height map.
+
+    Args:
+        path: .npz, .csv, .txt and .dat hold all of it, the text as texture.file of a case, which takes the heights
+            alone and not the first lines; .npy the heights alone.
+        heightmap: what to write.
+
+    Raises:
+        InputError: the ending is another one.
+        IoError: the file cannot be written.
+    """
+    path = Path(path)
+    ending = path.suffix.lower()
+    try:
+        if ending == ".npz":
+            centre = (heightmap.x, heightmap.y)
+            np.savez(
+                path,
+                heights=heightmap.heights,
+                spacing=heightmap.spacing,
+                centre=centre,
+                periodic=heightmap.periodic,
+            )
+        elif ending == ".npy":
+            np.save(path, heightmap.heights)
+        elif ending in _TEXT:
+            lines = [f"# {name} = {value}" for name, value in _head(heightmap).items()]
+            lines += [",".join(map(repr, row)) for row in heightmap.heights.tolist()]
+            path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        else:
+            raise InputError(f"{path}: cannot write {ending!r}; allowed: .npz, .npy, {', '.join(_TEXT)}")
+    except OSError as error:
+        raise IoError(f"{path}: cannot be written: {error}") from error
+
+
+def _head(heightmap: HeightMap) -> dict[str, str]:
+    """What a text has before its heights, as TOML."""
+    dx, dy = heightmap.spacing
+    periodic = "true" if heightmap.periodic else "false"
+    return {"spacing": f"[{dx!r}, {dy!r}]", "x": repr(heightmap.x), "y": repr(heightmap.y), "periodic": periodic}
+
+
+def _needed(spacing: Sequence[float] | None, path: Path) -> tuple[float, float]:
+    if spacing is None:
+        raise InputError(f"a {path.suffix} file has no spacing; give spacing=(dx, dy) in m")
+    return pair(spacing)
+
+
+def _loaded(path: Path) -> Any:
+    try:
+        return np.load(path)
+    except (EOFError, OSError, ValueError, zipfile.BadZipFile) as error:
+        raise InputError(f"is no file of NumPy arrays of numbers, or damaged ({error})") from error
+
+
+def _from_npz(path: Path) -> HeightMap:
+    with _loaded(path) as file:
+        missing = [name for name in ("heights", "spacing") if name not in file]
+        if missing:
+            raise InputError(f"holds no {' and no '.join(missing)}, only {', '.join(file) or 'nothing'}")
+        x, y = pair(file["centre"]) if "centre" in file else (0.0, 0.0)
+        periodic = bool(file["periodic"]) if "periodic" in file else False
+        return HeightMap(file["heights"], pair(file["spacing"]), x, y, periodic)
+
+
+def _from_text(path: Path, spacing: Sequence[float] | None, unit: str | None) -> HeightMap:
+    """Heights in m or in `unit`, after the lines of `write` or the header of Gwyddion, if there are some."""
+    if path.stat().st_size > _LARGEST_TEXT:
+        raise InputError(f"is too large; allowed: up to {_LARGEST_TEXT / 1e6:.0f} MB of text, or a .npy file")
+    text = path.read_text(encoding="utf-8-sig", errors="replace")
+    header = dict(_GWYDDION.findall(text))
+    heights = _numbers(text) * metres(one_unit(header.get("Value units"), unit) if header or unit else "m")
+    if spacing is None and {"Width", "Height"} <= header.keys():
+        width, height = (_size_of_header(header[name]) for name in ("Width", "Height"))
+        return HeightMap(heights, (width / heights.shape[1], height / heights.shape[0]))
+    told = _told(text)
+    x, y = (float(told[name]) if isinstance(told.get(name), int | float) else 0.0 for name in ("x", "y"))
+    given = spacing if spacing is not None else told.get("spacing")
+    return HeightMap(heights, _needed(given, path), x, y, told.get("periodic") is True)
+
+
+def _told(text: str) -> dict[str, Any]:
+    """What the lines of `write` before the heights tell; what is given wins over it."""
+    head = re.findall(r"^#\s*((?:spacing|x|y|periodic)\s*=.*)$", text[:1000], flags=re.MULTILINE)
+    try:
+        return tomllib.loads("\n".join(head))
+    except tomllib.TOMLDecodeError:  # somebody's own remark
+        return {}
+
+
+_GWYDDION = re.compile(r"^#\s*(Width|Height|Value units):\s*(.*?)\s*$", re.MULTILINE)
+"""Lines of its header: "# Width: 100 µm"."""
+
+
+def _size_of_header(text: str) -> float:
+    """In m, of "100 µm"."""
+    number, _, unit = text.replace("\N{NO-BREAK SPACE}", " ").partition(" ")
+    try:
+        return float(number) * metres(unit.strip())
+    except ValueError as error:
+        raise InputError(f"has the size {text!r} in its header; allowed: a length, as '100 um'") from error
+
+
+def _numbers(text: str) -> FloatArray:
+    """As the case reader does: numbers between commas, semicolons, tabs or blanks; # begins a comment line."""
+    text = text.translate(str.maketrans(",;\t", "   "))
+    rows: list[list[float]] = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        try:
+            rows.append([float(word) for word in line.split()])
+        except ValueError as error:
+            raise InputError(f"line {number} is {line[:40]!r}; allowed: heights") from error
+        if len(rows[-1]) != len(rows[0]):
+            raise InputError(f"line {number} has {len(rows[-1])} heights; the first row has {len(rows[0])}")
+    if not rows:
+        raise InputError("has no heights")
+    return np.array(rows)
+
+
+def _from_instrument(path: Path, spacing: Sequence[float] | None, unit: str | None, fill: bool) -> HeightMap:
+    try:
+        from SurfaceTopography import read_topography
+        from SurfaceTopography.Exceptions import ReadFileError
+    except ModuleNotFoundError as error:
+        raise MissingExtraError(f"{path}: a map of this format", "SurfaceTopography", "surfaces") from error
+    try:
+        topography = read_topography(str(path))
+    except ReadFileError as error:
+        raise InputError("has no format that SurfaceTopography knows, or is damaged") from error
+    heightmap = HeightMap.from_topography(topography, unit=unit, fill=fill)
+    return heightmap if spacing is None else HeightMap(heightmap.heights, pair(spacing))
