@@ -135,6 +135,34 @@ def test_a_failed_run_is_kept_with_its_reason(tmp_path: Path) -> None:
     }
 
 
+def test_failed_runs_are_retried_with_another_solver(tmp_path: Path) -> None:
+    over = {"tugging.interference": [0.5, 4]}
+
+    def again(iterations: int, resolution: int = 3, **options: bool) -> brinell.sweeps.Sweep:
+        base = Case(CASE, overrides=[f"solver.max_iterations={iterations}", f"grid.resolution={resolution}"])
+        return brinell.sweep(base, over, output=tmp_path, workers=1, progress=False, **options)
+
+    assert again(1).table["status"].tolist() == ["done", "failed"]
+    with pytest.raises(InputError, match=r"max_iterations of the case was 1, is 60.*") as refused:
+        again(60)
+    assert "retry_failed" in str(refused.value)
+    before = written(tmp_path)
+    result = again(60, 4, retry_failed=True)
+    assert result.table["status"].tolist() == ["done", "done"]
+    assert result.table["solver.max_iterations"].tolist() == [1, 60]
+    assert result.table["grid.resolution"].tolist() == [3, 4]
+    changed = {path.parent for path, time in written(tmp_path).items() if time != before.get(path)}
+    assert changed == {run_folder(tmp_path, 1)}
+    # The first command again: nothing is computed, and the table stays.
+    before = written(tmp_path)
+    pd.testing.assert_frame_equal(again(1).table, result.table)
+    assert written(tmp_path) == before
+    with pytest.raises(InputError, match=r"upper\.shape\.radius of the case"):
+        brinell.sweep(
+            Case(CASE, overrides=["upper.shape.radius=2e-5"]), over, output=tmp_path, progress=False, retry_failed=True
+        )
+
+
 def test_all_cases_are_checked_before_the_first_run(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"run 1 \(lower\.shape\.radius = 3 GPa\)"):
         sweep(tmp_path / "sweep", {"lower.shape.radius": ["1 um", "3 GPa"]})

@@ -58,7 +58,9 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
 @click.option("--workers", type=click.IntRange(min=1), help="Processes; by default as many as there are cores.")
 @click.option("--threads", type=click.IntRange(min=1), help="Of each run; by default what makes use of all cores.")
 @click.option("--cluster", metavar="ADDRESS", help="Address or scheduler file of a Dask cluster that computes instead.")
-@click.option("--retry-failed", is_flag=True, help="Compute again what failed before.")
+@click.option(
+    "--retry-failed", is_flag=True, help="Compute again what failed before, also with other keys of grid and solver."
+)
 @click.option("--quiet", is_flag=True, help="No progress bar.")
 def command(
     case: Path,

@@ -128,7 +128,8 @@ def sweep(
         cluster: a Dask cluster instead: its address, scheduler file, cluster object or client.
         progress: show a bar.
         resume: go on with the same sweep in that folder; False: refuse a folder that holds one.
-        retry_failed: compute again what failed before.
+        retry_failed: compute again what failed before; grid and solver of the case may then be others than before, and
+            the table tells of each run which it had.
 
     Returns:
         The table and the way to the runs.
@@ -157,8 +158,8 @@ def sweep(
         "case": base.to_toml(),
     }
     with locked(path):
-        start_folder(path, record, resume=resume)
-        ledger = Ledger(path, points, texts)
+        changed = start_folder(path, record, resume=resume, retry_failed=retry_failed)
+        ledger = Ledger(path, points, texts, changed)
         missing = ledger.missing(retry_failed=retry_failed)
         try:
             if missing:

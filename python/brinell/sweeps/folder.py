@@ -12,7 +12,7 @@ import json
 import os
 import time
 import tomllib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ import pandas as pd
 from brinell.errors import InputError, IoError
 from brinell.sweeps.designs import Point
 from brinell.sweeps.lists import entry_of
-from brinell.sweeps.point import Outcome, finished_summary
+from brinell.sweeps.point import HARMLESS, Outcome, finished_summary
 
 __all__ = [
     "FORMAT_VERSION",
@@ -37,7 +37,7 @@ __all__ = [
 FORMAT_VERSION = 1
 _FILES = ("table.csv", "table.parquet", "failures.json")
 """What a sweep writes beside sweep.json, which comes first."""
-_UNTOLD = ("format", "format_version", "complete", "scenario", "title", "versions")
+_UNTOLD = ("format", "format_version", "case", "complete", "scenario", "title", "versions")
 """Entries of a summary that say nothing of the run's result."""
 _WRITING_SHARE = 0.05
 """Of the time that may go into keeping the table current."""
@@ -72,13 +72,17 @@ def run_folder(path: Path, index: int) -> Path:
     return path / "runs" / f"{index:06d}"
 
 
-def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool) -> None:
+def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool, retry_failed: bool = False) -> set[str]:
     """Records what is computed, or compares it with what the folder already holds.
 
     Args:
         path: of the sweep.
         record: what is computed.
         resume: whether the folder may hold the same sweep.
+        retry_failed: whether grid and solver may be others than before; what is done stays as it is.
+
+    Returns:
+        Dotted keys of grid and solver in which runs of the folder differ from each other.
 
     Raises:
         InputError: the folder holds another sweep, or one at all without `resume`; says what differs.
@@ -91,17 +95,31 @@ def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool) -> None
                 f"{path}: holds other files: {', '.join(foreign)}. A sweep writes files of these names, but none has "
                 "written these: move them away, or choose another folder"
             )
-        _replace(path / "sweep.json", lambda part: part.write_text(json.dumps(record, indent=2) + "\n", "utf-8"))
-        return
+        _write_record(path, record)
+        return set()
     if not resume:
         raise InputError(f"{path}: holds a sweep; choose another folder, or go on with that one (resume)")
     now = json.loads(json.dumps(record))  # tuples become lists
-    differences = [*_case_differences(earlier["case"], now["case"]), *_axis_differences(earlier["axes"], now["axes"])]
+    of_case = _case_differences(earlier["case"], now["case"])
+    changed = {key for key in of_case if retry_failed and _is_numerical(key)}
+    differences = [told for key, told in of_case.items() if key not in changed]
+    differences += _axis_differences(earlier["axes"], now["axes"])
     differences += [
         f"{key} was {earlier[key]}, is {now[key]}" for key in ("design", "samples", "seed") if earlier[key] != now[key]
     ]
     if differences:
-        raise InputError(f"{path}: holds another sweep; choose another folder. {'; '.join(differences)}")
+        remedy = "choose another folder"
+        if of_case and not retry_failed and all(_is_numerical(key) for key in of_case):
+            remedy += ", or change grid and solver of the failed runs alone (retry_failed)"
+        raise InputError(f"{path}: holds another sweep; {remedy}. {'; '.join(differences)}")
+    changed |= set(earlier.get("changed", []))
+    if changed != set(earlier.get("changed", [])):
+        _write_record(path, {**earlier, "changed": sorted(changed)})
+    return changed
+
+
+def _write_record(path: Path, record: Mapping[str, Any]) -> None:
+    _replace(path / "sweep.json", lambda part: part.write_text(json.dumps(record, indent=2) + "\n", "utf-8"))
 
 
 def read_record(path: Path) -> dict[str, Any] | None:
@@ -124,14 +142,16 @@ def read_record(path: Path) -> dict[str, Any] | None:
     return record
 
 
-_HARMLESS = ("grid.extent",)
-"""Keys of a case that decide where a run begins, not what comes out: grids grow as far as they must."""
-
-
-def _case_differences(earlier: str, now: str) -> list[str]:
+def _case_differences(earlier: str, now: str) -> dict[str, str]:
+    """Dotted key and what is told of it."""
     before, after = flattened(tomllib.loads(earlier), lists=True), flattened(tomllib.loads(now), lists=True)
-    keys = [key for key in {**before, **after} if before.get(key) != after.get(key) and key not in _HARMLESS]
-    return [f"{key} of the case was {_short(before.get(key))}, is {_short(after.get(key))}" for key in keys]
+    keys = [key for key in {**before, **after} if before.get(key) != after.get(key) and key not in HARMLESS]
+    return {key: f"{key} of the case was {_short(before.get(key))}, is {_short(after.get(key))}" for key in keys}
+
+
+def _is_numerical(key: str) -> bool:
+    """Whether a key says how a case is computed instead of what."""
+    return key.startswith(("grid.", "solver."))
 
 
 def _axis_differences(earlier: Mapping[str, Any], now: Mapping[str, Any]) -> list[str]:
@@ -172,22 +192,24 @@ def flattened(entry: Mapping[str, Any], *, lists: bool = False) -> dict[str, Any
 class Ledger:
     """The rows of the table and the failures, kept current on disk while runs finish."""
 
-    def __init__(self, path: Path, points: list[Point], texts: list[str]):
+    def __init__(self, path: Path, points: list[Point], texts: list[str], changed: Collection[str] = ()):
         """Reads what an earlier sweep has left there.
 
         Args:
             path: of the sweep.
             points: the values of the axes of each run.
             texts: the cases, with all their defaults.
+            changed: keys that are not the same in all runs, though no axes; they become columns.
         """
         self._path = path
         self._points = points
         self._texts = texts
+        self._changed = sorted(changed)
         self._rows: dict[int, dict[str, Any]] = {}
         self._failures: dict[str, Any] = _read_failures(path)
         self._next_writing = 0.0
         for index, text in enumerate(texts):
-            summary = finished_summary(run_folder(path, index), text)
+            summary = finished_summary(run_folder(path, index), text, self._changed)
             if summary is not None:
                 self._put(Outcome(index, "done", summary=summary))
             elif str(index) in self._failures:
@@ -223,6 +245,8 @@ class Ledger:
         case = tomllib.loads(self._texts[index])
         for key, given in self._points[index].items():
             row[key] = _cell(_at(case, key, given))
+        for key in self._changed:
+            row[key] = _cell(_at(outcome.summary.get("case", case), key, None))
         row |= {
             "status": outcome.status,
             "reason": outcome.reason,

@@ -8,7 +8,7 @@ import time
 import tomllib
 import traceback
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
@@ -17,8 +17,10 @@ from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import BrinellError, GridError, InputError, IoError
 from brinell.results import RunError, open_run
 
-__all__ = ["ONE_AT_A_TIME", "Outcome", "Task", "compute", "finished_summary", "stopped"]
+__all__ = ["HARMLESS", "ONE_AT_A_TIME", "Outcome", "Task", "compute", "finished_summary", "stopped"]
 
+HARMLESS = ("grid.extent",)
+"""Keys of a case that decide where a run begins, not what comes out: grids grow as far as they must."""
 ONE_AT_A_TIME = threading.Lock()
 """A process computes one case at a time, with all its threads: a Dask worker may call from several threads."""
 
@@ -86,25 +88,31 @@ def stopped(task: Task) -> Outcome:
     return Outcome(task.index, "stopped")
 
 
-def finished_summary(folder: str | Path, text: str) -> dict[str, Any] | None:
-    """The summary of a complete run of this very case, without the case itself; None if there is none.
+def finished_summary(folder: str | Path, text: str, other: Collection[str] = ()) -> dict[str, Any] | None:
+    """The summary of a complete run of this very case; None if there is none.
 
     Args:
         folder: of the run.
         text: the case with all its defaults filled in.
+        other: dotted keys in which the run may differ from the case.
     """
     try:
         summary = open_run(folder).summary
     except (RunError, OSError):
         return None
-    if summary is None or _without_extent(summary.get("case", {})) != _without_extent(tomllib.loads(text)):
+    if summary is None:
         return None
-    return {key: value for key, value in summary.items() if key != "case"}
+    ignored = {*other, *HARMLESS}
+    return summary if _without(summary.get("case", {}), ignored) == _without(tomllib.loads(text), ignored) else None
 
 
-def _without_extent(case: Mapping[str, Any]) -> dict[str, Any]:
-    """A case without what only decides with which grids a run begins: they grow as far as they must."""
-    return {**case, "grid": {key: value for key, value in case.get("grid", {}).items() if key != "extent"}}
+def _without(case: Mapping[str, Any], keys: Collection[str]) -> dict[str, Any]:
+    return {
+        name: {key: value for key, value in entry.items() if f"{name}.{key}" not in keys}
+        if isinstance(entry, Mapping)
+        else entry
+        for name, entry in {"grid": {}, "solver": {}, **case}.items()
+    }
 
 
 def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
