@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy
+# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy|ccache
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -47,5 +47,6 @@ case "${1:-}" in
   python) make_venv ;;
   test) install_packages "${test_packages[@]}" ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
-  *) fail "usage: tools/setup.sh packages|python|test|tidy" ;;
+  ccache) install_packages ccache ;;
+  *) fail "usage: tools/setup.sh packages|python|test|tidy|ccache" ;;
 esac
