@@ -7,9 +7,13 @@
 #include "brinell/reference/hertz.hpp"
 #include "brinell/reference/spherical_indentation.hpp"
 
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/tuple.h>
 
+#include <optional>
 #include <tuple>
+#include <utility>
 
 using namespace nanobind::literals;
 
@@ -29,6 +33,18 @@ auto as_tuple(const ref::PointContact& c)
 auto as_tuple(const ref::EllipticalContact& c)
 {
   return std::tuple{c.load, c.approach, c.semi_axis_x, c.semi_axis_y, c.peak_pressure};
+}
+
+auto as_tuple(const ref::CriticalValues& c)
+{
+  return std::tuple{c.C, c.interference, c.load, c.energy, c.contact_radius, c.contact_area, c.peak_pressure};
+}
+
+/// With its approach.
+auto as_tuple(const ref::LineContact& c, double contact_modulus, double reference)
+{
+  return std::tuple{c.load_per_length, c.half_width, c.peak_pressure,
+                    ref::line_contact_approach(c, contact_modulus, reference)};
 }
 
 Output point_contact_stress(const Input& x, const Input& y, const Input& z, double contact_radius, double peak_pressure,
@@ -105,13 +121,15 @@ void bind_tugging(nb::module_& m)
       .def(
           "__init__",
           [](ref::ElasticTugging* self, double radius_lower, double radius_upper, double contact_modulus,
-             double interference)
+             double interference, std::optional<std::pair<double, double>> line)
           {
-            const ref::ElasticTugging tugging{radius_lower, radius_upper, contact_modulus, interference};
+            ref::ElasticTugging tugging{radius_lower, radius_upper, contact_modulus, interference, {}};
+            if (line)
+              tugging.line = {line->first, line->second};
             ref::require_valid(tugging);
             new (self) ref::ElasticTugging(tugging);
           },
-          "radius_lower"_a, "radius_upper"_a, "contact_modulus"_a, "interference"_a)
+          "radius_lower"_a, "radius_upper"_a, "contact_modulus"_a, "interference"_a, "line"_a.none())
       .def("half_sliding_distance", &ref::half_sliding_distance)
       .def("forces", &elastic_tugging_forces, "X"_a)
       .def("peak",
@@ -149,12 +167,19 @@ void bind_reference(nb::module_& m)
       "radius_x"_a, "radius_y"_a, "contact_modulus"_a, "approach"_a);
   m.def(
       "line_contact_at_load",
-      [](double radius, double contact_modulus, double load_per_length)
-      {
-        const ref::LineContact c = ref::line_contact_at_load(radius, contact_modulus, load_per_length);
-        return std::tuple{c.load_per_length, c.half_width, c.peak_pressure};
+      [](double radius, double contact_modulus, double load_per_length, double reference) {
+        return as_tuple(ref::line_contact_at_load(radius, contact_modulus, load_per_length), contact_modulus,
+                        reference);
       },
-      "radius"_a, "contact_modulus"_a, "load_per_length"_a);
+      "radius"_a, "contact_modulus"_a, "load_per_length"_a, "reference"_a);
+  m.def(
+      "line_contact_at_approach",
+      [](double radius, double contact_modulus, double approach, double reference)
+      {
+        return as_tuple(ref::line_contact_at_approach(radius, contact_modulus, approach, reference), contact_modulus,
+                        reference);
+      },
+      "radius"_a, "contact_modulus"_a, "approach"_a, "reference"_a);
   m.def("point_contact_stress", &point_contact_stress, "x"_a, "y"_a, "z"_a, "contact_radius"_a, "peak_pressure"_a,
         "poisson_ratio"_a);
   m.def("line_contact_stress", &line_contact_stress, "x"_a, "z"_a, "half_width"_a, "peak_pressure"_a,
@@ -167,15 +192,26 @@ void bind_reference(nb::module_& m)
         return std::tuple{y.pressure_ratio, y.depth_ratio};
       },
       "poisson_ratio"_a);
+  m.def(
+      "line_contact_first_yield",
+      [](double poisson_ratio)
+      {
+        const ref::FirstYield y = ref::line_contact_first_yield(poisson_ratio);
+        return std::tuple{y.pressure_ratio, y.depth_ratio};
+      },
+      "poisson_ratio"_a);
   m.def("critical_pressure_ratio", &ref::critical_pressure_ratio, "poisson_ratio"_a);
   m.def(
       "critical_values",
       [](double radius, double contact_modulus, double C, double yield_stress)
-      {
-        const ref::CriticalValues c = ref::critical_values(radius, contact_modulus, C, yield_stress);
-        return std::tuple{c.C, c.interference, c.load, c.energy, c.contact_radius, c.peak_pressure};
-      },
+      { return as_tuple(ref::critical_values(radius, contact_modulus, C, yield_stress)); },
       "radius"_a, "contact_modulus"_a, "C"_a, "yield_stress"_a);
+  m.def(
+      "critical_line_values",
+      [](double radius, double contact_modulus, double C, double yield_stress, double length, double reference) {
+        return as_tuple(ref::critical_values(radius, contact_modulus, C, yield_stress, {length, reference}));
+      },
+      "radius"_a, "contact_modulus"_a, "C"_a, "yield_stress"_a, "length"_a, "reference"_a);
   m.def("jackson_green_pressure_ratio", &ref::jackson_green_pressure_ratio, "poisson_ratio"_a);
   m.def(
       "jackson_green_area",

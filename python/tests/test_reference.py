@@ -97,6 +97,49 @@ def test_critical_values_are_those_of_hertz() -> None:
     assert reference.critical_values(0.01, 1.1e11, 8e8, C=1.6).C == 1.6
 
 
+def test_first_yield_of_a_line_is_where_the_field_is_largest() -> None:
+    for nu in (0.0, 0.15, 0.25, 0.32, 0.5):
+        first = reference.line_contact_first_yield(nu)
+        x, z = np.meshgrid(np.linspace(0, 1.2, 121), np.linspace(0, 2, 2001))
+        xx, yy, zz, _, xz, _ = reference.line_contact_stress(x, z, 1.0, 1.0, nu)
+        von_mises = np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * xz**2)
+        assert von_mises.max() * first.pressure_ratio == pytest.approx(1.0, rel=1e-6)
+        assert z.flat[von_mises.argmax()] == pytest.approx(first.depth_ratio, abs=1e-3)
+        fit = 1.164 + 2.975 * nu - 2.906 * nu**2 if nu > 0.1938 else 1 / (1 - 2 * nu)  # Green 2005
+        assert fit == pytest.approx(first.pressure_ratio, rel=1.5e-3)
+
+
+def test_critical_values_of_cylinders_are_those_of_hertz_and_green() -> None:
+    R, E, S_y = 0.5, 1.114082e11, 0.9115e9
+    critical = reference.critical_line_values(R, E, S_y, poisson_ratio=0.32, length=2.0)
+    p = critical.peak_pressure / E
+    logarithm = np.log(2 / p)
+    assert reference.line_contact_first_yield(0.32).pressure_ratio == critical.C
+    assert critical.interference == pytest.approx(R * p**2 * (2 * logarithm - 1), rel=1e-12)
+    assert critical.energy == pytest.approx(2 * np.pi * R**2 * p**4 * E / 4 * (4 * logarithm - 3), rel=1e-12)
+    line = reference.line_contact(R, E, approach=critical.interference)
+    assert 2.0 * line.load_per_length == pytest.approx(critical.load, rel=1e-12)
+    assert line.half_width == pytest.approx(critical.contact_radius, rel=1e-12)
+    assert critical.contact_area == pytest.approx(2 * line.half_width * 2.0, rel=1e-12)
+    other = reference.critical_line_values(R, E, S_y, C=critical.C, reference=0.1)
+    approach = reference.line_contact(R, E, other.load, reference=0.1).approach
+    assert approach == pytest.approx(other.interference, rel=1e-12)
+    assert approach < critical.interference
+
+
+def test_elastic_tugging_of_cylinders_is_that_of_their_line_contact() -> None:
+    R, E, alpha = 0.5, 1.1e11, 1e-3
+    cylinders = reference.ElasticTugging(1.0, 1.0, E, alpha, length=3.0, reference=0.4)
+    line = reference.line_contact(R, E, approach=alpha, reference=0.4)
+    assert float(cylinders.forces(0.0).F_Z) == pytest.approx(3.0 * line.load_per_length, rel=1e-12)
+    critical = 0.25 * alpha
+    X = np.linspace(-0.05, 0.05, 11)
+    f_x, f_z = reference.elastic_tugging_forces(X, 1.0, 1.0, alpha, critical, reference=0.4)
+    P_c = 3.0 * reference.line_contact(R, E, approach=critical, reference=0.4).load_per_length
+    np.testing.assert_allclose(f_x, cylinders.forces(X).F_X / P_c, rtol=1e-12)
+    np.testing.assert_allclose(f_z, cylinders.forces(X).F_Z / P_c, rtol=1e-12)
+
+
 def test_indented_spheres_are_hertz_at_first() -> None:
     ratio = np.array([[0.5, 1.0], [1.5, 1.8]])  # the fits begin at 1.9
     load = reference.jackson_green_load(ratio, 2e11, 0.3, 1e9)
@@ -131,6 +174,12 @@ def test_peak_and_work_of_elastic_tugging_are_those_of_its_forces() -> None:
         (lambda: reference.first_yield(0.6), "0.6 is outside"),
         (lambda: reference.kogut_etsion_load([1.0, 111.0]), "111"),
         (lambda: reference.critical_values(0.01, 1e11, 1e9), "either poisson_ratio or C"),
+        (lambda: reference.critical_line_values(0.01, 1e11, 1e9), "either poisson_ratio or C"),
+        (lambda: reference.critical_line_values(0.01, 1e11, 1e9, C=1.8, reference=1e-6), "reference = 1e-06"),
+        (lambda: reference.line_contact_first_yield(0.6), "0.6 is outside"),
+        (lambda: reference.line_contact(0.01, 1e11), "either load_per_length or approach"),
+        (lambda: reference.line_contact(0.01, 1e11, approach=0.01), "approach = 0.01"),
+        (lambda: reference.ElasticTugging(1.0, 1.0, 1e11, 1e-3, reference=1.0), "give their length"),
         (lambda: reference.ElasticTugging(1.0, 1.0, 1e11, 3.0), "interference"),
         (lambda: reference.point_contact_stress(0, 0, -1, 1, 1, 0.3), "z has the value -1"),
         (lambda: reference.contact_modulus(brinell.RIGID), "both bodies are rigid"),

@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 
 import brinell
-from brinell import bodies
+from brinell import bodies, reference
+from brinell.plot.scales import Scales
 
 CASES = Path(__file__).parents[2] / "cases"
 PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "case-file.md").read_text(encoding="utf-8")
@@ -131,10 +132,67 @@ def test_a_tugging_of_rough_ellipsoids_runs() -> None:
     assert ratio != 1
     assert run.equivalent_radius == pytest.approx(5e-6)  # in the plane of motion
     assert not run.has_critical_values
-    with pytest.raises(brinell.InputError, match="not round where they touch"):
+    with pytest.raises(brinell.InputError, match="neither round where they touch, nor cylinders in plane strain"):
         brinell.Tugging(lower, upper, 4)
     with pytest.raises(brinell.InputError, match="cannot pass another body"):
         brinell.Tugging(lower, brinell.Body(brinell.Vickers(), STEEL), "4 nm", normalised=False)
+
+
+def cylinders(radius: str, length: str | None = None, **keys: Any) -> brinell.Tugging:
+    body = brinell.Body(brinell.Cylinder(radius, length), STEEL)
+    return brinell.Tugging(body, body, output={"snapshots": "aligned"}, **keys)
+
+
+def test_cylinders_are_tugged_in_units_of_their_first_yield() -> None:
+    plane = {"boundary": ["open", "periodic"], "resolution": 6}
+    run = cylinders("10 um", interference=1.5, grid=plane).run()
+    critical = run.critical
+    assert run.summary is not None
+    of_pair = reference.critical_line_values(
+        run.equivalent_radius,
+        run.summary["geometry"]["contact_modulus_Pa"],
+        critical.yield_stress,
+        C=critical.C,
+        reference=run.line_reference,
+    )
+    for name in ("interference", "load", "energy", "contact_radius", "contact_area", "peak_pressure"):
+        assert getattr(critical, name) == pytest.approx(getattr(of_pair, name), rel=1e-12)
+    assert run.normalised_interference == pytest.approx(1.5, rel=1e-12)
+    assert run.history["max_equivalent_plastic_strain"][-1] > 0.0
+    F_Z = run.history["F_Z"] / critical.load
+    assert run.summary["normalised"]["peak_F_Z"] == pytest.approx(F_Z.max(), rel=1e-12)
+    # Little has yielded: the forces of elastic cylinders are near. The dashed lines of the figures are those.
+    elastic = reference.elastic_tugging_forces(
+        run.history["X"], 1e-5, 1e-5, run.interference, critical.interference, reference=run.line_reference
+    )[1]
+    np.testing.assert_allclose(F_Z, elastic, atol=0.02 * elastic.max())
+    figure = brinell.plot.fig14([run])
+    assert "paper" not in [line.get_label() for line in figure.axes[0].lines]
+    assert Scales(run).area(0.0).size == critical.contact_area
+    assert "P_c" in run._repr_html_()
+    # Cylinders that have ends have no such units.
+    with pytest.raises(brinell.InputError, match=r"^interference = 1\.5 .* nor cylinders in plane strain"):
+        cylinders("10 um", "10 um", interference=1.5)
+    with pytest.raises(brinell.InputError, match=r"grid\.reference = 1e-09 m is too short"):
+        cylinders("10 um", interference=1.5, grid=plane | {"reference": "1 nm"})
+
+
+def test_a_pressed_cylinder_is_drawn_beside_the_elastic_one() -> None:
+    run = brinell.Indentation(
+        brinell.Body(brinell.Flat(), STEEL),
+        brinell.Body(brinell.Cylinder("50 um"), brinell.RIGID),
+        load=[0.9, 0],
+        normalised=True,
+        steps=3,
+        grid={"boundary": ["open", "periodic"], "resolution": 12},
+    ).run()
+    axes = brinell.plot.load_depth([run]).axes[0]
+    curves = {str(line.get_label()): line for line in axes.lines}
+    depth, load = (np.asarray(values, float) for values in curves["elastic (Hertz)"].get_data())
+    ours = next(line for label, line in curves.items() if label != "elastic (Hertz)")
+    x, y = (np.asarray(values, float) for values in ours.get_data())
+    np.testing.assert_allclose(x, np.interp(y, load, depth), atol=0.01 * depth.max())
+    assert run.history["F_n"].max() == pytest.approx(0.9 * run.critical.load, rel=1e-9)
 
 
 def test_a_grid_that_turns_out_too_small_grows() -> None:

@@ -112,6 +112,19 @@ std::pair<double, double> spheroidal(double r2, double z)
   return {eta > 0.0 ? z / eta : 0.0, eta};
 }
 
+/// ln(2 l/a); 0 without a load, whose products with it vanish.
+double reference_logarithm(const LineContact& contact, double contact_modulus, double reference)
+{
+  require_positive(contact_modulus, "contact modulus");
+  require_positive(reference, "reference");
+  if (contact.half_width == 0.0)
+    return 0.0;
+  if (!(2.0 * reference > contact.half_width))
+    throw InputError(fmt::format("reference = {} m must be more than half of the half-width of the contact, {} m.",
+                                 reference, contact.half_width));
+  return std::log(2.0 * reference / contact.half_width);
+}
+
 } // namespace
 
 PointContact point_contact_at_load(double radius, double contact_modulus, double load)
@@ -178,6 +191,36 @@ LineContact line_contact_at_load(double radius, double contact_modulus, double l
   return {.load_per_length = load_per_length, .half_width = a, .peak_pressure = contact_modulus * a / (2.0 * radius)};
 }
 
+double line_contact_approach(const LineContact& contact, double contact_modulus, double reference)
+{
+  return contact.load_per_length / (pi * contact_modulus) *
+         (1.0 + 2.0 * reference_logarithm(contact, contact_modulus, reference));
+}
+
+double line_contact_work(const LineContact& contact, double contact_modulus, double reference)
+{
+  const double W = contact.load_per_length;
+  return W * W / (4.0 * pi * contact_modulus) * (1.0 + 4.0 * reference_logarithm(contact, contact_modulus, reference));
+}
+
+LineContact line_contact_at_approach(double radius, double contact_modulus, double approach, double reference)
+{
+  require_contact(radius, radius, contact_modulus);
+  require_not_negative(approach, "approach");
+  require_positive(reference, "reference");
+  const double largest = reference * reference / radius;
+  if (!(approach <= largest))
+    throw InputError(fmt::format("approach = {} m is more than a line contact has with the reference {} m, {} m.",
+                                 approach, reference, largest));
+  // Grows with a up to a = 2 l.
+  const auto excess = [=](double a)
+  { return a > 0.0 ? a * a / (4.0 * radius) * (1.0 + 2.0 * std::log(2.0 * reference / a)) - approach : -approach; };
+  const double a = approach > 0.0 ? bisected_root(excess, 2.0 * reference, 0.0) : 0.0;
+  return {.load_per_length = pi * contact_modulus * a * a / (4.0 * radius),
+          .half_width = a,
+          .peak_pressure = contact_modulus * a / (2.0 * radius)};
+}
+
 SymTensor line_contact_stress(double x, double z, double half_width, double peak_pressure, double poisson_ratio)
 {
   x /= half_width;
@@ -205,6 +248,18 @@ FirstYield first_yield(double poisson_ratio)
   const double s = bisected_root(slope, 0.0, 1.0);
   const double largest = 1.5 / (1.0 + s * s) - g * (1.0 - s * std::atan2(1.0, s));
   return {.pressure_ratio = 1.0 / largest, .depth_ratio = s};
+}
+
+FirstYield line_contact_first_yield(double poisson_ratio)
+{
+  require_within(poisson_ratio, -1.0, 0.5, "Poisson's ratio");
+  const double m = (1.0 - 2.0 * poisson_ratio) * (1.0 - 2.0 * poisson_ratio);
+  if (m >= 0.375) // where both are the same, T = 1/2
+    return {.pressure_ratio = 1.0 / std::sqrt(m), .depth_ratio = 0.0};
+  // The largest root of the cubic, by Viete.
+  const double T = 4.0 / 3.0 * std::cos(std::acos(-(11.0 + 9.0 * m) / 16.0) / 3.0) - 1.0 / 3.0;
+  return {.pressure_ratio = std::sqrt((1.0 + T) / ((1.0 - T) * (m + 3.0 * T * T))),
+          .depth_ratio = T / std::sqrt((1.0 - T) * (1.0 + T))};
 }
 
 } // namespace brinell::reference

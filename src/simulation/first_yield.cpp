@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/first_yield.hpp"
 
-#include "brinell/reference/critical.hpp"
+#include "brinell/reference/hertz.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace brinell::simulation
 {
@@ -14,12 +15,14 @@ namespace
 using constitutive::Material;
 
 /// Of one body; empty if it stays elastic.
-std::optional<PairYield> yield_of(const Material& material, double factor, YieldsFirst body)
+std::optional<PairYield> yield_of(const Material& material, double factor, YieldsFirst body, ContactKind kind)
 {
   if (!material.is_plastic())
     return std::nullopt;
-  return PairYield{reference::critical_pressure_ratio(material.elastic.poisson_ratio),
-                   factor * constitutive::initial_yield_stress(*material.hardening), body};
+  const double nu = material.elastic.poisson_ratio;
+  const double pressure_ratio = kind == ContactKind::line ? reference::line_contact_first_yield(nu).pressure_ratio
+                                                          : reference::critical_pressure_ratio(nu);
+  return PairYield{pressure_ratio, factor * constitutive::initial_yield_stress(*material.hardening), body};
 }
 
 std::optional<PairYield> weaker(const std::optional<PairYield>& lower, const std::optional<PairYield>& upper)
@@ -32,17 +35,81 @@ std::optional<PairYield> weaker(const std::optional<PairYield>& lower, const std
   return weaker;
 }
 
-} // namespace
-
-std::optional<PairYield> nominal_yield(const Material& lower, const Material& upper)
+/// 1/R of bodies that are round where they touch, or cylinders.
+std::optional<double> curvature_of(const Shape& lower, const Shape& upper, ContactKind kind)
 {
-  return weaker(yield_of(lower, 1.0, YieldsFirst::lower), yield_of(upper, 1.0, YieldsFirst::upper));
+  if (kind == ContactKind::line)
+    return (*relative_curvature(lower, upper))[0];
+  const std::optional<double> radius = equivalent_radius(lower, upper);
+  return radius ? std::optional(1.0 / *radius) : std::nullopt;
 }
 
-std::optional<PairYield> earliest_yield(const Material& lower, const Material& upper)
+std::optional<FirstYield> first_yield_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
+                                         const std::optional<PairYield>& yield)
 {
-  return weaker(yield_of(lower, smallest_yield_factor(lower), YieldsFirst::lower),
-                yield_of(upper, smallest_yield_factor(upper), YieldsFirst::upper));
+  const ContactKind kind = contact_kind(lower.shape, upper.shape, domain);
+  const auto curvature = curvature_of(lower.shape, upper.shape, kind);
+  if (!yield || !curvature)
+    return std::nullopt;
+  const double radius = 1.0 / *curvature;
+  const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
+  if (kind == ContactKind::point)
+    return FirstYield{reference::critical_values(radius, modulus, yield->pressure_ratio, yield->yield_stress),
+                      yield->body};
+  const reference::Line line{domain.y.size, reference_distance(lower.shape, upper.shape, domain)};
+  if (!(line.reference >
+        radius * yield->peak_pressure() / modulus)) // half of the half-width: there the approach is largest
+    return std::nullopt;
+  return FirstYield{reference::critical_values(radius, modulus, yield->pressure_ratio, yield->yield_stress, line),
+                    yield->body, line};
+}
+
+} // namespace
+
+ContactKind contact_kind(const Shape& lower, const Shape& upper, const Domain& domain)
+{
+  const auto k = relative_curvature(lower, upper);
+  const bool straight = k && (*k)[0] > 0.0 && (*k)[1] == 0.0;
+  const bool endless =
+      !domain.x.is_periodic() && domain.y.is_periodic() && line_length(lower, upper, domain) == domain.y.size;
+  return straight && endless ? ContactKind::line : ContactKind::point;
+}
+
+std::optional<PairYield> nominal_yield(const Material& lower, const Material& upper, ContactKind kind)
+{
+  return weaker(yield_of(lower, 1.0, YieldsFirst::lower, kind), yield_of(upper, 1.0, YieldsFirst::upper, kind));
+}
+
+std::optional<PairYield> earliest_yield(const Material& lower, const Material& upper, ContactKind kind)
+{
+  return weaker(yield_of(lower, smallest_yield_factor(lower), YieldsFirst::lower, kind),
+                yield_of(upper, smallest_yield_factor(upper), YieldsFirst::upper, kind));
+}
+
+std::optional<std::string> reason_against_first_yield(const ShapedBody& lower, const ShapedBody& upper,
+                                                      const Domain& domain)
+{
+  if (!lower.material.is_plastic() && !upper.material.is_plastic())
+    return "neither body can yield";
+  if (!curvature_of(lower.shape, upper.shape, contact_kind(lower.shape, upper.shape, domain)))
+    return "the bodies are neither round where they touch, nor cylinders in plane strain "
+           "(grid.boundary = [\"open\", \"periodic\"])";
+  if (!nominal_first_yield(lower, upper, domain))
+    return fmt::format("grid.reference = {:.4g} m is too short beside the contact at first yield",
+                       reference_distance(lower.shape, upper.shape, domain));
+  return std::nullopt;
+}
+
+std::optional<FirstYield> nominal_first_yield(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
+{
+  const ContactKind kind = contact_kind(lower.shape, upper.shape, domain);
+  return first_yield_of(lower, upper, domain, nominal_yield(lower.material, upper.material, kind));
+}
+
+std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
+{
+  const ContactKind kind = contact_kind(lower.shape, upper.shape, domain);
+  return first_yield_of(lower, upper, domain, earliest_yield(lower.material, upper.material, kind));
 }
 
 double smallest_yield_factor(const Material& material)

@@ -38,11 +38,12 @@ struct Pair
   double flow_stress;    ///< at the representative strain [Pa]
 };
 
-Pair pair_of(const ShapedBody& lower, const ShapedBody& upper)
+Pair pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
 {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Pair pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
-  if (const std::optional<PairYield> yield = earliest_yield(lower.material, upper.material))
+  if (const std::optional<PairYield> yield =
+          earliest_yield(lower.material, upper.material, contact_kind(lower.shape, upper.shape, domain)))
     pair.yield_pressure = yield->peak_pressure();
   for (const ShapedBody* body : {&lower, &upper})
     if (body->material.is_plastic())
@@ -166,8 +167,8 @@ Footprint of_line(const Pair& pair, double radius, double length, double referen
   f.half_x = elastic * growth * growth; // only the width grows
   f.elastic_y = f.half_y = 0.5 * length;
   f.approach = approach(load);
-  f.peak_ratio = peak / (1.1 * pair.yield_pressure);
-  f.first_yield_approach = f.approach / std::max(1.0, f.peak_ratio * f.peak_ratio);
+  f.peak_ratio = peak / pair.yield_pressure;
+  f.first_yield_approach = approach(load / std::max(1.0, f.peak_ratio * f.peak_ratio));
   f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / radius);
   return f;
 }
@@ -406,7 +407,7 @@ Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, con
 {
   if (const auto reason = reason_against_contact(lower, upper, domain))
     throw InputError("the bodies " + *reason);
-  Footprint f = of_shapes(pair_of(lower, upper), lower.shape, upper.shape, drive, domain);
+  Footprint f = of_shapes(pair_of(lower, upper, domain), lower.shape, upper.shape, drive, domain);
   f.depth = std::max(stressed_depth(f.half_x, f.half_y), 1.3 * f.plastic_reach);
   f.over_x = f.half_x;
   f.over_y = f.half_y;
@@ -416,10 +417,10 @@ Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, con
 Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
 {
   if (domain.is_periodic() && are_flat(lower, upper) && !are_smooth(lower, upper))
-    return of_flats(pair_of(lower, upper), lower, upper, domain);
+    return of_flats(pair_of(lower, upper, domain), lower, upper, domain);
   Footprint f = smooth_footprint(lower, upper, drive, domain);
   if (!domain.is_periodic())
-    add_textures(lower, upper, drive, pair_of(lower, upper), f);
+    add_textures(lower, upper, drive, pair_of(lower, upper, domain), f);
   return f;
 }
 

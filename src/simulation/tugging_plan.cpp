@@ -2,7 +2,6 @@
 #include "tugging_plan.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/reference/critical.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "footprint.hpp"
@@ -49,11 +48,8 @@ Pair pair_of(const TuggingCase& tugging)
   {
     const double a = std::sqrt(*radius * tugging.interference);
     pair.contact = {a, a};
-    const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
-    if (const auto yield = earliest_yield(lower.material, upper.material))
-      pair.first_yield = std::min(
-          pair.first_yield,
-          reference::critical_values(*radius, modulus, yield->pressure_ratio, yield->yield_stress).interference);
+    if (const auto yield = earliest_first_yield(lower, upper, tugging.domain))
+      pair.first_yield = std::min(pair.first_yield, yield->critical.interference);
     return pair;
   }
   const Footprint f =

@@ -3,7 +3,6 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/schema.hpp"
-#include "brinell/reference/critical.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/quality.hpp"
 
@@ -44,14 +43,8 @@ private:
   std::vector<std::pair<std::string, Value>> values_;
 };
 
+using simulation::FirstYield;
 using simulation::YieldsFirst;
-
-/// First yield of the normal contact of two bodies with one relative curvature, by their nominal yield stresses.
-struct FirstYield
-{
-  reference::CriticalValues critical;
-  YieldsFirst body = YieldsFirst::both;
-};
 
 using simulation::Warning;
 
@@ -68,10 +61,11 @@ struct Case
   double checkpoint_interval = 30.0;              ///< [s]
   std::optional<double> accuracy;                 ///< to be reached by a series of finer and finer cells
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
-  /// 1 / (1/R1 + 1/R2) [m] if it is the same in all directions; of a tugging that in the plane of motion.
+  /// 1 / (1/R1 + 1/R2) [m] if it is the same in all directions, or of cylinders in plane strain; of a tugging that in the plane
+  /// of motion.
   std::optional<double> equivalent_radius;
   double contact_modulus = 0.0;          ///< E' [Pa]
-  std::optional<FirstYield> first_yield; ///< empty if both bodies are elastic, or not round
+  std::optional<FirstYield> first_yield; ///< nominal; empty if there is a reason against it
   CaseValues values;
   std::string grid_source; ///< "file:line: grid.spacing = ..." for messages about the size of the grid
   std::vector<Warning> warnings;

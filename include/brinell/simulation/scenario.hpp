@@ -60,8 +60,8 @@ struct Domain
 [[nodiscard]] std::optional<std::string> reason_against_texture(const Texture& texture, const Domain& domain);
 
 /// The distance from a line load at which its displacement is counted as zero: as given; or 2 R/e of two cylinders, with which
-/// their approach is that of their centres as Johnson (1985, section 5.6) and Green (2005) have it; or the period. 0 unless
-/// just one axis is periodic [m].
+/// their approach is Green's (2005), of the axis of a cylinder of the radius R and a rigid flat (Johnson 1985, section 5.6);
+/// or the period. 0 unless just one axis is periodic [m].
 [[nodiscard]] double reference_distance(const Shape& lower, const Shape& upper, const Domain& domain);
 
 /// Length over which two bodies press as one along y: that of the shorter roller, or the period; infinite without either [m].

@@ -68,28 +68,41 @@ def _length(value: float) -> str:
     return style.quantity(value, "m") if value else "0"
 
 
-def _hertz_stiffness(run: Run) -> float | None:
-    """P / alpha^(3/2) of the elastic contact [N/m^(3/2)]; None unless both bodies are smooth and round or flat."""
+def _elastic_depth(run: Run, load: FloatArray) -> FloatArray | None:
+    """Approach of the elastic contact under these loads [m].
+
+    None unless both bodies are smooth, and round, flat, or cylinders in plane strain.
+    """
     shapes = {run.case(body, "shape", "type") for body in ("lower", "upper")}
-    if not (shapes <= {"sphere", "ellipsoid", "flat"} and _touches_at_zero(run) and run.has_critical_values):
+    if not (
+        shapes <= {"sphere", "ellipsoid", "cylinder", "flat"} and _touches_at_zero(run) and run.has_critical_values
+    ):
         return None
-    return float(run.critical.load / run.critical.interference**1.5)
+    critical, reference = run.critical, run.line_reference
+    if reference is None:
+        return critical.interference * (load / critical.load) ** (2.0 / 3.0)
+    a = critical.contact_radius * np.sqrt(load / critical.load)
+    approach = np.zeros_like(load)
+    pressed = a > 0.0
+    a = a[pressed]
+    approach[pressed] = a**2 / (4.0 * run.equivalent_radius) * (1.0 + 2.0 * np.log(2.0 * reference / a))
+    return approach
 
 
 def _hertz_line(runs: Sequence[Run], load: float) -> _Line | None:
     """The elastic curve up to a load [N], if it is the same for all runs."""
-    stiffness = [_hertz_stiffness(run) for run in runs]
-    first = stiffness[0]
-    if first is None or any(k is None or not np.isclose(k, first, rtol=1e-6) for k in stiffness):
-        return None
     P = load * np.linspace(0.0, 1.0, 101)
+    depths = [_elastic_depth(run, P) for run in runs]
+    first = depths[0]
+    if first is None or any(depth is None or not np.allclose(depth, first, rtol=1e-6, atol=0.0) for depth in depths):
+        return None
     look = {"label": "elastic (Hertz)", "color": style.REFERENCE, "linestyle": "--", "linewidth": 0.9}
-    return _Line((P / first) ** (2.0 / 3.0), P, look)
+    return _Line(first, P, look)
 
 
 @style.figure
 def load_depth(runs: Sequence[Run]) -> Figure:
-    """Load over depth of the indenter, loading and unloading of all cycles; elastic spheres dashed.
+    """Load over depth of the indenter, loading and unloading of all cycles; elastic spheres or cylinders dashed.
 
     Where first yield exists and is the same for all runs, second axes give both over its values.
     """

@@ -4,7 +4,8 @@
 Forces are divided by the critical load P_c, lengths across the surface by the equivalent radius R, energies by U_c and
 interferences by alpha_c: the values at first yield that each run wrote into its summary. Only the first pass is drawn,
 as in the paper. F_X is the resistance to the motion: positive where the drive must push (X < 0), negative where the
-asperities repel each other forwards. Dashed lines are elastic spheres with the same geometry (Hertz).
+asperities repel each other forwards. Dashed lines are elastic spheres, or cylinders in plane strain, with the same
+geometry (Hertz). What the paper says of its spheres is drawn beside spheres only.
 """
 
 from __future__ import annotations
@@ -67,12 +68,12 @@ def _curves(runs: Sequence[Run]) -> list[_Curve]:
 
 
 def _elastic(curve: _Curve) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """X/R, F_X/P_c, F_Z/P_c of elastic spheres, over their contact."""
+    """X/R, F_X/P_c, F_Z/P_c of the elastic bodies, over their contact."""
     run = curve.run
     geometry = (run.lower_radius, run.upper_radius, run.interference)
     reach = reference.elastic_tugging_reach(*geometry)
     X = np.linspace(-reach, reach, 401)
-    f_x, f_z = reference.elastic_tugging_forces(X, *geometry, run.critical.interference)
+    f_x, f_z = reference.elastic_tugging_forces(X, *geometry, run.critical.interference, reference=run.line_reference)
     return X / run.equivalent_radius, f_x, f_z
 
 
@@ -218,6 +219,17 @@ def _draw_fig14(ax: Axes, curves: Sequence[_Curve]) -> None:
         ax.plot(curve.abscissa, ratio, color=curve.colour, marker="o", label=curve.label)
     _zero_line(ax)
     _sliding_axis(ax, curves)
+    if _are_spheres(curves):
+        _draw_load_ratio_of_paper(ax)
+    ax.set_ylabel("load ratio  $F_X/F_Z$")
+
+
+def _are_spheres(curves: Sequence[_Curve]) -> bool:
+    """Whether the paper speaks of such bodies."""
+    return all(curve.run.line_reference is None for curve in curves)
+
+
+def _draw_load_ratio_of_paper(ax: Axes) -> None:
     right = ax.get_xlim()[1]
     ax.plot([0.0, right], [PAPER_LOAD_RATIO] * 2, color=style.REFERENCE, linestyle=":", linewidth=1.2, label="paper")
     ax.annotate(
@@ -230,7 +242,6 @@ def _draw_fig14(ax: Axes, curves: Sequence[_Curve]) -> None:
         color=style.REFERENCE,
     )
     ax.set_xlim(right=right)
-    ax.set_ylabel("load ratio  $F_X/F_Z$")
 
 
 def _residuals(curves: Sequence[_Curve]) -> list[tuple[str, str, str, NDArray[np.float64]]]:
@@ -257,7 +268,9 @@ def _draw_residual_fraction(ax: Axes, curves: Sequence[_Curve]) -> None:
     interference = np.array([c.run.interference for c in curves])
     for label, colour, marker, depth in _residuals(curves):
         ax.plot(alpha, depth / interference, color=colour, marker=marker, markersize=5, clip_on=False, label=label)
-    ax.axhline(_PAPER_RESIDUAL_FRACTION, color=style.REFERENCE, linestyle=":", linewidth=1.2, label="paper: up to 25 %")
+    if _are_spheres(curves):
+        label = "paper: up to 25 %"
+        ax.axhline(_PAPER_RESIDUAL_FRACTION, color=style.REFERENCE, linestyle=":", linewidth=1.2, label=label)
     _interference_axis(ax, curves)
     ax.set_ylim(0.0)
     ax.yaxis.set_major_formatter(PercentFormatter(xmax=1.0, decimals=0, symbol=" %"))

@@ -116,7 +116,7 @@ class Scales:
         return Scale(self._radius, "R", "m") if self._radius is not None else si(largest, "m")
 
     def length(self, largest: float) -> Scale:
-        """Of lengths along the surface and depths under it: a_c."""
+        """Of lengths along the surface and depths under it: a_c, of cylinders the half-width."""
         return Scale(self._critical.contact_radius, "a_c", "m") if self._critical else si(largest, "m")
 
     def displacement(self, largest: float) -> Scale:
@@ -140,9 +140,9 @@ class Scales:
         return Scale(self._critical.energy, "U_c", "J") if self._critical else si(largest, "J")
 
     def area(self, largest: float) -> Scale:
-        """Of contact areas: A_c = pi a_c^2."""
+        """Of contact areas: A_c."""
         if self._critical:
-            return Scale(float(np.pi) * self._critical.contact_radius**2, "A_c", "m²")
+            return Scale(self._critical.contact_area, "A_c", "m²")
         return Scale(1e-6, "", "mm²") if largest < 1.0 else Scale(1.0, "", "m²")
 
 

@@ -43,7 +43,9 @@ class CriticalValues:
     energy: float
     """U_c [J]."""
     contact_radius: float
-    """a_c [m]."""
+    """a_c, of cylinders the half-width [m]."""
+    contact_area: float
+    """A_c = pi a_c², of cylinders of the length L 2 a_c L [m²]."""
     peak_pressure: float
     """p0_c = C S_y [Pa]."""
 
@@ -135,7 +137,7 @@ class Run:
 
     @property
     def has_critical_values(self) -> bool:
-        """Whether there is a first yield in closed form: of round bodies of which one can yield."""
+        """Whether there is a first yield in closed form: of round bodies, or cylinders in plane strain."""
         return self._value("critical", "load_N") is not None
 
     @cached_property
@@ -143,16 +145,26 @@ class Run:
         """Values at first yield, the scales of dimensionless results."""
         if not self.has_critical_values:
             raise RunError(
-                f"{self.path}: no critical values to normalise with: both bodies are elastic, or they are not round"
+                f"{self.path}: no critical values to normalise with: both bodies are elastic, or they are neither "
+                "round nor cylinders in plane strain"
             )
+        radius = self._number("critical", "contact_radius_m")
+        from_before_lines = "contact_area_m2" not in self._value("critical")  # then it is that of spheres
         return CriticalValues(
             C=self._number("critical", "C"),
             interference=self._number("critical", "interference_m"),
             load=self._number("critical", "load_N"),
             energy=self._number("critical", "energy_J"),
-            contact_radius=self._number("critical", "contact_radius_m"),
+            contact_radius=radius,
+            contact_area=np.pi * radius**2 if from_before_lines else self._number("critical", "contact_area_m2"),
             peak_pressure=self._number("critical", "peak_pressure_Pa"),
         )
+
+    @property
+    def line_reference(self) -> float | None:
+        """Distance from which the approach of cylinders in plane strain counts [m]; None of other bodies."""
+        exists = self._value("critical").get("line_reference_m") is not None
+        return self._number("critical", "line_reference_m") if exists else None
 
     @property
     def lower_radius(self) -> float:
@@ -166,7 +178,7 @@ class Run:
 
     @property
     def equivalent_radius(self) -> float:
-        """R = 1 / (1/R1 + 1/R2) of round bodies [m]."""
+        """R = 1 / (1/R1 + 1/R2) of round bodies, or cylinders in plane strain [m]."""
         return self._number("geometry", "equivalent_radius_m")
 
     @property

@@ -132,17 +132,20 @@ std::string critical_report(const Case& c)
   text += "\n";
   if (!c.first_yield)
   {
-    const bool yields = std::visit(
-        [](const auto& s) { return s.lower.material.is_plastic() || s.upper.material.is_plastic(); }, c.scenario);
-    return text + (yields ? "# The bodies are not round: there are no critical values.\n"
-                          : "# Both bodies stay elastic: there are no critical values.\n");
+    const auto reason = std::visit(
+        [](const auto& s) { return simulation::reason_against_first_yield(s.lower, s.upper, s.domain); }, c.scenario);
+    return text + fmt::format("# There are no critical values: {}.\n", reason.value());
   }
   const auto& critical = c.first_yield->critical;
   constexpr std::array bodies{"the lower body yields first", "the upper body yields first", "both bodies alike"};
   text += fmt::format("# First yield ({}): C = {:.6f}, alpha_c = {:.6e} m, P_c = {:.6e} N, U_c = {:.6e} J,\n"
-                      "#   contact radius = {:.6e} m, peak pressure = {:.6e} Pa\n",
+                      "#   contact {} = {:.6e} m, peak pressure = {:.6e} Pa\n",
                       bodies[static_cast<std::size_t>(c.first_yield->body)], critical.C, critical.interference,
-                      critical.load, critical.energy, critical.contact_radius, critical.peak_pressure);
+                      critical.load, critical.energy, c.first_yield->line ? "half-width" : "radius",
+                      critical.contact_radius, critical.peak_pressure);
+  if (const auto& line = c.first_yield->line)
+    text += fmt::format("#   P_c and U_c of a line of {:g} m, alpha_c with grid.reference = {:.6e} m\n", line->length,
+                        line->reference);
   return tugging ? text + fmt::format("#   interference / alpha_c = {:.6g}\n",
                                       tugging->interference / critical.interference)
                  : text;

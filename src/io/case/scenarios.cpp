@@ -71,17 +71,13 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
                      key, last, 100.0 * last)});
 }
 
-/// Contact modulus and first yield, the latter if the bodies are round.
-void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, Case& c)
+void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const simulation::Domain& domain, Case& c)
 {
   c.contact_modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
   c.equivalent_radius = equivalent_radius(lower.shape, upper.shape);
-  if (!c.equivalent_radius)
-    return;
-  if (const auto yield = simulation::nominal_yield(lower.material, upper.material))
-    c.first_yield = FirstYield{
-        reference::critical_values(*c.equivalent_radius, c.contact_modulus, yield->pressure_ratio, yield->yield_stress),
-        yield->body};
+  if (contact_kind(lower.shape, upper.shape, domain) == simulation::ContactKind::line)
+    c.equivalent_radius = 1.0 / (*simulation::relative_curvature(lower.shape, upper.shape))[0];
+  c.first_yield = simulation::nominal_first_yield(lower, upper, domain);
 }
 
 /// One number for each axis that is periodic.
@@ -173,7 +169,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
   if (const auto reason = simulation::reason_against_contact(lower, upper, domain))
     reader.add("upper.shape.type", "and the lower body " + *reason);
-  set_first_yield(lower, upper, c);
+  set_first_yield(lower, upper, domain, c);
 }
 
 double smallest_radius(const ShapedBody& body)
@@ -218,7 +214,13 @@ catch (const InputError& error)
   reader.add(key, fmt::format("does not fit: {}", error.what()));
 }
 
-/// Interference or load, whichever is given; of a load, the approach that elastic spheres would have.
+template <typename ScenarioCase>
+bool can_yield(const ScenarioCase& c)
+{
+  return c.lower.material.is_plastic() || c.upper.material.is_plastic();
+}
+
+/// Interference or load, whichever is given; of a load, the approach that elastic bodies would have.
 void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
 {
   const bool by_load = reader.has("tugging.load");
@@ -233,12 +235,13 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
   const bool normalised = reader.get<bool>("tugging.normalised");
   if (normalised && !c.first_yield)
   {
-    const bool round = equivalent_radius(tugging.lower.shape, tugging.upper.shape).has_value();
-    reader.add(key, fmt::format("is in units of the critical {}, but {}, so there is none; allowed: "
-                                "tugging.normalised = false with a {}{}",
-                                by_load ? "load P_c" : "interference alpha_c",
-                                round ? "neither body can yield" : "the bodies are not round where they touch",
-                                by_load ? "force" : "length", round ? ", or a yield stress for a body" : ""));
+    reader.add(key,
+               fmt::format(
+                   "is in units of the critical {}, but {}, so there is none; allowed: tugging.normalised = false with "
+                   "a {}{}",
+                   by_load ? "load P_c" : "interference alpha_c",
+                   reason_against_first_yield(tugging.lower, tugging.upper, tugging.domain).value(),
+                   by_load ? "force" : "length", can_yield(tugging) ? "" : ", or a yield stress for a body"));
     return;
   }
   const double given = reader.get<double>(key);
@@ -304,8 +307,9 @@ std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const Inden
     if (!c.first_yield)
     {
       reader.add(key,
-                 "is in units of first yield, which exists for round bodies only, one of which can yield; allowed: "
-                 "indentation.normalised = false with units");
+                 fmt::format("is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
+                             reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
+                             can_yield(indentation) ? "" : ", or a yield stress for a body"));
       return {};
     }
     unit = by_load ? c.first_yield->critical.load : c.first_yield->critical.interference;

@@ -19,7 +19,7 @@ std::vector<Entry> tugging_entries()
        .fallback = true,
        .text = "Whether the interference is given in critical interferences alpha_c, at which the first point yields, "
                "and the load in critical loads P_c; needs a body that can yield, and bodies whose relative curvature "
-               "is the same along x and y."},
+               "is the same along x and y, or cylinders in plane strain."},
       {.key = "tugging.interference",
        .type = Type::number,
        .dimension = dimension::length,
@@ -69,9 +69,9 @@ std::vector<Entry> indentation_entries()
       {.key = "indentation.normalised",
        .type = Type::boolean,
        .fallback = false,
-       .text =
-           "Whether load and approach are given in their values at first yield, P_c and alpha_c; needs round bodies of "
-           "which one can yield."},
+       .text = "Whether load and approach are given in their values at first yield, P_c and alpha_c; needs round "
+               "bodies, or "
+               "cylinders in plane strain, of which one can yield."},
       {.key = "indentation.load",
        .type = Type::numbers,
        .dimension = dimension::force,

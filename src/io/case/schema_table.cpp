@@ -65,7 +65,7 @@ std::vector<Entry> grid_entries()
           {.key = "grid.reference",
            .dimension = dimension::length,
            .range = above(0.0),
-           .unset = "2 R/e of two cylinders: their centres approach (Johnson 1985, section 5.6); otherwise the period",
+           .unset = "2 R/e of two cylinders, as Green (2005) has their approach; otherwise the period",
            .text =
                "Distance from a line load at which its displacement counts as zero: the approach in plane strain has a "
                "logarithm without end.",

@@ -7,7 +7,6 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace brinell::io
 {
@@ -24,22 +23,36 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(); // null in JSON
 
 Json critical_json(const Case& c)
 {
+  Json json = {{"C", nullptr},
+               {"interference_m", nullptr},
+               {"load_N", nullptr},
+               {"energy_J", nullptr},
+               {"contact_radius_m", nullptr},
+               {"contact_area_m2", nullptr},
+               {"peak_pressure_Pa", nullptr},
+               {"yields_first", nullptr},
+               {"contact", nullptr},
+               {"line_length_m", nullptr},
+               {"line_reference_m", nullptr}};
   if (!c.first_yield)
-    return {{"C", nullptr},           {"interference_m", nullptr},   {"load_N", nullptr},
-            {"energy_J", nullptr},    {"contact_radius_m", nullptr}, {"peak_pressure_Pa", nullptr},
-            {"yields_first", nullptr}};
+    return json;
   constexpr std::array bodies{"lower", "upper", "both"};
   const auto& critical = c.first_yield->critical;
-  return {{"C", critical.C},
-          {"interference_m", critical.interference},
-          {"load_N", critical.load},
-          {"energy_J", critical.energy},
-          {"contact_radius_m", critical.contact_radius},
-          {"peak_pressure_Pa", critical.peak_pressure},
-          {"yields_first", bodies[static_cast<std::size_t>(c.first_yield->body)]}};
+  json.update({{"C", critical.C},
+               {"interference_m", critical.interference},
+               {"load_N", critical.load},
+               {"energy_J", critical.energy},
+               {"contact_radius_m", critical.contact_radius},
+               {"contact_area_m2", critical.contact_area},
+               {"peak_pressure_Pa", critical.peak_pressure},
+               {"yields_first", bodies[static_cast<std::size_t>(c.first_yield->body)]},
+               {"contact", c.first_yield->line ? "line" : "point"}});
+  if (const auto& line = c.first_yield->line)
+    json.update({{"line_length_m", line->length}, {"line_reference_m", line->reference}});
+  return json;
 }
 
-constexpr reference::CriticalValues no_scale{.interference = nan, .load = nan, .energy = nan};
+constexpr reference::CriticalValues no_scale{.interference = nan, .load = nan, .energy = nan, .contact_area = nan};
 
 /// Units of what is normalised; without first yield every quotient becomes NaN, hence null.
 reference::CriticalValues scale_of(const Case& c)
@@ -266,10 +279,9 @@ Json indent_json(const simulation::Indent& indent)
 Json normalised_indent_json(const Case& c, const simulation::Indent& i)
 {
   const reference::CriticalValues scale = scale_of(c);
-  const double critical_area = std::numbers::pi * scale.contact_radius * scale.contact_radius;
   return {{"max_load", i.max_load / scale.load},
           {"max_approach", i.max_approach / scale.interference},
-          {"contact_area", c.first_yield ? i.contact_area / critical_area : nan},
+          {"contact_area", i.contact_area / scale.contact_area},
           {"final_approach", i.final_approach / scale.interference},
           {"residual_depth", i.residual_depth / scale.interference},
           {"work", i.work / scale.energy}};

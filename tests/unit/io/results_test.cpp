@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace brinell::io
 {
@@ -155,6 +156,29 @@ TEST(Results, SummaryIsNormalised)
   EXPECT_EQ(json["run"]["threads"], 3);
   EXPECT_EQ(json["case"]["lower"]["material"]["hardening"]["yield_stress"], 0.9115e9);
   EXPECT_EQ(json["case"]["grid"]["spacing"][2], 0.001925);
+}
+
+TEST(Results, SummaryTellsInWhatTheBodiesTouch)
+{
+  const sample::TemporaryFolder folder;
+  write_complete(folder.path() / "point", sample::parsed());
+  const auto critical = nlohmann::json::parse(sample::file_text(folder.path() / "point" / "summary.json"))["critical"];
+  EXPECT_EQ(critical["contact"], "point");
+  const double a = critical["contact_radius_m"];
+  EXPECT_DOUBLE_EQ(critical["contact_area_m2"], std::numbers::pi * a * a);
+  EXPECT_TRUE(critical["line_length_m"].is_null());
+
+  write_complete(folder.path() / "line",
+                 sample::parsed({"lower.shape={type=\"cylinder\", radius=1}",
+                                 "upper.shape={type=\"cylinder\", radius=1}", "grid.boundary=[\"open\", \"periodic\"]",
+                                 "grid.spacing=[\"3.85 mm\", \"50 mm\", \"1.925 mm\"]"}));
+  const auto line = nlohmann::json::parse(sample::file_text(folder.path() / "line" / "summary.json"));
+  EXPECT_EQ(line["critical"]["contact"], "line");
+  EXPECT_EQ(line["critical"]["line_length_m"], 1.0);
+  EXPECT_DOUBLE_EQ(line["critical"]["line_reference_m"], 1.0 / std::numbers::e); // 2 R/e, R = 0.5
+  EXPECT_DOUBLE_EQ(line["critical"]["contact_area_m2"], 2.0 * line["critical"]["contact_radius_m"].get<double>());
+  EXPECT_DOUBLE_EQ(line["normalised"]["peak_F_X"], 0.25);
+  EXPECT_DOUBLE_EQ(line["normalised"]["interference"], 9.0);
 }
 
 TEST(Results, ElasticSummaryHasNoScales)

@@ -74,9 +74,50 @@ TEST(ScenarioCase, InUnitsOfFirstYield)
   const Case c = parse_case(indentation("normalised = true\nload = [20, 0]\n"), "sample.toml");
   ASSERT_TRUE(c.first_yield);
   EXPECT_EQ(std::get<IndentationCase>(c.scenario).sequence[0].value, 20.0 * c.first_yield->critical.load);
-  EXPECT_NE(refusal(indentation("normalised = true\nload = [20, 0]\n"), {"upper.shape={type=\"vickers\"}"})
-                .find("sample.toml:4: indentation.load = [20, 0] is in units of first yield"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(indentation("normalised = true\nload = [20, 0]\n"), {"upper.shape={type=\"vickers\"}"})
+          .find("sample.toml:4: indentation.load = [20, 0] is in units of first yield, but the bodies are neither "
+                "round where they touch, nor cylinders in plane strain"),
+      std::string::npos);
+}
+
+TEST(ScenarioCase, CylindersInPlaneStrainHaveUnitsOfFirstYield)
+{
+  const std::vector<std::string> plane{
+      "lower.shape={type=\"cylinder\", radius=1}", "upper.shape={type=\"cylinder\", radius=1}",
+      "grid.boundary=[\"open\", \"periodic\"]", "grid.spacing=[\"3.85 mm\", \"50 mm\", \"1.925 mm\"]"};
+  const std::string text(sample::case_text);
+  const auto with = [&](std::vector<std::string> keys)
+  {
+    keys.insert(keys.begin(), plane.begin(), plane.end());
+    return keys;
+  };
+  const Case c = parse_case(text, "sample.toml", plane);
+  ASSERT_TRUE(c.first_yield);
+  ASSERT_TRUE(c.first_yield->line);
+  EXPECT_EQ(c.equivalent_radius, 0.5);
+  EXPECT_EQ(sample::tugging(c).interference, 9.0 * c.first_yield->critical.interference);
+  // Green (2005), E' = 111.4082 GPa, C = 1.8174385: per metre.
+  EXPECT_NEAR(c.first_yield->critical.interference, 9.732120e-4, 1e-9);
+  EXPECT_NEAR(c.first_yield->critical.load, 3.8693279e7, 20.0);
+  EXPECT_NEAR(c.first_yield->critical.energy, 1.7758973e4, 0.02);
+  // The approach of the elastic cylinders under P_c is alpha_c.
+  std::string by_load = text;
+  by_load.replace(by_load.find("interference = 9"), 16, "load = 1");
+  EXPECT_NEAR(sample::tugging(parse_case(by_load, "sample.toml", plane)).interference /
+                  c.first_yield->critical.interference,
+              1.0, 1e-12);
+  // Of finite length they yield at their ends first.
+  const std::vector<std::string> finite{"lower.shape={type=\"cylinder\", radius=1, length=0.5}",
+                                        "upper.shape={type=\"cylinder\", radius=1, length=0.5}"};
+  EXPECT_NE(refusal(text, finite)
+                .find("sample.toml:10: tugging.interference = 9 is in units of the critical interference "
+                      "alpha_c, but the bodies are neither round where they touch, nor cylinders"),
+            std::string::npos)
+      << refusal(text, finite);
+  EXPECT_NE(refusal(text, with({"grid.reference=1e-3"})).find("grid.reference = 0.001 m is too short"),
+            std::string::npos)
+      << refusal(text, with({"grid.reference=1e-3"}));
 }
 
 TEST(ScenarioCase, TuggingUnderLoad)
@@ -111,7 +152,8 @@ TEST(ScenarioCase, TuggingTakesWhatCanPassAndAnyTexture)
   // Without one radius for all directions there is no unit of first yield.
   EXPECT_NE(refusal(text, {ellipsoid})
                 .find("tugging.interference = 9 is in units of the critical interference alpha_c, "
-                      "but the bodies are not round where they touch, so there is none; allowed: "
+                      "but the bodies are neither round where they touch, nor cylinders in plane strain "
+                      "(grid.boundary = [\"open\", \"periodic\"]), so there is none; allowed: "
                       "tugging.normalised = false with a length"),
             std::string::npos)
       << refusal(text, {ellipsoid});

@@ -3,10 +3,13 @@
 #include "brinell/reference/critical.hpp"
 #include "brinell/reference/hertz.hpp"
 
+#include "gauss.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace brinell::reference
 {
@@ -29,6 +32,7 @@ TEST(CriticalTest, ThePapersCase)
   EXPECT_NEAR(c.load / 3.460928e5, 1.0, 5e-7);
   EXPECT_NEAR(c.energy / 30.65398, 1.0, 5e-7);
   EXPECT_NEAR(c.contact_radius / 1.052209e-2, 1.0, 5e-7);
+  EXPECT_DOUBLE_EQ(c.contact_area, std::numbers::pi * c.contact_radius * c.contact_radius);
   EXPECT_DOUBLE_EQ(c.peak_pressure, C * 0.9115e9);
   EXPECT_NEAR(c.load, 3.461e5, 50.0) << "as printed in the paper";
 }
@@ -51,6 +55,51 @@ TEST(CriticalTest, GreensFitIsNearTheExactFirstYield)
     const double nu = 0.01 * i;
     EXPECT_NEAR(critical_pressure_ratio(nu) / first_yield(nu).pressure_ratio, 1.0, 1.5e-3) << nu << ": stated accuracy";
   }
+}
+
+/// A line contact that yields, by Green's (2005) closed forms: the approach that he takes has l = 2 R/e.
+TEST(CriticalLineTest, GreensClosedForms)
+{
+  const double R = 0.5, E = contact_modulus_of_pair, p = 1.8 * 0.9115e9;
+  const CriticalValues c = critical_values(R, E, 1.8, 0.9115e9, {3.0, 2.0 * R / std::numbers::e});
+  const double share = p / E, logarithm = std::log(2.0 * E / p);
+  EXPECT_NEAR(c.interference / (R * share * share * (2.0 * logarithm - 1.0)), 1.0, 8.0 * epsilon);
+  EXPECT_NEAR(c.load / (3.0 * std::numbers::pi * R * p * share), 1.0, 8.0 * epsilon);
+  const double energy = std::numbers::pi * R * R * p * share * share * share / 4.0 * (4.0 * logarithm - 3.0);
+  EXPECT_NEAR(c.energy / (3.0 * energy), 1.0, 8.0 * epsilon);
+  EXPECT_NEAR(c.contact_radius / (2.0 * R * share), 1.0, 8.0 * epsilon);
+  EXPECT_NEAR(c.contact_area / (3.0 * 4.0 * R * share), 1.0, 8.0 * epsilon);
+  EXPECT_DOUBLE_EQ(c.peak_pressure, p);
+}
+
+TEST(CriticalLineTest, EnergyIsTheWorkOfTheLoadForAnyReference)
+{
+  // By parts, P alpha less the integral of alpha over P, which is smooth in the cube root of the load.
+  for (const double reference : {0.02, 0.5, 40.0})
+  {
+    const CriticalValues c = critical_values(0.5, contact_modulus_of_pair, 1.8, 0.9115e9, {1.0, reference});
+    const test::Gauss rule(40, 0.0, 1.0);
+    double rest = 0.0;
+    for (std::size_t i = 0; i < rule.point.size(); ++i)
+    {
+      const double t = rule.point[i];
+      const LineContact contact = line_contact_at_load(0.5, contact_modulus_of_pair, c.load * t * t * t);
+      rest += rule.weight[i] * line_contact_approach(contact, contact_modulus_of_pair, reference) * 3.0 * t * t;
+    }
+    EXPECT_NEAR((c.load * c.interference - c.load * rest) / c.energy, 1.0, 1e-10) << reference;
+  }
+}
+
+TEST(CriticalLineTest, RefusesNonsense)
+{
+  const auto of = [](double length, double reference) {
+    return critical_values(0.5, contact_modulus_of_pair, 1.8, 0.9115e9, {length, reference});
+  };
+  const double half_width = of(1.0, 1.0).contact_radius;
+  EXPECT_THROW((void)of(0.0, 1.0), InputError);
+  EXPECT_THROW((void)of(1.0, 0.0), InputError);
+  EXPECT_THROW((void)of(1.0, 0.499 * half_width), InputError);
+  EXPECT_GT(of(1.0, 0.501 * half_width).interference, 0.0);
 }
 
 TEST(CriticalTest, RefusesNonsense)

@@ -2,6 +2,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/critical.hpp"
 #include "brinell/reference/elastic_tugging.hpp"
+#include "brinell/reference/hertz.hpp"
 
 #include "gauss.hpp"
 
@@ -91,6 +92,28 @@ TEST(ElasticTuggingTest, PeakIsTheLargestForce)
   const double d0 = half_sliding_distance(t);
   for (int i = -200; i <= 200; ++i)
     EXPECT_LE(elastic_tugging_forces(t, d0 * i / 200.0).F_X, peak.F_X);
+}
+
+TEST(ElasticTuggingTest, CylindersPressAsTheirLineContactAndGiveBackTheWork)
+{
+  const Line line{2.0, 0.4};
+  const ElasticTugging t{0.8, 1.5, contact_modulus, 2e-3, line};
+  const double R = 0.8 * 1.5 / 2.3;
+  const LineContact aligned = line_contact_at_approach(R, contact_modulus, 2e-3, line.reference);
+  EXPECT_NEAR(elastic_tugging_forces(t, 0.0).F_Z / (2.0 * aligned.load_per_length), 1.0, 1e-14);
+  const test::Gauss rule(20, -0.04, 0.02);
+  double work = 0.0;
+  for (std::size_t i = 0; i < rule.point.size(); ++i)
+    work += rule.weight[i] * elastic_tugging_forces(t, rule.point[i]).F_X;
+  EXPECT_NEAR(work / elastic_tugging_work(t, -0.04, 0.02), 1.0, 1e-12);
+  const double d0 = half_sliding_distance(t);
+  EXPECT_NEAR(elastic_tugging_work(t, -d0, 0.0), 2.0 * line_contact_work(aligned, contact_modulus, line.reference),
+              1e-12 * work);
+  const TuggingPeak peak = elastic_tugging_peak(t);
+  for (int i = -200; i <= 200; ++i)
+    EXPECT_LE(elastic_tugging_forces(t, d0 * i / 200.0).F_X, peak.F_X);
+  EXPECT_THROW((void)half_sliding_distance({1.0, 1.0, 1e11, 1e-3, Line{1.0, 0.0}}), InputError);
+  EXPECT_THROW((void)elastic_tugging_forces({1.0, 1.0, 1e11, 1e-3, Line{1.0, 1e-3}}, 0.0), InputError);
 }
 
 TEST(ElasticTuggingTest, RefusesNonsense)

@@ -2,6 +2,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/hertz.hpp"
 
+#include "gauss.hpp"
 #include "oracle_table.hpp"
 
 #include <gtest/gtest.h>
@@ -178,6 +179,84 @@ TEST(LineContactTest, CarriesItsLoadAndIsThatOfALongEllipse)
   EXPECT_NEAR(ellipse.semi_axis_x / middle.half_width, 1.0, 1e-6); // order (a/b)^2 ln(b/a)
   EXPECT_NEAR(ellipse.peak_pressure / middle.peak_pressure, 1.0, 1e-6);
   EXPECT_THROW((void)line_contact_at_load(R, E, -1.0), InputError);
+}
+
+TEST(LineContactTest, ApproachIsThatOfTheSumOfLineLoads)
+{
+  // Both surfaces together move by 2/(pi E') times the integral of p ln(l/|x - t|), here at x = 0 and at half the half-width,
+  // where the gap of the undeformed bodies is x^2/(2R). Each side of x by t = x +- r, r = s^3 to soften the logarithm; the edge,
+  // where p has a root, by the sine.
+  const double R = 0.01, E = 1.1e11, l = 0.3;
+  const LineContact line = line_contact_at_load(R, E, 2e4);
+  const double a = line.half_width;
+  const auto displacement = [&](double x)
+  {
+    const test::Gauss rule(60, 0.0, 1.0);
+    double sum = 0.0;
+    for (const double side : {-1.0, 1.0})
+      for (std::size_t i = 0; i < rule.point.size(); ++i)
+      {
+        const double s = rule.point[i];
+        const double r = (a - side * x) * std::sin(0.5 * pi * s * s * s);
+        const double weight = (a - side * x) * std::cos(0.5 * pi * s * s * s) * 1.5 * pi * s * s;
+        const double t = x + side * r;
+        sum += rule.weight[i] * weight * line.peak_pressure * std::sqrt(1.0 - t * t / (a * a)) * std::log(l / r);
+      }
+    return 2.0 / (pi * E) * sum;
+  };
+  const double approach = line_contact_approach(line, E, l);
+  EXPECT_NEAR(displacement(0.0) / approach, 1.0, 1e-9);
+  EXPECT_NEAR((displacement(0.5 * a) + 0.125 * a * a / R) / approach, 1.0, 1e-9);
+}
+
+TEST(LineContactTest, LoadAndApproachAreInverse)
+{
+  const double R = 0.01, E = 1.1e11, l = 2.0 * R / std::numbers::e;
+  const LineContact by_load = line_contact_at_load(R, E, 2e4);
+  const double approach = line_contact_approach(by_load, E, l);
+  // Johnson (1985), Eq. 5.56: the axis of a cylinder and a rigid flat.
+  EXPECT_NEAR(approach / (2e4 / (pi * E) * (2.0 * std::log(4.0 * R / by_load.half_width) - 1.0)), 1.0, 16.0 * epsilon);
+  const LineContact by_approach = line_contact_at_approach(R, E, approach, l);
+  EXPECT_NEAR(by_approach.load_per_length / 2e4, 1.0, 64.0 * epsilon);
+  EXPECT_NEAR(by_approach.half_width / by_load.half_width, 1.0, 64.0 * epsilon);
+  EXPECT_NEAR(by_approach.peak_pressure / by_load.peak_pressure, 1.0, 64.0 * epsilon);
+  EXPECT_EQ(line_contact_at_approach(R, E, 0.0, l).load_per_length, 0.0);
+  EXPECT_THROW((void)line_contact_at_approach(R, E, 1.01 * l * l / R, l), InputError);
+  EXPECT_THROW((void)line_contact_at_approach(R, E, -1e-9, l), InputError);
+  EXPECT_THROW((void)line_contact_approach(by_load, E, 0.49 * by_load.half_width), InputError);
+}
+
+TEST(LineContactTest, FirstYieldIsAtTheLargestStressAnywhere)
+{
+  for (const double nu : {-0.5, 0.0, 0.1, 0.13, 0.19, 0.1938, 0.194, 0.25, 0.32, 0.45, 0.5})
+  {
+    const FirstYield yield = line_contact_first_yield(nu);
+    const double at_yield = von_mises(line_contact_stress(0.0, yield.depth_ratio, 1.0, yield.pressure_ratio, nu));
+    EXPECT_NEAR(at_yield, 1.0, 1e-14) << nu;
+    double largest = 0.0;
+    for (int i = 0; i <= 300; ++i)
+      for (int j = 0; j <= 400; ++j)
+        largest =
+            std::max(largest, von_mises(line_contact_stress(0.005 * i, 0.005 * j, 1.0, yield.pressure_ratio, nu)));
+    EXPECT_LE(largest, 1.0 + 1e-14) << nu;
+    EXPECT_GT(largest, 1.0 - 1e-4)
+        << nu << ": the points are so dense"; // square of half their distance, 6e-6, times the curvature
+  }
+  EXPECT_NEAR(line_contact_first_yield(0.3).depth_ratio, 0.704,
+              5e-4); // of shear stress alone it is 0.786 (Johnson, 4.2)
+  EXPECT_NEAR(line_contact_first_yield(0.5).depth_ratio, 0.786, 5e-4);
+  EXPECT_THROW((void)line_contact_first_yield(0.51), InputError);
+  EXPECT_THROW((void)line_contact_first_yield(-1.0), InputError);
+}
+
+TEST(LineContactTest, GreensFitsAreNearTheExactFirstYield)
+{
+  for (int i = 0; i <= 500; ++i)
+  {
+    const double nu = 0.001 * i;
+    const double fit = nu <= 0.1938 ? 1.0 / std::sqrt(1.0 + 4.0 * (nu - 1.0) * nu) : 1.164 + nu * (2.975 - 2.906 * nu);
+    EXPECT_NEAR(fit / line_contact_first_yield(nu).pressure_ratio, 1.0, 1.5e-3) << nu << ": stated accuracy";
+  }
 }
 
 TEST(LineContactTest, StressIsTheSumOfLineLoads)
