@@ -4,8 +4,12 @@
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/green/elastic.hpp"
 #include "foundation/blocked_fft.hpp"
+#include "halfspace/crosswise_images.hpp"
+#include "halfspace/image_samples.hpp"
+#include "halfspace/moment_coupling.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +24,7 @@ namespace brinell::halfspace
 /// difference of two lattice sums over wavenumbers, one with the padded lengths and one with four times those, both
 /// with a Gaussian that cuts off what two lattices share. What is left of the images is of order 1/4^3 of them, and is
 /// extrapolated. Applied through moments of the strain: O(N) with a small factor, symmetric like the operator itself.
+/// On a long grid CrosswiseImages takes off those beside it first, so that the rest is that of a square lattice.
 /// Along a periodic axis the neighbours belong to the body: there only the rows of images beside it are taken off, and with
 /// two periodic axes nothing.
 class ImageCorrection
@@ -30,9 +35,11 @@ public:
   /// Polynomial coefficients of the stress of the images, and what is needed to find them.
   struct Response
   {
-    std::vector<double> of_layers; ///< moments of the strain, [component][layer][power]
-    std::vector<double> moments;   ///< of strain, [component][depth][power]
-    std::vector<double> stress;    ///< of the stress, [component or trace][depth][power]
+    std::vector<double> of_layers;       ///< moments of the strain, [component][layer][power]
+    std::vector<double> moments;         ///< of strain, [component][depth][power]
+    std::vector<double> stress;          ///< of the stress, [component or trace][depth][power]
+    std::vector<double> sorted;          ///< moments of strain, then of stress, in the order of the coupling
+    CrosswiseImages::Response crosswise; ///< empty unless the grid is long
   };
   [[nodiscard]] Response make_response() const;
 
@@ -43,36 +50,21 @@ public:
   void subtract(const Response& response, int component, int layer, double* stress) const;
 
 private:
-  static constexpr int strains = Deviator::size;                 ///< components of Deviator
-  static constexpr int depths = 5;                               ///< Chebyshev polynomials in z
-  static constexpr int degree = 6;                               ///< largest power of x - x' and y - y' together
+  static constexpr int degree = 10;                              ///< largest power of x - x' and y - y' together
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
-  static constexpr int stresses = strains + 1;                   ///< deviator and trace
-  static constexpr int strain_moments = strains * depths * powers;
-  static constexpr int stress_moments = stresses * depths * powers;
 
   void fit(const Elastic& elastic, double period_x, double period_y);
-  void sort_moments();
-  void couple(int stress, int strain, const std::array<int, 2>& power, double value);
+  [[nodiscard]] MomentCoupling empty_coupling() const;
+  void couple(int c, int e, const images::Powers& power, const Eigen::MatrixXd& value);
+  void find_moments(std::span<const double> strain, int layers, Response& response) const;
+  void plane_moments(const double* field, double* moment) const;
 
   VolumeGrid grid_;
-  bool has_images_;               ///< not where the body is periodic itself along both axes
-  std::vector<double> x_, y_;     ///< powers of the cells' coordinates, scaled by the half-lengths: [power][cell]
-  std::vector<double> chebyshev_; ///< mean over a layer: [depth][layer]
-  /// Moments fall into four classes by their parity in x and in y, which do not couple.
-  struct ParityClass
-  {
-    std::vector<int> members;     ///< indices of moments of stress, those of the trace last; of strain without them
-    std::size_t strains = 0;      ///< how many are moments of strain
-    std::vector<double> coupling; ///< [moment of stress][moment of strain]
-  };
-  std::array<ParityClass, 4> classes_;
-  struct Place
-  {
-    int parity = 0; ///< class
-    std::size_t index = 0;
-  };
-  std::array<Place, stress_moments> place_; ///< of every moment
+  bool has_images_;                          ///< not where the body is periodic itself along both axes
+  std::optional<CrosswiseImages> crosswise_; ///< of a long grid
+  Eigen::MatrixXd x_, y_;                    ///< powers of the cells' coordinates: [cell][power]
+  images::DepthBasis depth_;
+  MomentCoupling coupling_;
 };
 
 } // namespace brinell::halfspace

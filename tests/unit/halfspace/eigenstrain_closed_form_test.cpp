@@ -74,9 +74,9 @@ TEST_P(EigenstrainClosedFormTest, SmoothBlobUnderAFreeSurfaceMeetsTheSumOfCuboid
 }
 
 // The half space has no other blobs than this one: the same strain on a grid four times as wide, where images are far,
-// gives the same stress. Without a correction they give 5e-3 here. The correction is a polynomial of sixth degree in the
-// distance, which is up to half a period: it leaves 2^-6 of them or so, and two to three times that in the corners, where
-// the distance is half a period both ways. (The blob reaches from edge to edge of the middle half, as 3 s = 6 cells.)
+// gives the same stress. Without a correction they give 5e-3 here. The correction is a polynomial of tenth degree in the
+// distance, which is up to half a period: it leaves 2^-10 of them or so, and a few times that in the corners, where the
+// distance is half a period both ways. (image_correction_test.cpp has grids of other aspects.)
 TEST_P(EigenstrainClosedFormTest, PeriodicImagesAreNotFelt)
 {
   const Elastic elastic{1.0, 0.3};
@@ -111,8 +111,8 @@ TEST_P(EigenstrainClosedFormTest, PeriodicImagesAreNotFelt)
       }
   std::printf("strain %s: images leave %.2e of 2 mu max|eps| where the strain is, %.2e at worst\n",
               test::deviator_names[static_cast<std::size_t>(GetParam())], middle, everywhere);
-  EXPECT_LE(middle, 1.5e-4);
-  EXPECT_LE(everywhere, 3e-4);
+  EXPECT_LE(middle, 1e-5);
+  EXPECT_LE(everywhere, 3e-5);
 }
 
 // Ball after ball of one strain, each with Eshelby's uniform stress inside: a strain f(r) e with f falling from 1 gives at

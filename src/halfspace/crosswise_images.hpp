@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/green/elastic.hpp"
+#include "halfspace/image_samples.hpp"
+#include "halfspace/moment_coupling.hpp"
+
+#include <span>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// What the images beside a long grid add to the residual stress. Padding leaves the next of them half a short period away
+/// but the grid is many times as long: no polynomial follows their stress along it. Waves do. Along the long axis the
+/// images and the body have one period, so each wave there is one term, and with wavenumber m the images a distance d away
+/// weigh only e^{-m d}: a few waves for each time the grid is longer than wide are all. Across it, and in depth, the stress
+/// of a wave is a polynomial like that of ImageCorrection.
+///
+/// Takes off the images of a lattice with short period P but for those of one with period `multiple` * P.
+class CrosswiseImages
+{
+public:
+  /// How often the short period fits into the long one; 1: no images to take off.
+  [[nodiscard]] static int multiple(double period_x, double period_y);
+
+  /// @param period_x, period_y  padded lengths [m], of unlike length
+  CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic, double period_x, double period_y);
+
+  /// Moments of the strain, and polynomial coefficients of the stress.
+  struct Response
+  {
+    std::vector<double> of_layers; ///< [component][layer][power][wave]
+    std::vector<double> moments;   ///< [component][depth][power][wave]
+    std::vector<double> stress;    ///< [component or trace][depth][power][wave]
+  };
+  [[nodiscard]] Response make_response() const;
+  /// Response to `strain` as in ImageCorrection.
+  void respond(std::span<const double> strain, int layers, Response& response) const;
+  void subtract(const Response& response, int component, int layer, double* stress) const;
+
+private:
+  static constexpr int degree = 6; ///< largest power of the distance across the grid
+  static constexpr int powers = degree + 1;
+
+  [[nodiscard]] int block() const { return 2 * waves_ * powers; } ///< values for one component and one depth
+  [[nodiscard]] MomentCoupling empty_coupling() const;
+  void fit(int wave, const Elastic& elastic, double period_along, double period_across);
+  [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
+  void couple(int c, int e, const std::vector<images::Powers>& powers, const std::vector<Eigen::MatrixXd>& values,
+              MomentCoupling& coupling) const;
+  void multiply(int wave, const Response& response, std::span<double> stress) const;
+  [[nodiscard]] const std::array<int, images::stresses>& odd_along() const;
+  [[nodiscard]] const std::array<int, images::stresses>& odd_across() const;
+
+  VolumeGrid grid_;
+  bool along_x_; ///< whether the long axis is x
+  int multiple_;
+  int waves_; ///< wavenumbers 2 pi i / period, i < waves, of cos and sin
+  images::DepthBasis depth_;
+  Eigen::MatrixXd along_;                ///< [cell][2 i: cos, 2 i + 1: sin]
+  Eigen::MatrixXd across_;               ///< [cell][power]
+  std::vector<MomentCoupling> coupling_; ///< of each wave
+};
+
+} // namespace brinell::halfspace
