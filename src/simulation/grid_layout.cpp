@@ -86,19 +86,43 @@ void fit_periods(const Domain& domain, bool spacing_given, std::array<double, 3>
       continue;
     const double cells = periods_cells(*axis, *cell);
     if (spacing_given && axis->cells == 0 && std::abs(cells - std::round(cells)) > 1e-6 * cells)
-      throw GridError(
-          fmt::format("grid.size = {:g} m along {} is {:.6g} cells of {:g} m; allowed: a whole number of cells",
-                      axis->size, name, cells, *cell));
+      throw KeyError("grid.size", fmt::format("grid.size = {:g} m along {} is {:.6g} cells of grid.spacing = {:g} m; "
+                                              "allowed: a whole number of cells",
+                                              axis->size, name, cells, *cell));
     *cell = axis->size / std::max(1.0, std::round(cells));
   }
 }
 
-/// Thickness of the layers: as given, or half the smaller cell; of a plane problem, whose rows have any length, half of dx.
+int cells_in(const Domain::Axis& axis, double cell)
+{
+  return static_cast<int>(std::lround(axis.size / cell));
+}
+
+/// Whether the one row of a period has any length, as in plane strain.
+bool is_one_row(const Domain& domain, double dy)
+{
+  return domain.y.is_periodic() && cells_in(domain.y, dy) == 1;
+}
+
+/// Thickness of the layers: as given, or half the smaller cell; half of dx where dy means nothing.
 double layer_thickness(const Domain& domain, double dx, double dy)
 {
   if (domain.layer > 0.0)
     return domain.layer;
-  return 0.5 * (domain.is_plane() ? dx : std::min(dx, dy));
+  return 0.5 * (is_one_row(domain, dy) ? dx : std::min(dx, dy));
+}
+
+/// The ends of a cylinder have to be those of cells: an odd number of them around a row in the middle, an even one around the
+/// middle of a period with an even number of rows.
+void require_ends_at_cells(const Domain& domain, double length, double dy)
+{
+  const bool is_even = domain.y.is_periodic() && cells_in(domain.y, dy) % 2 == 0;
+  const double rows = length / dy;
+  if (std::abs(std::remainder(rows - (is_even ? 0.0 : 1.0), 2.0)) > 1e-6 * rows)
+    throw GridError(
+        fmt::format("grid: the cylinder is {:.6g} cells of dy long; allowed: an {} whole number, so that its ends are "
+                    "those of cells",
+                    rows, is_even ? "even" : "odd"));
 }
 
 } // namespace
@@ -113,15 +137,12 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
   fit_periods(numerics.domain, numerics.spacing.has_value(), spacing);
   if (!numerics.spacing)
     spacing[2] = layer_thickness(numerics.domain, spacing[0], spacing[1]);
-  if (const double rows = 2.0 * contact.half_y / spacing[1];
-      contact.straight_y && std::abs(std::remainder(rows - 1.0, 2.0)) > 1e-6 * rows)
-    throw GridError(
-        fmt::format("grid: the cylinder is {:.6g} cells of dy long; allowed: an odd whole number, so that its "
-                    "ends are those of cells",
-                    rows));
+  if (contact.straight_y && !is_one_row(numerics.domain, spacing[1]))
+    require_ends_at_cells(numerics.domain, 2.0 * contact.half_y, spacing[1]);
   constexpr double most_cells = 1e5;
   const double finest = *std::min_element(spacing.begin(), spacing.end());
-  const double longest = numerics.domain.is_plane() ? contact.half_x : std::max(contact.half_x, contact.half_y);
+  const double longest =
+      is_one_row(numerics.domain, spacing[1]) ? contact.half_x : std::max(contact.half_x, contact.half_y);
   if (!(longest / finest < most_cells))
     throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, longest));
   return spacing;
@@ -142,7 +163,7 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
                                 "allowed: fewer than {:.0e}, so larger cells or a shorter track",
                                 count, 2.0 * longest, 2.0 * widest, extents.depth, most_cells));
   const auto cells_along = [](const Domain::Axis& axis, double extent, double cell, int more)
-  { return axis.is_periodic() ? static_cast<int>(std::lround(axis.size / cell)) : odd_cells(extent, cell, more); };
+  { return axis.is_periodic() ? cells_in(axis, cell) : odd_cells(extent, cell, more); };
   plan.contact = {cells_along(domain.x, extents.contact_x, dx, 0),
                   cells_along(domain.y, extents.contact_y, dy, 0),
                   dx,
@@ -163,11 +184,11 @@ int grown(int cells)
   return 2 * static_cast<int>(std::ceil(cells / 6.0 + 1.0)) + cells;
 }
 
-int step_count(double steps)
+int step_count(double steps, const std::string& key)
 {
   constexpr double most = 1e9;
   if (!(steps <= most))
-    throw InputError(fmt::format("{:.1e} steps; allowed: up to {:.0e}", steps, most));
+    throw KeyError(key, fmt::format("{} makes {:.1e} steps; allowed: up to {:.0e}", key, steps, most));
   return static_cast<int>(steps);
 }
 
