@@ -153,7 +153,8 @@ SurfaceGrid sampled_period(const Domain& domain)
 
 std::vector<double> sampled_depths(const Texture& texture, const SurfaceGrid& grid)
 {
-  return cell_depths(texture, grid, -((grid.nx - 1) / 2) * grid.dx, grid.y(0));
+  const int middle = (grid.nx - 1) / 2;
+  return cell_depths(texture, grid, -middle * grid.dx, grid.y(0));
 }
 
 void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
