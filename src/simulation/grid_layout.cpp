@@ -33,41 +33,49 @@ double padded_bytes(const VolumeGrid& grid)
   return static_cast<double>(padded.x) * padded.y * grid.nz * sizeof(double);
 }
 
-/// Spectra of the stress, and rows without their padding in y.
+/// Spectra of fields, and their rows, which are transformed along x alone and have no padding along y.
 double spectra_bytes(const VolumeGrid& grid, int components)
 {
-  return 1.5 * components * padded_bytes(grid);
+  return components * padded_bytes(grid) *
+         (1.0 + static_cast<double>(grid.surface.ny) / padded_lengths(grid.surface).y);
 }
 
-/// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
-double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
+double field_bytes(const VolumeGrid& grid, double fields)
+{
+  return fields * sizeof(double) * static_cast<double>(grid.size());
+}
+
+/// One body that is computed: kernels and state; if it is plastic, the trial, its spectra and the accelerator, too.
+double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic)
 {
   const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
-  const double cells = static_cast<double>(grid.size()) * sizeof(double);
-  const double fields = cells * (6 * 5 + 4);
-  const double active_share = 0.25;
-  const double accelerator = cells * active_share * 5 * (2 * anderson_depth + 4);
-  return kernels + fields + (solved ? spectra_bytes(grid, 5) + accelerator : 0.0);
+  constexpr double state = 5.0 + 1.0 + 5.0;              // plastic strain, its equivalent, stress
+  if (!is_plastic)
+    return kernels + field_bytes(grid, state);
+  constexpr double trial = 5.0;
+  // Of the cells in the fixed point: a plastic zone fills less of a box than of its section, in which it fills half; their
+  // number is not known before, and packed fields grow by doubling.
+  const double active_share = is_plane(grid.surface) ? 1.0 : 0.25;
+  const double accelerator = active_share * 5.0 * (2.0 * anderson_depth + 4.0);
+  return kernels + field_bytes(grid, state + trial + accelerator) + spectra_bytes(grid, 5);
 }
 
-/// The final state always is a snapshot: tensors of both bodies, and the operators' spectra for one of them at a time.
+/// The final state always is stored: tensors and equivalents of both bodies, the last of which come to be while the others are
+/// there; or all of it as a file in memory, and as that file's image. The stress of a body that stays elastic takes spectra
+/// for the time being.
 double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
 {
-  const auto cells = static_cast<double>(lower.size() + upper.size());
   const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
-  return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
+  const double computed = spectra_bytes(larger, 6) + field_bytes(larger, 6.0);
+  const double file = field_bytes(lower, 14.0) + field_bytes(upper, 14.0);
+  return field_bytes(lower, 13.0) + field_bytes(upper, 13.0) + std::max(computed, 2.0 * file);
 }
 
 /// A copy of the state, as numbers, as a file in memory, and as that file's image.
-double checkpoint_bytes(const VolumeGrid& grid, bool solved)
+double checkpoint_bytes(const VolumeGrid& grid, bool is_plastic)
 {
-  return solved ? 3.0 * 16.0 * sizeof(double) * static_cast<double>(grid.size()) : 0.0;
+  return is_plastic ? field_bytes(grid, 3.0 * 16.0) : 0.0;
 }
-
-} // namespace
-
-namespace
-{
 
 /// Cells of a period, and what is left over.
 double periods_cells(const Domain::Axis& axis, double spacing)
@@ -194,11 +202,12 @@ int step_count(double steps, const std::string& key)
 
 double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth)
 {
-  const bool upper_is_solved = upper_is_plastic && plan.twin == elastoplastic::Twin::none;
-  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) +
-         body_bytes(plan.upper, anderson_depth, upper_is_solved) +
+  const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
+  const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic);
+  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) + upper +
          std::max(snapshot_bytes(plan.lower, plan.upper),
-                  checkpoint_bytes(plan.lower, lower_is_plastic) + checkpoint_bytes(plan.upper, upper_is_solved));
+                  checkpoint_bytes(plan.lower, lower_is_plastic) +
+                      checkpoint_bytes(plan.upper, upper_is_plastic && !has_twin));
 }
 
 } // namespace brinell::simulation
