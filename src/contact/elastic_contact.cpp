@@ -204,8 +204,8 @@ void ElasticContact::guess(std::span<const double> distance, const Drive& drive,
   coarser_->guess(distance, drive, tolerance, pressure, wants_stop);
 }
 
-/// A pressure to begin with: the guess, or if there is none the cells that overlap, at the stiffness against the most compliant wave; under a
-/// load that has not pressed anything yet, the cell that touches first.
+/// A pressure to begin with: the guess, or if there is none the cells that overlap, at the stiffness against the most
+/// compliant wave; under a load that has not pressed anything yet, the cell that touches first.
 void ElasticContact::start(std::span<const double> distance, const Drive& drive, std::span<double> pressure)
 {
   for (double& p : pressure)

@@ -100,8 +100,8 @@ std::vector<double> wave_spectrum(const SurfaceGrid& grid, double contact_modulu
 /// its response is that of the spots that are open, much less than that of any wave on the grid.
 std::vector<double> inverse(std::vector<double> spectrum)
 {
-  constexpr double share =
-      1.0 / 64.0; // of 1, 1/4, 1/16, 1/64 and 1/1000 that with the fewest iterations over all areas
+  // Of 1, 1/4, 1/16, 1/64 and 1/1000 that with the fewest iterations over all areas.
+  constexpr double share = 1.0 / 64.0;
   const double uniform = share * *std::max_element(spectrum.begin(), spectrum.end());
   for (double& response : spectrum)
     response = 1.0 / (response > 0.0 ? response : uniform);
@@ -175,6 +175,10 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_mod
 {
   if (grid.is_periodic_x() != grid.is_periodic_y() && !(reference > 0.0))
     throw InternalError("SurfaceCompliance: with one periodic axis the displacement needs a reference distance, > 0");
+  if (grid.is_periodic() && grid.size() == 1)
+    throw InputError(
+        "a surface grid of 1 x 1 cells that is periodic along both axes has a uniform pressure only, which "
+        "displaces nothing; allowed: more than one cell along x or y");
   operator_ = std::make_unique<Operator>(grid, contact_modulus, reference);
 }
 

@@ -67,12 +67,13 @@ std::string input_text(const fs::path& file, std::size_t largest)
   return text;
 }
 
-void replace_file(const fs::path& path, std::string_view content)
+void replace_file(const fs::path& path, std::string_view content, std::string_view end)
 {
   fs::path part = path;
   part += ".part";
   std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  for (const std::string_view part_of_content : {content, end})
+    stream.write(part_of_content.data(), static_cast<std::streamsize>(part_of_content.size()));
   stream.close();
   const int cause = errno;
   std::error_code error;
@@ -131,10 +132,9 @@ std::string checksum(std::string_view bytes)
   return sum.text();
 }
 
-void replace_sealed_file(const fs::path& path, std::string image, std::string_view mark)
+void replace_sealed_file(const fs::path& path, std::string_view image, std::string_view mark)
 {
-  image += seal(mark, checksum(image));
-  replace_file(path, image);
+  replace_file(path, image, seal(mark, checksum(image)));
 }
 
 void require_seal(const fs::path& path, std::string_view mark)

@@ -27,8 +27,8 @@ void read_blocks(const std::filesystem::path& file, std::size_t largest,
 /// @throws as read_blocks
 [[nodiscard]] std::string input_text(const std::filesystem::path& file, std::size_t largest = largest_input);
 
-/// Replaces a file in one piece: readers see the old content or the new one. @throws IoError
-void replace_file(const std::filesystem::path& path, std::string_view content);
+/// Replaces a file in one piece: readers see the old content or the new one. @param end  comes after it. @throws IoError
+void replace_file(const std::filesystem::path& path, std::string_view content, std::string_view end = {});
 
 /// 64 bits of what has been added, in whatever pieces. Every step is one to one, so that no single damaged word goes unnoticed;
 /// of other damage one in 2^64 does. It is no signature: who damages on purpose can mend the checksum too.
@@ -50,7 +50,7 @@ private:
 [[nodiscard]] std::string checksum(std::string_view bytes);
 
 /// Replaces an HDF5 file by its bytes and their checksum, under a mark: HDF5 does not mind what comes after its own.
-void replace_sealed_file(const std::filesystem::path& path, std::string image, std::string_view mark);
+void replace_sealed_file(const std::filesystem::path& path, std::string_view image, std::string_view mark);
 
 /// @throws IoError unless the file is as it was written
 void require_seal(const std::filesystem::path& path, std::string_view mark);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "domain.hpp"
+
 #include "footprint.hpp"
 
 #include <algorithm>
@@ -31,18 +33,18 @@ std::optional<std::string> reason_against_contact(const ShapedBody& lower, const
   if (domain.y.is_periodic() && touch_in_a_line(lower.shape, upper.shape))
     return std::nullopt;
   if (!domain.is_periodic())
-    return "touch neither in a point nor in a line of finite length; allowed: a sum of curvatures > 0 along x and y, a "
-           "tip, "
-           "a cylinder of finite length on a flat or on another cylinder, a cylinder of any length with grid.boundary "
-           "= "
-           "[\"open\", \"periodic\"], or two flats, one of them with a texture, with grid.boundary = \"periodic\"";
+    return "touch neither in a point nor in a line of finite length; allowed: a sum of curvatures > 0 along x and y, "
+           "a tip, a cylinder of finite length on a flat or on another cylinder, a cylinder of any length with "
+           "grid.boundary = [\"open\", \"periodic\"], or two flats, one of them with a texture, with grid.boundary = "
+           "\"periodic\"";
   const auto k = relative_curvature(lower.shape, upper.shape);
   if (!k || (*k)[0] < 0.0 || (*k)[1] < 0.0)
     return "touch at the edges of the period only; allowed: a sum of curvatures that is not negative";
-  if (are_smooth(lower, upper))
+  if ((*k)[0] == 0.0 && (*k)[1] > 0.0)
+    return "touch in a line along x; allowed: cylinders, whose axes lie along y";
+  if (are_smooth(lower, upper) && (*k)[0] == 0.0)
     return "are two smooth flats, which touch everywhere at once; allowed with grid.boundary = \"periodic\": a texture "
-           "on "
-           "one of them, or a shape";
+           "on one of them, or a shape";
   return std::nullopt;
 }
 
@@ -80,6 +82,150 @@ std::optional<std::string> reason_against_texture(const Texture& texture, const 
                          (*reach)[0], (*reach)[1], size_x, size_y);
   }
   return std::nullopt;
+}
+
+namespace
+{
+
+/// Whether the lines of a map along one axis are all the same, and go on over a period of that size.
+bool is_uniform(const HeightMap& map, bool along_y, double size)
+{
+  constexpr double rounding = 1e-9;
+  if (!map.periodic && (along_y ? map.ny * map.dy : map.nx * map.dx) < size * (1.0 - rounding))
+    return false;
+  for (int j = 0; j < map.ny; ++j)
+    for (int i = 0; i < map.nx; ++i)
+    {
+      const std::size_t first = along_y ? static_cast<std::size_t>(i) : static_cast<std::size_t>(j) * map.nx;
+      if (map.heights[static_cast<std::size_t>(j) * map.nx + i] != map.heights[first])
+        return false;
+    }
+  return true;
+}
+bool is_uniform(const Sinusoid& s, bool along_y, double /*size*/)
+{
+  return std::isinf(along_y ? s.wavelength_y : s.wavelength_x);
+}
+bool is_uniform(const Dent& /*dent*/, bool /*along_y*/, double /*size*/)
+{
+  return false;
+}
+bool is_uniform(const RandomSurface& /*surface*/, bool /*along_y*/, double /*size*/)
+{
+  return false;
+}
+
+bool is_uniform(const Texture& texture, bool along_y, double size)
+{
+  return std::all_of(texture.parts.begin(), texture.parts.end(),
+                     [&](const TexturePart& part)
+                     { return std::visit([&](const auto& p) { return is_uniform(p, along_y, size); }, part); });
+}
+
+/// What of two bodies varies along one axis of a period of that size; empty if nothing does.
+std::string what_varies(const ShapedBody& lower, const ShapedBody& upper, bool along_y, double size)
+{
+  const auto k = relative_curvature(lower.shape, upper.shape);
+  if (!k || (*k)[along_y ? 1 : 0] != 0.0)
+    return "their shapes vary";
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+    if (!is_uniform(body->texture, along_y, size))
+      return fmt::format("{}.texture varies", name);
+  return {};
+}
+
+} // namespace
+
+bool touch_all_along_y(const Shape& lower, const Shape& upper, const Domain& domain)
+{
+  return domain.y.is_periodic() && touch_in_a_line(lower, upper) && !(roller_length(lower, upper) < domain.y.size);
+}
+
+SurfaceGrid sampled_period(const Domain& domain)
+{
+  constexpr int usual = 256;
+  constexpr int most = 1024;
+  const auto cells = [&](const Domain::Axis& axis) { return axis.cells > 0 ? std::min(axis.cells, most) : usual; };
+  const int nx = cells(domain.x);
+  const int ny = cells(domain.y);
+  return {nx, ny, domain.x.size / nx, domain.y.size / ny, Boundary::periodic, Boundary::periodic};
+}
+
+std::vector<double> sampled_depths(const Texture& texture, const SurfaceGrid& grid)
+{
+  const int middle = (grid.nx - 1) / 2;
+  return cell_depths(texture, grid, -middle * grid.dx, grid.y(0));
+}
+
+void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
+                              const SurfaceGrid& grid)
+{
+  if (grid.is_periodic() && grid.size() == 1)
+    throw KeyError("grid.cells", "grid.cells = [1, 1]: a uniform pressure on one cell displaces nothing; allowed: more "
+                                 "than one cell along x or y");
+  for (const bool along_y : {false, true})
+  {
+    const Domain::Axis& axis = along_y ? domain.y : domain.x;
+    if (!axis.is_periodic() || (along_y ? grid.ny : grid.nx) > 1)
+      continue;
+    const char* const name = along_y ? "y" : "x";
+    if (const double length = roller_length(lower.shape, upper.shape); along_y && length < axis.size)
+      throw KeyError("grid.size",
+                     fmt::format("grid.size = {:g} m along y, in one row, is more than the length of the cylinder, "
+                                 "{:g} m, whose ends one row cannot show; allowed: a period up to that length, or "
+                                 "grid.cells > 1 along y",
+                                 axis.size, length));
+    if (const std::string varying = what_varies(lower, upper, along_y, axis.size); !varying.empty())
+      throw KeyError("grid.cells",
+                     fmt::format("grid.cells is 1 along {0}: one cell takes bodies that are uniform along {0}, as in "
+                                 "plane strain, but {1}; allowed: the period along {0} as grid.size and more "
+                                 "than one cell in it as grid.cells",
+                                 name, varying));
+  }
+}
+
+std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper, double approach,
+                                                   const Domain& domain)
+{
+  if (!domain.is_periodic())
+    return std::nullopt;
+  constexpr double rounding = 1.0 + 1e-9;
+  const SurfaceGrid g = sampled_period(domain);
+  const std::vector<double> of_lower = sampled_depths(lower.texture, g), of_upper = sampled_depths(upper.texture, g);
+  double mean = 0.0;
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      mean += (height(lower.shape, g.x(i), g.y(j)) + height(upper.shape, g.x(i), g.y(j)) + of_lower[g.index(i, j)] +
+               of_upper[g.index(i, j)]) /
+              static_cast<double>(g.size());
+  if (approach <= std::max(0.0, mean) * rounding && mean > 0.0)
+    return std::nullopt;
+  return fmt::format(
+      "cannot be reached: with both axes periodic it counts from the mean planes, and at {:.3g} m all of "
+      "the surfaces touches; allowed: less than that, or a load or mean pressure instead "
+      "(indentation.load, indentation.pressure)",
+      mean);
+}
+
+void require_finite_depth(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain)
+{
+  if (!domain.is_periodic())
+    return;
+  const double pressure = load / (domain.x.size * domain.y.size);
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+  {
+    if (!body->material.is_plastic())
+      continue;
+    const constitutive::DepthProfile& factor = body->material.yield_factor;
+    const double core = factor.empty() ? 1.0 : factor.at(factor.depth().back(), 1.0);
+    const double nu = body->material.elastic.poisson_ratio;
+    const double most =
+        core * constitutive::initial_yield_stress(*body->material.hardening) * (1.0 - nu) / (1.0 - 2.0 * nu);
+    if (!(pressure < most))
+      throw InputError(fmt::format("a mean pressure of {:.4g} Pa over the period makes the {} body yield to any depth; "
+                                   "allowed: less than {:.4g} Pa, its yield stress times (1 - nu)/(1 - 2 nu)",
+                                   pressure, name, most));
+  }
 }
 
 double reference_distance(const Shape& lower, const Shape& upper, const Domain& domain)

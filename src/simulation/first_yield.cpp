@@ -2,6 +2,7 @@
 #include "brinell/simulation/first_yield.hpp"
 
 #include "brinell/reference/hertz.hpp"
+#include "domain.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -68,11 +69,7 @@ std::optional<FirstYield> first_yield_of(const ShapedBody& lower, const ShapedBo
 
 ContactKind contact_kind(const Shape& lower, const Shape& upper, const Domain& domain)
 {
-  const auto k = relative_curvature(lower, upper);
-  const bool straight = k && (*k)[0] > 0.0 && (*k)[1] == 0.0;
-  const bool endless =
-      !domain.x.is_periodic() && domain.y.is_periodic() && line_length(lower, upper, domain) == domain.y.size;
-  return straight && endless ? ContactKind::line : ContactKind::point;
+  return touch_all_along_y(lower, upper, domain) && !domain.x.is_periodic() ? ContactKind::line : ContactKind::point;
 }
 
 std::optional<PairYield> nominal_yield(const Material& lower, const Material& upper, ContactKind kind)

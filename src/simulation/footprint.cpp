@@ -4,15 +4,15 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "brinell/simulation/first_yield.hpp"
+#include "domain.hpp"
 #include "grid_layout.hpp"
+#include "texture_footprint.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <set>
 
 namespace brinell::simulation
 {
@@ -43,7 +43,8 @@ Pair pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& dom
   constexpr double inf = std::numeric_limits<double>::infinity();
   Pair pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
   if (const std::optional<PairYield> yield =
-          earliest_yield(lower.material, upper.material, contact_kind(lower.shape, upper.shape, domain)))
+          earliest_yield(lower.material, upper.material,
+                         touch_all_along_y(lower.shape, upper.shape, domain) ? ContactKind::line : ContactKind::point))
     pair.yield_pressure = yield->peak_pressure();
   for (const ShapedBody* body : {&lower, &upper})
     if (body->material.is_plastic())
@@ -105,71 +106,82 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
   return f;
 }
 
-/// A cylinder of finite length; its approach grows with the logarithm of length over width.
-Footprint of_roller(const Pair& pair, double radius, double length, const Drive& drive)
+/// What makes one contact in a line differ from another.
+struct Line
 {
-  const auto half_width = [&](double load) { return std::sqrt(4.0 * load * radius / (pi * length * pair.modulus)); };
-  const auto approach = [&](double load)
-  { return load / (pi * pair.modulus * length) * (1.0 + std::log(1.0 + std::pow(length / half_width(load), 2))); };
-  double load = drive.value;
-  if (drive.kind == Drive::Kind::approach)
-  {
-    double low = 0.0;
-    double high = pi * pair.modulus * length * drive.value;
-    for (int i = 0; i < 100; ++i)
-      (approach(0.5 * (low + high)) < drive.value ? low : high) = 0.5 * (low + high);
-    load = high;
-  }
-  const double elastic = half_width(load);
-  const double peak = 2.0 * load / (pi * elastic * length);
+  double radius = 0.0, length = 0.0; ///< length: on which the load acts [m]
+  double widest = 0.0;               ///< half-width up to which the approach grows with it [m]
+  double yield_pressure = 0.0;       ///< peak pressure at first yield [Pa]
+};
+
+/// Half-width of an elastic contact in a line with that approach [m]; `widest` if none has it.
+/// @param approach  by the half-width b: b^2/(4 R) times 1 or more [m].
+template <typename Approach>
+double half_width_at(double wanted, const Line& line, const Approach& approach)
+{
+  double low = 0.0;
+  double high = std::min(line.widest, 2.0 * std::sqrt(line.radius * wanted));
+  for (int i = 0; i < 100; ++i)
+    (approach(0.5 * (low + high)) < wanted ? low : high) = 0.5 * (low + high);
+  return high;
+}
+
+/// Bodies that touch in a line along y. The load of the elastic contact, of half-width b, is pi E' L b^2/(4 R) (Johnson 1985,
+/// section 4.2); its approach has a logarithm that the ends of the line, or what is beside it, make.
+template <typename Approach>
+Footprint of_line(const Pair& pair, const Line& line, const Drive& drive, const Approach& approach)
+{
+  const bool by_load = drive.kind == Drive::Kind::load;
+  const double R = line.radius;
+  const double elastic = by_load ? std::sqrt(4.0 * drive.value * R / (pi * line.length * pair.modulus))
+                                 : half_width_at(drive.value, line, approach);
+  const double peak = 0.5 * pair.modulus * elastic / R;
   const double growth = growth_under_load(pair, peak * pi / 4.0);
   Footprint f;
   f.elastic_x = elastic;
-  f.elastic_y = 0.5 * length;
   f.half_x = elastic * growth * growth; // only the width grows
-  if (drive.kind == Drive::Kind::approach)
-    f.half_x = std::min(f.half_x, 1.2 * std::sqrt(2.0 * radius * drive.value)); // geometry, with some pile-up
-  f.straight_y = true;
-  f.half_y = 0.5 * length;
-  f.approach = approach(load);
-  f.peak_ratio = peak / (1.1 * pair.yield_pressure);
-  f.first_yield_approach = f.approach / std::max(1.0, f.peak_ratio * f.peak_ratio);
-  f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / radius);
+  if (!by_load)
+    f.half_x = std::min(f.half_x, 1.2 * std::sqrt(2.0 * R * drive.value)); // geometry, with some pile-up
+  f.elastic_y = f.half_y = 0.5 * line.length;
+  f.approach = approach(std::min(elastic, line.widest));
+  f.peak_ratio = peak / line.yield_pressure;
+  f.first_yield_approach = approach(std::min(elastic, line.widest) / std::max(1.0, f.peak_ratio));
+  f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / R);
   return f;
 }
 
-/// A cylinder without ends, in plane strain (Johnson 1985, sections 4.2 and 5.6).
-/// @param length     of the period, on which the load acts [m]
-/// @param reference  of the displacement [m]
-Footprint of_line(const Pair& pair, double radius, double length, double reference, const Drive& drive)
+/// A cylinder of finite length; its approach grows with the logarithm of length over width.
+Footprint of_roller(const Pair& pair, double radius, double length, const Drive& drive)
 {
-  const auto half_width = [&](double load) { return std::sqrt(4.0 * load * radius / (pi * length * pair.modulus)); };
-  const auto approach = [&](double load)
-  { return load / (pi * pair.modulus * length) * (1.0 + 2.0 * std::log(2.0 * reference / half_width(load))); };
-  double load = drive.value;
-  if (drive.kind == Drive::Kind::approach)
-  {
-    double low = 0.0;
-    double high = pi * pair.modulus * length * reference * reference / (std::exp(2.0) * radius); // there it is largest
-    if (!(drive.value < approach(high)))
-      throw InputError(fmt::format("an approach of {:.3g} m is more than a cylinder of radius {:.3g} m has with "
-                                   "grid.reference = {:.3g} m; allowed: a smaller one, or a larger reference",
-                                   drive.value, radius, reference));
-    for (int i = 0; i < 100; ++i)
-      (approach(0.5 * (low + high)) < drive.value ? low : high) = 0.5 * (low + high);
-    load = high;
-  }
-  const double elastic = half_width(load);
-  const double peak = 2.0 * load / (pi * elastic * length);
-  const double growth = growth_under_load(pair, peak * pi / 4.0);
-  Footprint f;
-  f.elastic_x = elastic;
-  f.half_x = elastic * growth * growth; // only the width grows
-  f.elastic_y = f.half_y = 0.5 * length;
-  f.approach = approach(load);
-  f.peak_ratio = peak / pair.yield_pressure;
-  f.first_yield_approach = approach(load / std::max(1.0, f.peak_ratio * f.peak_ratio));
-  f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / radius);
+  const auto approach = [&](double b)
+  { return b * b / (4.0 * radius) * (1.0 + std::log(1.0 + std::pow(length / b, 2))); };
+  const double yield_pressure = 1.1 * pair.yield_pressure; // about, over that of a contact in a point
+  Footprint f =
+      of_line(pair, {radius, length, std::numeric_limits<double>::infinity(), yield_pressure}, drive, approach);
+  f.straight_y = true;
+  return f;
+}
+
+/// A cylinder without ends, in plane strain (Johnson 1985, sections 4.2 and 5.6). With the displacement counted from the
+/// distance l its approach is b^2/(4 R) (1 + 2 ln(2 l/b)), which grows up to b = 2 l: there its derivative by b, b/R ln(2 l/b),
+/// is zero, and there a strip without load at that distance, of capacity b/2 = l, has no stiffness left.
+Footprint of_endless_line(const Pair& pair, double radius, const Shape& lower, const Shape& upper, const Drive& drive,
+                          const Domain& domain)
+{
+  // Lines in a period L along x have -ln(2 sin(pi x/L)) instead of -ln(x/l), the same close by.
+  const double reference =
+      domain.x.is_periodic() ? domain.x.size / (2.0 * pi) : reference_distance(lower, upper, domain);
+  const auto approach = [&](double b) { return b * b / (4.0 * radius) * (1.0 + 2.0 * std::log(2.0 * reference / b)); };
+  if (const double most = approach(reference);
+      !domain.x.is_periodic() && drive.kind == Drive::Kind::approach && !(drive.value <= most))
+    throw KeyError(
+        "grid.reference",
+        fmt::format("grid.reference = {:.4g} m: with it a cylinder of radius {:.4g} m approaches by {:.4g} m "
+                    "while the half-width of the contact grows up to that reference, and is to approach by "
+                    "{:.4g} m; allowed: a smaller approach, or a larger reference",
+                    reference, radius, most, drive.value));
+  Footprint f = of_line(pair, {radius, domain.y.size, 2.0 * reference, pair.yield_pressure}, drive, approach);
+  f.endless_y = true;
   return f;
 }
 
@@ -216,171 +228,10 @@ Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, co
     }
   }
   const auto [along_x, along_y] = relative_curvature(lower, upper).value();
-  if (along_y == 0.0 && domain.y.is_periodic() && line_length(lower, upper, domain) == domain.y.size)
-    return of_line(pair, 1.0 / along_x, domain.y.size, reference_distance(lower, upper, domain), drive);
+  if (touch_all_along_y(lower, upper, domain))
+    return of_endless_line(pair, 1.0 / along_x, lower, upper, drive, domain);
   return along_y == 0.0 ? of_roller(pair, 1.0 / along_x, roller_length(lower, upper), drive)
                         : of_paraboloids(pair, 1.0 / along_x, 1.0 / along_y, drive);
-}
-
-/// A wave that stands for surfaces.
-struct Wave
-{
-  double amplitude, length; ///< [m]
-};
-
-/// The wave with the root mean squares of height and slope that both textures together have over a period.
-Wave wave_of_both(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
-{
-  constexpr int cells = 128;
-  const SurfaceGrid g{
-      cells, cells, domain.x.size / cells, domain.y.size / cells, Boundary::periodic, Boundary::periodic};
-  std::vector<double> h = cell_depths(lower.texture, g, g.x(0), g.y(0));
-  const std::vector<double> other = cell_depths(upper.texture, g, g.x(0), g.y(0));
-  std::transform(h.begin(), h.end(), other.begin(), h.begin(), std::plus<>());
-  double mean = 0.0;
-  for (const double value : h)
-    mean += value / static_cast<double>(g.size());
-  double squares = 0.0;
-  double slopes = 0.0;
-  for (int j = 0; j < cells; ++j)
-    for (int i = 0; i < cells; ++i)
-    {
-      const double here = h[g.index(i, j)];
-      squares += (here - mean) * (here - mean);
-      slopes += std::pow((h[g.index((i + 1) % cells, j)] - here) / g.dx, 2) +
-                std::pow((h[g.index(i, (j + 1) % cells)] - here) / g.dy, 2);
-    }
-  if (!(slopes > 0.0))
-    throw InputError("the textures are the same everywhere in the period");
-  return {std::sqrt(2.0 * squares / static_cast<double>(g.size())), 2.0 * pi * std::sqrt(squares / slopes)};
-}
-
-/// Textures of bodies that have no shape, in a period: what the wave that stands for them needs.
-Footprint of_flats(const Pair& pair, const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
-{
-  const Wave wave = wave_of_both(lower, upper, domain);
-  Footprint f;
-  f.elastic_x = f.half_x = f.elastic_y = f.half_y = 0.25 * wave.length; // of a summit
-  f.approach = wave.amplitude;
-  const double slope = 2.0 * pi * wave.amplitude / wave.length;
-  f.peak_ratio = 0.5 * pair.modulus * slope / pair.yield_pressure; // where the wave is flattened (Westergaard)
-  const double over_yield = std::max(1.0, f.peak_ratio);
-  f.first_yield_approach = f.approach / (over_yield * over_yield);
-  f.depth = wave.length; // over it exp(-kz) (1 + kz) falls to 1.4 %
-  f.over_x = 0.5 * domain.x.size;
-  f.over_y = 0.5 * domain.y.size;
-  return f;
-}
-
-/// Where a part of a texture is on its body, in the middle of what covers the whole plane, and over which length it rises and
-/// falls [m].
-struct Waviness
-{
-  double x = 0.0, length = 0.0;
-};
-
-/// 2 pi times the ratio of the root mean squares of height and slope: the wavelength of a sinusoid.
-double wavelength(const HeightMap& map)
-{
-  double mean = 0.0;
-  for (const double h : map.heights)
-    mean += h / static_cast<double>(map.heights.size());
-  double squares = 0.0;
-  double slopes = 0.0;
-  for (int j = 0; j < map.ny; ++j)
-    for (int i = 0; i < map.nx; ++i)
-    {
-      const double* h = map.heights.data() + i + static_cast<std::ptrdiff_t>(map.nx) * j;
-      squares += (*h - mean) * (*h - mean);
-      slopes += i + 1 < map.nx ? std::pow((h[1] - h[0]) / map.dx, 2) : 0.0;
-      slopes += j + 1 < map.ny ? std::pow((h[map.nx] - h[0]) / map.dy, 2) : 0.0;
-    }
-  return slopes > 0.0 ? 2.0 * pi * std::sqrt(2.0 * squares / slopes) : 0.0;
-}
-
-Waviness waviness_of(const Dent& dent)
-{
-  return {dent.x, dent.radius};
-}
-Waviness waviness_of(const HeightMap& map)
-{
-  return {map.periodic ? 0.0 : map.x, wavelength(map)};
-}
-Waviness waviness_of(const Sinusoid& s) // the stress of crossed waves fades with both wavenumbers
-{
-  return {0.0, 1.0 / std::hypot(1.0 / s.wavelength_x, 1.0 / s.wavelength_y)};
-}
-Waviness waviness_of(const RandomSurface& surface)
-{
-  const double slope = surface.rms_slope();
-  return {0.0, slope > 0.0 ? 2.0 * pi * std::numbers::sqrt2 * surface.rms_height() / slope : 0.0};
-}
-
-/// Half-lengths that the elastic contact covers with a place x of the textures under its middle, by a solution on a coarse
-/// grid. Heights at its points, not means over its cells: roughness bears where it is high.
-std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
-                                    double modulus, const Footprint& smooth, double x)
-{
-  constexpr int cells = 41;
-  constexpr double tolerance = 1e-3; // of the approach
-  constexpr int iterations = 500;
-  std::array<double, 2> half{2.5 * smooth.half_x, 2.5 * smooth.half_y};
-  for (int attempt = 0; attempt < 4; ++attempt)
-  {
-    const SurfaceGrid grid{cells, cells, 2.0 * half[0] / cells, 2.0 * half[1] / cells};
-    const std::vector<double> of_lower = depths(lower.texture, grid, x + grid.x(0), grid.y(0)),
-                              of_upper = depths(upper.texture, grid, x + grid.x(0), grid.y(0));
-    std::vector<double> distance(grid.size());
-    for (int j = 0; j < cells; ++j)
-      for (int i = 0; i < cells; ++i)
-      {
-        const double u = grid.x(i);
-        const double v = grid.y(j);
-        const std::size_t n = grid.index(i, j);
-        distance[n] = height(lower.shape, u, v) + height(upper.shape, u, v) + of_lower[n] + of_upper[n];
-      }
-    const halfspace::SurfaceCompliance compliance(grid, modulus);
-    contact::ElasticContact solver(compliance);
-    std::vector<double> pressure(grid.size(), 0.0);
-    std::vector<double> gap(grid.size());
-    // An estimate: what has not converged by then still shows where the contact is.
-    static_cast<void>(solver.solve(distance, drive, tolerance * smooth.approach, iterations, pressure, gap));
-    int reach_x = 0;
-    int reach_y = 0;
-    for (int j = 0; j < cells; ++j)
-      for (int i = 0; i < cells; ++i)
-        if (pressure[static_cast<std::size_t>(i + cells * j)] > 0.0)
-        {
-          reach_x = std::max(reach_x, std::abs(i - cells / 2));
-          reach_y = std::max(reach_y, std::abs(j - cells / 2));
-        }
-    if (reach_x < cells / 2 && reach_y < cells / 2)
-      return {(reach_x + 1) * grid.dx, (reach_y + 1) * grid.dy};
-    half = {reach_x < cells / 2 ? half[0] : 1.6 * half[0], reach_y < cells / 2 ? half[1] : 1.6 * half[1]};
-  }
-  return half;
-}
-
-/// Widens the footprint to what textures touch. Where the smooth bodies would stay elastic it need only be as deep as the
-/// stress of the texture goes: a wavelength, over which exp(-kz) (1 + kz) falls to 1.4 %.
-void add_textures(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Pair& pair, Footprint& f)
-{
-  constexpr double clearly_elastic = 0.7; // of the pressure at first yield
-  double longest = 0.0;
-  std::set<double> places;
-  for (const ShapedBody* body : {&lower, &upper})
-    for (const TexturePart& part : body->texture.parts)
-    {
-      const Waviness waves = std::visit([](const auto& p) { return waviness_of(p); }, part);
-      longest = std::max(longest, waves.length);
-      if (!places.insert(waves.x).second)
-        continue;
-      const auto [x, y] = elastic_cover(lower, upper, drive, pair.modulus, f, waves.x);
-      f.over_x = std::max(f.over_x, x);
-      f.over_y = f.straight_y ? f.over_y : std::max(f.over_y, y);
-    }
-  if (longest > 0.0 && f.peak_ratio < clearly_elastic)
-    f.depth = std::min(f.depth, longest);
 }
 
 } // namespace
@@ -403,12 +254,28 @@ bool are_flat(const ShapedBody& lower, const ShapedBody& upper)
 
 } // namespace
 
+void require_within_reference(double half_x, double half_y, const ShapedBody& lower, const ShapedBody& upper,
+                              const Domain& domain)
+{
+  const double reference = reference_distance(lower.shape, upper.shape, domain);
+  const double half = domain.y.is_periodic() ? half_x : half_y;
+  if (reference > 0.0 && half > reference)
+    throw KeyError(
+        "grid.reference",
+        fmt::format("grid.reference = {:.4g} m{} is less than the half-width of the contact, about {:.4g} m, "
+                    "and at twice that distance the approach no longer grows with the load; allowed: a "
+                    "reference of at least that half-width",
+                    reference, domain.reference > 0.0 ? "" : ", the default,", half));
+}
+
 Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
 {
   if (const auto reason = reason_against_contact(lower, upper, domain))
     throw InputError("the bodies " + *reason);
   Footprint f = of_shapes(pair_of(lower, upper, domain), lower.shape, upper.shape, drive, domain);
-  f.depth = std::max(stressed_depth(f.half_x, f.half_y), 1.3 * f.plastic_reach);
+  require_within_reference(f.half_x, f.half_y, lower, upper, domain);
+  const double half_y = f.endless_y ? std::numeric_limits<double>::infinity() : f.half_y;
+  f.depth = std::max(stressed_depth(f.half_x, half_y), 1.3 * f.plastic_reach);
   f.over_x = f.half_x;
   f.over_y = f.half_y;
   return f;
@@ -416,11 +283,20 @@ Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, con
 
 Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
 {
+  if (drive.kind == Drive::Kind::approach)
+    if (const auto reason = reason_against_approach(lower, upper, drive.value, domain))
+      throw InputError(fmt::format("an approach of {:.4g} m {}", drive.value, *reason));
+  if (drive.kind == Drive::Kind::load)
+    require_finite_depth(lower, upper, drive.value, domain);
+  const Pair pair = pair_of(lower, upper, domain);
   if (domain.is_periodic() && are_flat(lower, upper) && !are_smooth(lower, upper))
-    return of_flats(pair_of(lower, upper, domain), lower, upper, domain);
+    return of_flats(lower, upper, pair.modulus, pair.yield_pressure, domain);
   Footprint f = smooth_footprint(lower, upper, drive, domain);
   if (!domain.is_periodic())
-    add_textures(lower, upper, drive, pair_of(lower, upper, domain), f);
+  {
+    add_textures(lower, upper, drive, pair.modulus, domain, f);
+    require_within_reference(f.over_x, f.over_y, lower, upper, domain);
+  }
   return f;
 }
 
@@ -437,7 +313,7 @@ bool are_smooth(const ShapedBody& lower, const ShapedBody& upper)
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
 {
   const double scale = numerics.extent;
-  const double width = std::min(f.half_x, f.half_y); // of what surrounds the contact
+  const double width = f.endless_y ? f.half_x : std::min(f.half_x, f.half_y); // of what surrounds the contact
   const double plastic = 0.3 * width + 0.85 * f.plastic_reach;
   const double reach_x = std::max(f.over_x + 0.5 * width, plastic);
   const double reach_y = std::max(f.over_y + 0.5 * width, plastic);

@@ -16,6 +16,7 @@ struct Footprint
   double over_x = 0.0,
          over_y = 0.0;        ///< half-lengths that the contact of the textured surfaces covers, at least the same [m]
   bool straight_y = false;    ///< a roller: the contact ends with it
+  bool endless_y = false;     ///< the contact goes on along y, whatever the period: its length means nothing
   double plastic_reach = 0.0; ///< radius of the plastic zone [m]
   double depth = 0.0;         ///< to which plastic strain is to be expected [m]
   double approach = 0.0;      ///< [m]
@@ -23,13 +24,19 @@ struct Footprint
   double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
 };
 
-/// @throws InputError with reason_against_contact.
+/// @throws InputError with reason_against_contact or reason_against_approach; KeyError: see require_within_reference.
 [[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
                                   const Domain& domain);
 
 /// The same without the textures.
 [[nodiscard]] Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
                                          const Domain& domain);
+
+/// With one periodic axis the displacement counts from the reference distance. As the half-width of the contact grows to twice
+/// that, the approach stops growing with the load, and the operator is no longer positive definite: half of it is allowed.
+/// @throws KeyError
+void require_within_reference(double half_x, double half_y, const ShapedBody& lower, const ShapedBody& upper,
+                              const Domain& domain);
 
 /// Depth that the stress of an elastic contact reaches [m]: its largest shear is at 0.48 a under a point contact, at 0.79 a
 /// under a line contact.

@@ -33,41 +33,49 @@ double padded_bytes(const VolumeGrid& grid)
   return static_cast<double>(padded.x) * padded.y * grid.nz * sizeof(double);
 }
 
-/// Spectra of the stress, and rows without their padding in y.
+/// Spectra of fields, and their rows, which are transformed along x alone and have no padding along y.
 double spectra_bytes(const VolumeGrid& grid, int components)
 {
-  return 1.5 * components * padded_bytes(grid);
+  return components * padded_bytes(grid) *
+         (1.0 + static_cast<double>(grid.surface.ny) / padded_lengths(grid.surface).y);
 }
 
-/// Bytes of one body: kernels, state and trial fields; if it is solved, spectra and accelerator too.
-double body_bytes(const VolumeGrid& grid, int anderson_depth, bool solved)
+double field_bytes(const VolumeGrid& grid, double fields)
+{
+  return fields * sizeof(double) * static_cast<double>(grid.size());
+}
+
+/// One body that is computed: kernels and state; if it is plastic, the trial, its spectra and the accelerator, too.
+double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic)
 {
   const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
-  const double cells = static_cast<double>(grid.size()) * sizeof(double);
-  const double fields = cells * (6 * 5 + 4);
-  const double active_share = 0.25;
-  const double accelerator = cells * active_share * 5 * (2 * anderson_depth + 4);
-  return kernels + fields + (solved ? spectra_bytes(grid, 5) + accelerator : 0.0);
+  constexpr double state = 5.0 + 1.0 + 5.0;              // plastic strain, its equivalent, stress
+  if (!is_plastic)
+    return kernels + field_bytes(grid, state);
+  constexpr double trial = 5.0;
+  // Of the cells in the fixed point: a plastic zone fills less of a box than of its section, in which it fills half; their
+  // number is not known before, and packed fields grow by doubling.
+  const double active_share = is_plane(grid.surface) ? 1.0 : 0.25;
+  const double accelerator = active_share * 5.0 * (2.0 * anderson_depth + 4.0);
+  return kernels + field_bytes(grid, state + trial + accelerator) + spectra_bytes(grid, 5);
 }
 
-/// The final state always is a snapshot: tensors of both bodies, and the operators' spectra for one of them at a time.
+/// The final state always is stored: tensors and equivalents of both bodies, the last of which come to be while the others are
+/// there; or all of it as a file in memory, and as that file's image. The stress of a body that stays elastic takes spectra
+/// for the time being.
 double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
 {
-  const auto cells = static_cast<double>(lower.size() + upper.size());
   const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
-  return sizeof(double) * (13.0 * cells + 6.0 * static_cast<double>(larger.size())) + spectra_bytes(larger, 6);
+  const double computed = spectra_bytes(larger, 6) + field_bytes(larger, 6.0);
+  const double file = field_bytes(lower, 14.0) + field_bytes(upper, 14.0);
+  return field_bytes(lower, 13.0) + field_bytes(upper, 13.0) + std::max(computed, 2.0 * file);
 }
 
 /// A copy of the state, as numbers, as a file in memory, and as that file's image.
-double checkpoint_bytes(const VolumeGrid& grid, bool solved)
+double checkpoint_bytes(const VolumeGrid& grid, bool is_plastic)
 {
-  return solved ? 3.0 * 16.0 * sizeof(double) * static_cast<double>(grid.size()) : 0.0;
+  return is_plastic ? field_bytes(grid, 3.0 * 16.0) : 0.0;
 }
-
-} // namespace
-
-namespace
-{
 
 /// Cells of a period, and what is left over.
 double periods_cells(const Domain::Axis& axis, double spacing)
@@ -86,19 +94,43 @@ void fit_periods(const Domain& domain, bool spacing_given, std::array<double, 3>
       continue;
     const double cells = periods_cells(*axis, *cell);
     if (spacing_given && axis->cells == 0 && std::abs(cells - std::round(cells)) > 1e-6 * cells)
-      throw GridError(
-          fmt::format("grid.size = {:g} m along {} is {:.6g} cells of {:g} m; allowed: a whole number of cells",
-                      axis->size, name, cells, *cell));
+      throw KeyError("grid.size", fmt::format("grid.size = {:g} m along {} is {:.6g} cells of grid.spacing = {:g} m; "
+                                              "allowed: a whole number of cells",
+                                              axis->size, name, cells, *cell));
     *cell = axis->size / std::max(1.0, std::round(cells));
   }
 }
 
-/// Thickness of the layers: as given, or half the smaller cell; of a plane problem, whose rows have any length, half of dx.
+int cells_in(const Domain::Axis& axis, double cell)
+{
+  return static_cast<int>(std::lround(axis.size / cell));
+}
+
+/// Whether the one row of a period has any length, as in plane strain.
+bool is_one_row(const Domain& domain, double dy)
+{
+  return domain.y.is_periodic() && cells_in(domain.y, dy) == 1;
+}
+
+/// Thickness of the layers: as given, or half the smaller cell; half of dx where dy means nothing.
 double layer_thickness(const Domain& domain, double dx, double dy)
 {
   if (domain.layer > 0.0)
     return domain.layer;
-  return 0.5 * (domain.is_plane() ? dx : std::min(dx, dy));
+  return 0.5 * (is_one_row(domain, dy) ? dx : std::min(dx, dy));
+}
+
+/// The ends of a cylinder have to be those of cells: an odd number of them around a row in the middle, an even one around the
+/// middle of a period with an even number of rows.
+void require_ends_at_cells(const Domain& domain, double length, double dy)
+{
+  const bool is_even = domain.y.is_periodic() && cells_in(domain.y, dy) % 2 == 0;
+  const double rows = length / dy;
+  if (std::abs(std::remainder(rows - (is_even ? 0.0 : 1.0), 2.0)) > 1e-6 * rows)
+    throw GridError(
+        fmt::format("grid: the cylinder is {:.6g} cells of dy long; allowed: an {} whole number, so that its ends are "
+                    "those of cells",
+                    rows, is_even ? "even" : "odd"));
 }
 
 } // namespace
@@ -113,15 +145,12 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
   fit_periods(numerics.domain, numerics.spacing.has_value(), spacing);
   if (!numerics.spacing)
     spacing[2] = layer_thickness(numerics.domain, spacing[0], spacing[1]);
-  if (const double rows = 2.0 * contact.half_y / spacing[1];
-      contact.straight_y && std::abs(std::remainder(rows - 1.0, 2.0)) > 1e-6 * rows)
-    throw GridError(
-        fmt::format("grid: the cylinder is {:.6g} cells of dy long; allowed: an odd whole number, so that its "
-                    "ends are those of cells",
-                    rows));
+  if (contact.straight_y && !is_one_row(numerics.domain, spacing[1]))
+    require_ends_at_cells(numerics.domain, 2.0 * contact.half_y, spacing[1]);
   constexpr double most_cells = 1e5;
   const double finest = *std::min_element(spacing.begin(), spacing.end());
-  const double longest = numerics.domain.is_plane() ? contact.half_x : std::max(contact.half_x, contact.half_y);
+  const double longest =
+      is_one_row(numerics.domain, spacing[1]) ? contact.half_x : std::max(contact.half_x, contact.half_y);
   if (!(longest / finest < most_cells))
     throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, longest));
   return spacing;
@@ -142,7 +171,7 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
                                 "allowed: fewer than {:.0e}, so larger cells or a shorter track",
                                 count, 2.0 * longest, 2.0 * widest, extents.depth, most_cells));
   const auto cells_along = [](const Domain::Axis& axis, double extent, double cell, int more)
-  { return axis.is_periodic() ? static_cast<int>(std::lround(axis.size / cell)) : odd_cells(extent, cell, more); };
+  { return axis.is_periodic() ? cells_in(axis, cell) : odd_cells(extent, cell, more); };
   plan.contact = {cells_along(domain.x, extents.contact_x, dx, 0),
                   cells_along(domain.y, extents.contact_y, dy, 0),
                   dx,
@@ -163,21 +192,22 @@ int grown(int cells)
   return 2 * static_cast<int>(std::ceil(cells / 6.0 + 1.0)) + cells;
 }
 
-int step_count(double steps)
+int step_count(double steps, const std::string& key)
 {
   constexpr double most = 1e9;
   if (!(steps <= most))
-    throw InputError(fmt::format("{:.1e} steps; allowed: up to {:.0e}", steps, most));
+    throw KeyError(key, fmt::format("{} makes {:.1e} steps; allowed: up to {:.0e}", key, steps, most));
   return static_cast<int>(steps);
 }
 
 double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth)
 {
-  const bool upper_is_solved = upper_is_plastic && plan.twin == elastoplastic::Twin::none;
-  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) +
-         body_bytes(plan.upper, anderson_depth, upper_is_solved) +
+  const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
+  const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic);
+  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) + upper +
          std::max(snapshot_bytes(plan.lower, plan.upper),
-                  checkpoint_bytes(plan.lower, lower_is_plastic) + checkpoint_bytes(plan.upper, upper_is_solved));
+                  checkpoint_bytes(plan.lower, lower_is_plastic) +
+                      checkpoint_bytes(plan.upper, upper_is_plastic && !has_twin));
 }
 
 } // namespace brinell::simulation

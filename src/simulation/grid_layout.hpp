@@ -16,7 +16,7 @@ struct ContactSize
 
 /// Cells from the contact's size, unless they are given. Along a periodic axis a whole number of them makes the period.
 /// @param aspect  dy over dx for a round contact.
-/// @throws GridError
+/// @throws GridError; KeyError of a period that is no whole number of given cells
 [[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect);
 
 /// Half-lengths around the middle of each grid, and depth, to be covered [m].
@@ -39,7 +39,7 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
 /// What operators, fields and the final state take [bytes].
 [[nodiscard]] double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth);
 
-/// A number of steps as a whole one. @throws InputError if there are far too many
-[[nodiscard]] int step_count(double steps);
+/// A number of steps as a whole one. @throws KeyError of the key if there are far too many
+[[nodiscard]] int step_count(double steps, const std::string& key);
 
 } // namespace brinell::simulation

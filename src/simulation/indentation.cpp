@@ -2,6 +2,7 @@
 #include "brinell/simulation/indentation.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "domain.hpp"
 #include "footprint.hpp"
 #include "grid_layout.hpp"
 #include "indent.hpp"
@@ -154,12 +155,14 @@ IndentationPlan plan(const IndentationCase& indentation)
     track = std::max(track, std::abs(x));
   IndentationPlan plan;
   lay_out(indentation, f, track, 0.0, plan);
+  require_cells_in_periods(indentation.lower, indentation.upper, indentation.domain, plan.contact);
   plan.reference = reference_distance(indentation.lower.shape, indentation.upper.shape, indentation.domain);
   plan.contact_radius = f.half_x;
   plan.contact_radius_y = f.half_y;
   plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
-                          static_cast<double>(indentation.sequence.size() * indentation.places.size()));
+                              static_cast<double>(indentation.sequence.size() * indentation.places.size()),
+                          "indentation.steps");
   plan.memory_bytes = memory_bytes(plan, indentation.lower.material.is_plastic(),
                                    indentation.upper.material.is_plastic(), indentation.solver.anderson_depth);
   return plan;

@@ -78,7 +78,7 @@ Facts common_facts(const ScenarioCase& c, const Plan& plan)
   if (!stressed && are_smooth(c.lower, c.upper))
     f.first_yield = plan.scales.displacement;
   f.solver = c.solver;
-  f.is_plane = c.domain.is_plane();
+  f.is_plane = is_plane(plan.contact);
   f.textures = {&c.lower.texture, &c.upper.texture};
   return f;
 }

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "domain.hpp"
 #include "footprint.hpp"
 #include "grid_layout.hpp"
 #include "run_state.hpp"
@@ -180,11 +181,13 @@ RollingPlan plan(const RollingCase& rolling)
     throw InputError(
         fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
   // An even number, so that the middle of the track is reached.
-  plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift)));
+  plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "rolling.distance"));
   const double track = 0.5 * plan.rolling_steps * plan.shift;
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
+  require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
   plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
-  plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps));
+  plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
+                          "rolling.passes");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
                                    rolling.solver.anderson_depth);

@@ -4,12 +4,14 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "brinell/simulation/first_yield.hpp"
+#include "domain.hpp"
 #include "footprint.hpp"
 #include "grid_layout.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace brinell::simulation
 {
@@ -48,6 +50,7 @@ Pair pair_of(const TuggingCase& tugging)
   {
     const double a = std::sqrt(*radius * tugging.interference);
     pair.contact = {a, a};
+    require_within_reference(a, a, lower, upper, tugging.domain);
     if (const auto yield = earliest_first_yield(lower, upper, tugging.domain))
       pair.first_yield = std::min(pair.first_yield, yield->critical.interference);
     return pair;
@@ -119,7 +122,8 @@ Extents extents(const TuggingCase& tugging, const Pair& pair, const Passing& pas
   }
   e.lower_x = track_half_length(tugging, pair, passing, passing.radius_lower(), scale);
   e.upper_x = track_half_length(tugging, pair, passing, passing.radius_upper(), scale);
-  e.depth = scale * stressed_depth(half_x, half_y);
+  const bool endless = touch_all_along_y(tugging.lower.shape, tugging.upper.shape, tugging.domain);
+  e.depth = scale * stressed_depth(half_x, endless ? std::numeric_limits<double>::infinity() : half_y);
   return e;
 }
 
@@ -198,6 +202,7 @@ TuggingPlan plan(const TuggingCase& tugging)
                                  pair.texture.height, pass.radius_lower(), pass.radius_upper()));
   TuggingPlan plan;
   lay_out(cell, extents(tugging, pair, pass), tugging.domain, plan);
+  require_cells_in_periods(tugging.lower, tugging.upper, tugging.domain, plan.contact);
   plan.reference = reference_distance(tugging.lower.shape, tugging.upper.shape, tugging.domain);
   plan.elastic_contact_radius = pair.contact.half_x;
   plan.elastic_contact_radius_y = pair.contact.half_y;

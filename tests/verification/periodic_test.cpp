@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <tuple>
 #include <vector>
 
 /// Bodies without ends: plane strain, and periodic surfaces.
@@ -168,6 +170,139 @@ TEST(PlaneStrain, SwappedCylindersMirrorThePassAndEnergyCloses)
   EXPECT_LT(difference, 1e-3 * largest);
   test::expect_close("tugging of cylinders: energy balance error", run.summary.energy_balance_error, 0.0, 5e-3,
                      "energy: work = dissipated + stored");
+}
+
+/// A cylinder of 10 mm without ends that rolls over a flat under the load of that Hertz pressure [Pa].
+/// @param half_widths  length of the track, in those of the elastic contact.
+simulation::RollingCase rolling_cylinder(const constitutive::Material& lower, double hertz_pressure, double half_widths)
+{
+  const double b = 2.0 * 10e-3 * hertz_pressure / modulus(); // Johnson (1985), section 4.2
+  simulation::RollingCase c;
+  c.lower = {simulation::Plane{}, lower};
+  c.upper = {simulation::Roller{10e-3, inf}, {steel, {}}};
+  c.domain = plane_strain();
+  c.drive = load(0.5 * pi * b * hertz_pressure);
+  c.distance = half_widths * b;
+  c.resolution = slow_build ? 6.0 : 12.0;
+  return c;
+}
+
+TEST(PlaneStrain, ElasticRollingKeepsTheHertzPressureAndGivesTheWorkBack)
+{
+  const double p0 = 1.5e9;
+  const RollingRun run = computed(rolling_cylinder({steel, {}}, p0, 6.0));
+  double largest_energy = 0.0;
+  double resistance = 0.0;
+  double pressure_error = 0.0;
+  const double load = run.history[run.history.size() / 2].F_n;
+  for (const simulation::RollingRecord& r : run.history)
+  {
+    largest_energy = std::max(largest_energy, r.energy_elastic);
+    if (r.F_n < load * (1.0 - 1e-9))
+      continue; // it comes up or goes down
+    resistance = std::max(resistance, std::abs(r.F_X));
+    pressure_error = std::max(pressure_error, std::abs(r.max_pressure / p0 - 1.0));
+  }
+  // Of the cells at the edge, (dx/b)^1.5 of the load: 0.024, or 0.07.
+  test::expect_close("rolling in plane strain: peak pressure", 1.0 + pressure_error, 1.0,
+                     std::pow(1.0 / (slow_build ? 6.0 : 12.0), 1.5), "exact: Hertz");
+  // What a step does, the same step undoes: up to the tolerance of the contact, a thousandth of it in the energy.
+  EXPECT_LT(std::abs(run.summary.last.work), 1e-5 * largest_energy);
+  EXPECT_LT(resistance, 1e-5 * load);
+}
+
+TEST(PlaneStrain, RollingLeavesTheSameEverywhereAlongTheTrack)
+{
+  if (slow_build)
+    GTEST_SKIP() << too_slow;
+  // In the middle half of a track that is long all is the same, but for what is missing beyond its ends: plastic strain, whose
+  // stress falls with the square of the distance and whose displacement falls with the distance, as that of dislocations in
+  // pairs and alone does.
+  std::vector<double> strain_ranges, rut_ranges;
+  for (const double half_widths : {12.0, 24.0})
+  {
+    simulation::RollingCase c = rolling_cylinder(soft_steel(), 1.5e9, half_widths);
+    c.resolution = 8.0;
+    const RollingRun run = computed(c);
+    const simulation::BodySnapshot& body = run.summary.final_state.lower;
+    const SurfaceGrid& g = body.grid.surface;
+    ASSERT_EQ(g.ny, 1);
+    const int quarter = static_cast<int>(0.25 * half_widths * 8.0);
+    double least = inf, most = 0.0, shallowest = inf, deepest = 0.0;
+    for (int i = g.nx / 2 - quarter; i <= g.nx / 2 + quarter; ++i)
+    {
+      double strain = 0.0;
+      for (int k = 0; k < body.grid.nz; ++k)
+        strain = std::max(strain, body.equivalent_plastic_strain[body.grid.index(i, 0, k)]);
+      least = std::min(least, strain);
+      most = std::max(most, strain);
+      shallowest = std::min(shallowest, body.residual_displacement[g.index(i, 0)]);
+      deepest = std::max(deepest, body.residual_displacement[g.index(i, 0)]);
+    }
+    ASSERT_GT(least, 1e-3);
+    strain_ranges.push_back(most / least - 1.0);
+    rut_ranges.push_back((deepest - shallowest) / deepest);
+    EXPECT_TRUE(run.summary.passes.front().is_steady());
+    test::expect_close("rolling in plane strain: energy balance error", run.summary.energy_balance_error, 0.0, 5e-3,
+                       "energy: work = dissipated + stored");
+  }
+  std::printf("rolling in plane strain: plastic strain %.2e and %.2e, rut %.2e and %.2e uneven\n", strain_ranges[0],
+              strain_ranges[1], rut_ranges[0], rut_ranges[1]);
+  EXPECT_GT(std::log2(strain_ranges[0] / strain_ranges[1]), 1.7);
+  EXPECT_GT(std::log2(rut_ranges[0] / rut_ranges[1]), 0.9);
+}
+
+/// An ellipsoid of 10 x 20 mm on a flat, again after each period along y; or the same with x and y exchanged.
+IndentationCase row_of_ellipsoids(const constitutive::Material& lower, bool exchanged)
+{
+  constexpr double cell = 40e-6;
+  constexpr int cells = 41; // odd, so that the middle of a cell lies under the middle of the contact along either axis
+  IndentationCase c;
+  c.lower = {simulation::Plane{}, lower};
+  c.upper = {simulation::Paraboloid{10e-3, 20e-3}, {steel, {}}};
+  c.domain.y = {Boundary::periodic, cells * cell, 0};
+  c.spacing = {{cell, cell, 0.5 * cell}};
+  if (exchanged)
+  {
+    std::swap(c.domain.x, c.domain.y);
+    c.upper.shape = simulation::Paraboloid{20e-3, 10e-3};
+  }
+  c.sequence = {load(300.0), load(0.0)};
+  c.steps = 3;
+  c.solver.contact_tolerance = 1e-8;
+  return c;
+}
+
+TEST(OnePeriodicAxis, AxesCanBeExchangedInAnIndentation)
+{
+  for (const bool plastic : {false, true})
+  {
+    const constitutive::Material material = plastic ? soft_steel() : constitutive::Material{steel, {}};
+    const auto along_y = computed(row_of_ellipsoids(material, false));
+    const auto along_x = computed(row_of_ellipsoids(material, true));
+    ASSERT_EQ(along_x.history.size(), along_y.history.size());
+    const IndentationRecord& top = along_y.history[2];
+    EXPECT_EQ(plastic, along_y.summary.last.dissipation_lower > 0.0);
+    // The grids differ in extent along the open axis. Without plastic strain that does nothing; with it what is left of the
+    // copies beside the row along the open axis, some 1e-4 of the stress of the strain.
+    const double tolerance = plastic ? 1e-3 : 1e-7;
+    double worst = 0.0;
+    for (std::size_t i = 0; i < along_y.history.size(); ++i)
+    {
+      const IndentationRecord& a = along_y.history[i];
+      const IndentationRecord& b = along_x.history[i];
+      for (const auto& [one, other, scale] :
+           {std::tuple{a.approach, b.approach, top.approach},
+            {a.max_pressure, b.max_pressure, top.max_pressure},
+            {a.contact_area, b.contact_area, top.contact_area},
+            {a.residual_depth, b.residual_depth, top.approach},
+            {a.energy_elastic, b.energy_elastic, top.energy_elastic},
+            {a.max_equivalent_plastic_strain, b.max_equivalent_plastic_strain, top.max_equivalent_plastic_strain}})
+        worst = std::max(worst, scale > 0.0 ? std::abs(one - other) / scale : 0.0);
+    }
+    test::expect_close(std::string("row along x or y, ") + (plastic ? "plastic" : "elastic") + ": difference", worst,
+                       0.0, tolerance, "exact: symmetry");
+  }
 }
 
 /// A ball of 10 mm on a flat, again after each period in both directions.

@@ -22,7 +22,8 @@ public:
   /// @param contact_modulus  E' of the pair [Pa]: u = 1/(pi E') * integral of p / r.
   /// @param reference        with one periodic axis: the distance from a line load at which its displacement is counted as
   ///                         zero [m]; it has a logarithm without end. The operator is positive definite on surfaces well
-  ///                         within that distance.
+  ///                         within that distance: those less than four times as wide, if they are strips.
+  /// @throws InputError for one cell that is periodic along both axes, which nothing displaces
   SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference = 0.0);
   ~SurfaceCompliance();
   SurfaceCompliance(SurfaceCompliance&&) noexcept;

@@ -4,6 +4,7 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/elastoplastic/increment.hpp"
 #include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/error.hpp"
 #include "brinell/foundation/grid.hpp"
 #include "brinell/simulation/shape.hpp"
 #include "brinell/simulation/texture.hpp"
@@ -13,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Step loops: motion, history, energies. What all scenarios share. SI units.
@@ -46,10 +48,25 @@ struct Domain
 
   /// Whether the bodies have no ends.
   [[nodiscard]] bool is_periodic() const { return x.is_periodic() && y.is_periodic(); }
-  /// Whether all is uniform along y: plane strain.
-  [[nodiscard]] bool is_plane() const { return !x.is_periodic() && y.is_periodic() && y.cells == 1; }
   bool operator==(const Domain&) const = default;
 };
+
+/// What one key of a case says does not go with the rest of it. The text names the key, its value and what is allowed.
+class KeyError : public InputError
+{
+public:
+  KeyError(std::string key, const std::string& what) : InputError(what), key_(std::move(key)) {}
+  [[nodiscard]] const std::string& key() const { return key_; } ///< "grid.cells"
+
+private:
+  std::string key_;
+};
+
+/// Whether a grid is one row that repeats along y, so that nothing varies along it: a plane problem.
+[[nodiscard]] inline bool is_plane(const SurfaceGrid& grid)
+{
+  return grid.is_periodic_y() && grid.ny == 1;
+}
 
 /// Why these bodies do not touch in a way that can be computed in that domain; empty if they do.
 [[nodiscard]] std::optional<std::string> reason_against_contact(const ShapedBody& lower, const ShapedBody& upper,
@@ -58,6 +75,11 @@ struct Domain
 /// Why a texture does not go on over the end of a period; empty if it does. A dent, or a map that does not repeat, has to lie
 /// within one period: then it is there again in each of them.
 [[nodiscard]] std::optional<std::string> reason_against_texture(const Texture& texture, const Domain& domain);
+
+/// Why bodies that are periodic along both axes cannot approach so far [m]; empty if they can. Approaches are counted from the
+/// mean planes then, and at the mean distance of the surfaces all of them touches.
+[[nodiscard]] std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper,
+                                                                 double approach, const Domain& domain);
 
 /// The distance from a line load at which its displacement is counted as zero: as given; or 2 R/e of two cylinders, with which
 /// their approach is Green's (2005), of the axis of a cylinder of the radius R and a rigid flat (Johnson 1985, section 5.6);

@@ -53,6 +53,10 @@ struct CaseReader
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
+/// The boundaries of a domain, and its period along the axes that have one.
+/// @param both  whether the scenario can be computed with both axes periodic, or with x alone
+void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);
+
 /// Put the content of hardening.file and of each texture.file of a body in their place, so that the resolved case stands for itself.
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);

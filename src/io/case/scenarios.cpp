@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -80,63 +79,6 @@ void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const sim
   c.first_yield = simulation::nominal_first_yield(lower, upper, domain);
 }
 
-/// One number for each axis that is periodic.
-void set_axes(const CaseReader& reader, const std::string& key, std::vector<simulation::Domain::Axis*> axes,
-              const std::function<void(simulation::Domain::Axis&, double)>& set)
-{
-  const auto& given = reader.get<std::vector<double>>(key);
-  if (given.size() != axes.size())
-    return reader.add(key, fmt::format("has {} element{}; allowed: {}, for each axis that is periodic", given.size(),
-                                       given.size() == 1 ? "" : "s", axes.size()));
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    set(*axes[i], given[i]);
-}
-
-/// The period of a domain that has one.
-/// @param both  whether the scenario can be computed with both axes periodic, or with x alone
-void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both)
-{
-  using Axis = simulation::Domain::Axis;
-  const auto& boundary = reader.get<std::string>("grid.boundary");
-  if (boundary == "open")
-    return;
-  if (!both && boundary != "periodic_y")
-    return reader.add("grid.boundary", "goes with scenario = \"indentation\"; allowed where the contact moves along x: "
-                                       "\"open\" or [\"open\", \"periodic\"]");
-  std::vector<Axis*> axes;
-  if (boundary != "periodic_y")
-    axes.push_back(&domain.x);
-  if (boundary != "periodic_x")
-    axes.push_back(&domain.y);
-  for (Axis* axis : axes)
-    axis->boundary = Boundary::periodic;
-  const bool has_spacing = reader.has("grid.spacing");
-  for (const char* key : {"grid.cells", "grid.layer"})
-    if (has_spacing && reader.has(key))
-      reader.add(key, "cannot stand together with grid.spacing; keep one of them");
-  if (boundary == "periodic_y" && !has_spacing)
-    domain.y.cells = 1;
-  if (reader.has("grid.size"))
-    set_axes(reader, "grid.size", axes, [](Axis& axis, double size) { axis.size = size; });
-  else if (boundary != "periodic_y")
-    reader.problems.add(reader.place("grid.size"),
-                        fmt::format("grid.size is missing; allowed: {}, the period along {}",
-                                    boundary == "periodic" ? "two lengths > 0" : "a list of one length > 0",
-                                    boundary == "periodic" ? "x and y" : "x"));
-  if (reader.has("grid.cells"))
-    set_axes(reader, "grid.cells", axes,
-             [&](Axis& axis, double cells)
-             {
-               if (cells != std::round(cells))
-                 reader.add("grid.cells", "is not a list of whole numbers");
-               axis.cells = static_cast<int>(cells);
-             });
-  else if (!has_spacing && boundary != "periodic_y")
-    reader.problems.add(
-        reader.place("grid.cells"),
-        "grid.cells is missing; allowed: whole numbers > 0, one for each periodic axis, or grid.spacing");
-}
-
 /// Both bodies, and what follows from them alone.
 /// @param passing  each must be a circle in the plane of motion, as passing another one takes
 void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper, simulation::Domain& domain,
@@ -179,12 +121,32 @@ double smallest_radius(const ShapedBody& body)
   return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
 }
 
+/// Does what may find that the case cannot be computed; that is a problem at the key it names, at the source of the grid, or at
+/// `key`.
+template <typename Action>
+void at_its_key(const CaseReader& reader, const Case& c, const std::string& key, const Action& action)
+try
+{
+  action();
+}
+catch (const simulation::KeyError& error)
+{
+  reader.problems.add(reader.place(error.key()), error.what());
+}
+catch (const GridError& error)
+{
+  reader.problems.add(c.grid_source, error.what());
+}
+catch (const InputError& error)
+{
+  reader.add(key, fmt::format("does not fit: {}", error.what()));
+}
+
 /// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`. Then the size of
 /// the contact is known: the bodies are computed as half spaces, and neither cells nor steps may be larger than it.
 template <typename ScenarioCase>
-void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario, const std::string& key,
-                double ScenarioCase::Plan::*half_x, double ScenarioCase::Plan::*half_y)
-try
+void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario, double ScenarioCase::Plan::*half_x,
+                double ScenarioCase::Plan::*half_y)
 {
   constexpr double large = 0.3;
   const auto plan = simulation::plan(scenario);
@@ -196,7 +158,7 @@ try
              "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
              "half spaces",
              plan.*half_x, radius)});
-  const double rows = scenario.domain.is_plane() ? scenario.domain.y.size : plan.*half_y; // any length is as good
+  const double rows = simulation::is_plane(plan.contact) ? plan.contact.dy : plan.*half_y; // any length is as good
   if (scenario.spacing)
     if (const auto reason = simulation::reason_against_cells(*scenario.spacing, plan.*half_x, rows))
       reader.problems.add(c.grid_source, *reason);
@@ -204,14 +166,6 @@ try
     if (scenario.shift)
       if (const auto reason = simulation::reason_against_shift(*scenario.shift, plan.*half_x))
         reader.add(reader.get<std::string>("scenario") + ".shift", *reason);
-}
-catch (const GridError& error)
-{
-  reader.problems.add(c.grid_source, error.what());
-}
-catch (const InputError& error)
-{
-  reader.add(key, fmt::format("does not fit: {}", error.what()));
 }
 
 template <typename ScenarioCase>
@@ -248,7 +202,11 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
   if (by_load)
   {
     tugging.load = normalised ? given * c.first_yield->critical.load : given;
-    tugging.interference = simulation::elastic_approach(tugging.lower, tugging.upper, *tugging.load, tugging.domain);
+    at_its_key(reader, c, key,
+               [&] {
+                 tugging.interference =
+                     simulation::elastic_approach(tugging.lower, tugging.upper, *tugging.load, tugging.domain);
+               });
     if (tugging.kinematics == simulation::Kinematics::paper)
       reader.add("tugging.kinematics", "goes with a constant height only; allowed with tugging.load: \"exact\"");
   }
@@ -284,11 +242,9 @@ std::string driving_key(const CaseReader& reader)
 }
 
 /// Loads, approaches or mean pressures, whichever are given.
-std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const IndentationCase& indentation)
+std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const IndentationCase& indentation,
+                            const std::string& key)
 {
-  const std::string key = driving_key(reader);
-  if (key.empty())
-    return {};
   const bool by_load = key != "indentation.approach";
   const simulation::Domain& domain = indentation.domain;
   double unit = 1.0;
@@ -300,6 +256,8 @@ std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const Inden
                  "is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise indentation.load");
       return {};
     }
+    if (reader.get<bool>("indentation.normalised"))
+      reader.add("indentation.normalised", "goes with a load or an approach, and not with indentation.pressure");
     unit = domain.x.size * domain.y.size;
   }
   else if (reader.get<bool>("indentation.normalised"))
@@ -319,6 +277,12 @@ std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const Inden
     drives.push_back({by_load ? Drive::Kind::load : Drive::Kind::approach, value * unit});
   if (std::none_of(drives.begin(), drives.end(), [](const Drive& d) { return d.value > 0.0; }))
     reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
+  const auto largest =
+      std::max_element(drives.begin(), drives.end(), [](const Drive& a, const Drive& b) { return a.value < b.value; });
+  if (!by_load && largest->value > 0.0)
+    if (const auto reason =
+            simulation::reason_against_approach(indentation.lower, indentation.upper, largest->value, domain))
+      reader.add(key, *reason);
   const bool repeats = indentation.cycles > 1 || indentation.places.size() > 1;
   if (repeats && drives.back().value != 0.0)
     reader.add(key, "must end with 0 if there are several cycles or places");
@@ -371,18 +335,28 @@ void complete(const CaseReader& reader, Case& c, TuggingCase& t)
   c.equivalent_radius = 1.0 / (*simulation::relative_curvature(t.lower.shape, t.upper.shape))[0];
   set_drive(reader, c, t);
   if (reader.problems.empty())
-    check_plan(reader, c, t, t.load ? "tugging.load" : "tugging.interference",
-               &simulation::TuggingPlan::elastic_contact_radius, &simulation::TuggingPlan::elastic_contact_radius_y);
+    at_its_key(reader, c, t.load ? "tugging.load" : "tugging.interference",
+               [&]
+               {
+                 check_plan(reader, c, t, &simulation::TuggingPlan::elastic_contact_radius,
+                            &simulation::TuggingPlan::elastic_contact_radius_y);
+               });
 }
 
 void complete(const CaseReader& reader, Case& c, IndentationCase& i)
 {
   read_domain(reader, i.domain, true);
   read_pair(reader, c, i.lower, i.upper, i.domain);
-  i.sequence = sequence(reader, c, i);
+  const std::string key = driving_key(reader);
+  if (!key.empty())
+    i.sequence = sequence(reader, c, i, key);
   if (reader.problems.empty())
-    check_plan(reader, c, i, "indentation.steps", &simulation::IndentationPlan::contact_radius,
-               &simulation::IndentationPlan::contact_radius_y);
+    at_its_key(reader, c, key,
+               [&]
+               {
+                 check_plan(reader, c, i, &simulation::IndentationPlan::contact_radius,
+                            &simulation::IndentationPlan::contact_radius_y);
+               });
 }
 
 void complete(const CaseReader& reader, Case& c, RollingCase& r)
@@ -391,8 +365,10 @@ void complete(const CaseReader& reader, Case& c, RollingCase& r)
   read_pair(reader, c, r.lower, r.upper, r.domain);
   r.drive = rolling_drive(reader, c, r);
   if (reader.problems.empty())
-    check_plan(reader, c, r, "rolling.distance", &simulation::RollingPlan::half_width_x,
-               &simulation::RollingPlan::half_width_y);
+    at_its_key(
+        reader, c, "rolling.distance",
+        [&]
+        { check_plan(reader, c, r, &simulation::RollingPlan::half_width_x, &simulation::RollingPlan::half_width_y); });
 }
 
 } // namespace

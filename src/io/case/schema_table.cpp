@@ -52,7 +52,7 @@ std::vector<Entry> grid_entries()
        .unset = "from spacing; one along y if it alone is periodic",
        .text =
            "Cells in a period, along x and along y, or along the one axis that is periodic. Products of small prime "
-           "numbers are fast.",
+           "numbers are fast. One cell is for what is uniform along its axis.",
        .when = periodic},
       bound({.key = "grid.layer",
              .dimension = dimension::length,
@@ -68,7 +68,7 @@ std::vector<Entry> grid_entries()
            .unset = "2 R/e of two cylinders, as Green (2005) has their approach; otherwise the period",
            .text =
                "Distance from a line load at which its displacement counts as zero: the approach in plane strain has a "
-               "logarithm without end.",
+               "logarithm without end. At least the half-width of the contact.",
            .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
           &Draft::numerics, &Numerics::domain, &Domain::reference),
       bound({.key = "grid.spacing",

@@ -125,8 +125,13 @@ Handle chunks(std::span<const hsize_t> shape, Storage storage)
   if (storage == Storage::contiguous)
     return creation;
   std::vector<hsize_t> chunk(shape.begin(), shape.end());
+  // Of one size, as chunks are stored whole: 69 cells in chunks of 64 would take the place of 128.
   for (hsize_t& side : chunk)
-    side = std::min(side, longest_chunk_side.at(shape.size()));
+  {
+    const hsize_t longest = longest_chunk_side.at(shape.size());
+    const hsize_t count = std::max<hsize_t>(1, (side + longest - 1) / longest);
+    side = (side + count - 1) / count;
+  }
   check(H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
   if (storage == Storage::plain)
   {

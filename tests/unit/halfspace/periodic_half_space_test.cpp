@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
 #include "brinell/green/eigenstrain_sheet.hpp"
 #include "brinell/green/rectangle.hpp"
 #include "brinell/green/strip.hpp"
@@ -95,6 +96,24 @@ TEST_P(PeriodicWaveTest, GivesADisplacementOfTwoOverModulusAndWavenumber)
     const double k = 2.0 * pi * std::hypot(a / (nx * g.dx), b / (ny * g.dy));
     for (std::size_t n = 0; n < u.size(); ++n) // the uniform part counts as nothing
       EXPECT_NEAR(u[n], 2.0 / (modulus * k) * (wave[n] - 3.0), 1e-13 / k) << a << ' ' << b;
+  }
+}
+
+TEST(PeriodicSurfaceTest, OneCellHasNoResponseAndFewOnesAFiniteOne)
+{
+  EXPECT_THROW(SurfaceCompliance(periodic(1, 1, 0.5, 0.7), modulus), InputError);
+  for (const auto& [nx, ny] : {std::pair{2, 1}, {1, 2}, {2, 2}, {3, 1}, {1, 3}})
+  {
+    const SurfaceGrid g = periodic(nx, ny, 0.5, 0.7);
+    const SurfaceCompliance compliance(g, modulus);
+    SurfaceCompliance::Scratch scratch = compliance.make_scratch();
+    std::vector<double> p(g.size(), 0.0), u(g.size()), back(g.size());
+    p[0] = 1.0;
+    compliance.apply({.pressure = p}, {.z = u}, scratch);
+    compliance.apply_inverse(u, back, scratch);
+    const double mean = 1.0 / static_cast<double>(g.size());
+    for (std::size_t n = 0; n < p.size(); ++n) // the displacement has no uniform part
+      EXPECT_NEAR(back[n], p[n] - mean, 1e-12) << nx << ' ' << ny;
   }
 }
 
@@ -221,17 +240,30 @@ TEST_P(BoundaryPairTest, AxesCanBeExchanged)
         for (int i = 0; i < g.surface.nx; ++i)
           exchanged[static_cast<std::size_t>(c) * g.size() + h.index(j, i, k)] =
               strain[static_cast<std::size_t>(of[static_cast<std::size_t>(c)]) * g.size() + g.index(i, j, k)];
+  const auto residual = [](const VolumeGrid& grid, const std::vector<double>& plastic)
+  {
+    const HalfSpace half_space(grid, elastic);
+    HalfSpace::Work work = half_space.make_work();
+    std::vector<double> displaced(grid.surface.size());
+    half_space.load(plastic, grid.nz, work).displacement({.z = displaced});
+    return displaced;
+  };
+  const auto a = residual(g, strain);
+  const auto b = residual(h, exchanged);
+  for (int j = 0; j < g.surface.ny; ++j)
+    for (int i = 0; i < g.surface.nx; ++i)
+      EXPECT_NEAR(a[g.surface.index(i, j)], b[h.surface.index(j, i)], 1e-11 * largest(a));
   const StressField s(HalfSpace(g, elastic), p, strain);
   const StressField t(HalfSpace(h, elastic), q, exchanged);
   for (int k = 0; k < g.nz; ++k)
     for (int j = 0; j < g.surface.ny; ++j)
       for (int i = 0; i < g.surface.nx; ++i)
       {
-        const SymTensor a = s.at(g.index(i, j, k));
-        const SymTensor b = t.at(h.index(j, i, k));
+        const SymTensor here = s.at(g.index(i, j, k));
+        const SymTensor there = t.at(h.index(j, i, k));
         constexpr std::array<std::size_t, 6> other{1, 0, 2, 4, 3, 5};
         for (std::size_t c = 0; c < 6; ++c)
-          EXPECT_NEAR(a[c], b[other[c]], 1e-11) << "component " << c;
+          EXPECT_NEAR(here[c], there[other[c]], 1e-11) << "component " << c;
       }
 }
 

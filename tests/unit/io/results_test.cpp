@@ -130,6 +130,20 @@ TEST(Results, FieldsAreOrderedAndDescribed)
   EXPECT_EQ(text_attribute(file, "/", "format"), "brinell-result");
 }
 
+TEST(Results, FieldsTakeThePlaceOfTheirCells)
+{
+  // Chunks are stored whole: their edges must not lie far beyond those of the field, whatever its shape. What is allowed is a
+  // cell per chunk along each axis, and what the file itself takes.
+  for (const std::array<std::size_t, 3> shape : {std::array<std::size_t, 3>{65, 65, 65}, {64, 64, 64}, {1, 129, 70}})
+  {
+    const std::vector<double> values(shape[0] * shape[1] * shape[2], 1.5);
+    h5::Handle file = h5::create_file_in_memory();
+    h5::write_dataset(file, "field", values, shape, "Pa", "a stress", h5::Storage::plain);
+    const double bytes = static_cast<double>(h5::file_image(std::move(file)).size());
+    EXPECT_LT(bytes, 1.06 * 8.0 * static_cast<double>(values.size()) + 1e4) << shape[0];
+  }
+}
+
 TEST(Results, CarryTheirCase)
 {
   const sample::TemporaryFolder folder;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/scenario.hpp"
+
+namespace brinell::simulation
+{
+
+/// Whether bodies touch along y all through a period, so that their shapes leave a plane problem.
+[[nodiscard]] bool touch_all_along_y(const Shape& lower, const Shape& upper, const Domain& domain);
+
+/// One period of bodies that are periodic along both axes, in cells fine enough for estimates: at most those of the grid.
+[[nodiscard]] SurfaceGrid sampled_period(const Domain& domain);
+/// What the cells of that grid have of a texture [m], where the cells of a run are: a column at x = 0, rows around y = 0.
+[[nodiscard]] std::vector<double> sampled_depths(const Texture& texture, const SurfaceGrid& grid);
+
+/// One row, or one column, of a period shows no more than what is uniform along it.
+/// @param grid  of the contact.
+/// @throws KeyError if the bodies, or their textures, are not; or if there is one cell only, which nothing displaces
+void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
+                              const SurfaceGrid& grid);
+
+/// A mean pressure on bodies that are periodic along both axes is there at any depth. Held in its plane, material under it
+/// carries a von Mises stress of p (1 - 2 nu)/(1 - nu): what yields under that yields without end, and no grid is deep enough.
+/// @throws InputError
+void require_finite_depth(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain);
+
+} // namespace brinell::simulation

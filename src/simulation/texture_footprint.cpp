@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "texture_footprint.hpp"
+
+#include "domain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+
+constexpr double pi = std::numbers::pi;
+
+} // namespace
+
+double Roughness::wavelength() const
+{
+  return slope > 0.0 ? 2.0 * pi * height / slope : 0.0;
+}
+
+Roughness roughness_of(std::span<const double> heights, const SurfaceGrid& grid)
+{
+  double mean = 0.0;
+  for (const double h : heights)
+    mean += h / static_cast<double>(heights.size());
+  // Points that have a next one, around the period if there is one.
+  const int last_x = grid.is_periodic_x() ? grid.nx : grid.nx - 1;
+  const int last_y = grid.is_periodic_y() ? grid.ny : grid.ny - 1;
+  double squares = 0.0;
+  double slopes_x = 0.0;
+  double slopes_y = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+    {
+      const double here = heights[grid.index(i, j)];
+      squares += std::pow(here - mean, 2);
+      slopes_x += i < last_x ? std::pow((heights[grid.index((i + 1) % grid.nx, j)] - here) / grid.dx, 2) : 0.0;
+      slopes_y += j < last_y ? std::pow((heights[grid.index(i, (j + 1) % grid.ny)] - here) / grid.dy, 2) : 0.0;
+    }
+  const double count_x = std::max(1.0, static_cast<double>(last_x) * grid.ny);
+  const double count_y = std::max(1.0, static_cast<double>(last_y) * grid.nx);
+  return {std::sqrt(squares / static_cast<double>(heights.size())), std::sqrt(slopes_x / count_x + slopes_y / count_y)};
+}
+
+namespace
+{
+
+/// Where a part of a texture is on its body, in the middle of what covers the whole plane, and over which length it rises and
+/// falls [m].
+struct Waviness
+{
+  double x = 0.0, length = 0.0;
+};
+
+Waviness waviness_of(const Dent& dent)
+{
+  return {dent.x, dent.radius};
+}
+Waviness waviness_of(const HeightMap& map)
+{
+  const Boundary boundary = map.periodic ? Boundary::periodic : Boundary::open;
+  const Roughness roughness = roughness_of(map.heights, {map.nx, map.ny, map.dx, map.dy, boundary, boundary});
+  return {map.periodic ? 0.0 : map.x, roughness.wavelength()};
+}
+Waviness waviness_of(const Sinusoid& s) // of crossed waves the wavenumber is the root of the sum of both squares
+{
+  return {0.0, 1.0 / std::hypot(1.0 / s.wavelength_x, 1.0 / s.wavelength_y)};
+}
+Waviness waviness_of(const RandomSurface& surface)
+{
+  return {0.0, Roughness{surface.rms_height(), surface.rms_slope()}.wavelength()};
+}
+
+/// One axis of the coarse grid on which the contact of textured bodies is sought.
+struct CoarseAxis
+{
+  int cells = 0;
+  double half = 0.0; ///< [m]; along a periodic axis that of the period
+  Boundary boundary = Boundary::open;
+
+  [[nodiscard]] bool is_periodic() const { return boundary == Boundary::periodic; }
+  [[nodiscard]] double cell() const { return 2.0 * half / cells; }
+};
+
+CoarseAxis coarse_axis(const Domain::Axis& axis, double smooth_half)
+{
+  constexpr int most = 41;
+  if (!axis.is_periodic())
+    return {most, 2.5 * smooth_half, Boundary::open};
+  return {axis.cells > 0 ? std::min(axis.cells, most) : most, 0.5 * axis.size, Boundary::periodic};
+}
+
+/// Distance of the textured surfaces at the cells of a grid around a place x. Heights at its points, not means over its cells:
+/// roughness bears where it is high.
+std::vector<double> distance_at(const ShapedBody& lower, const ShapedBody& upper, const SurfaceGrid& grid, double x)
+{
+  std::vector<double> distance = depths(lower.texture, grid, x + grid.x(0), grid.y(0));
+  const std::vector<double> of_upper = depths(upper.texture, grid, x + grid.x(0), grid.y(0));
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      distance[grid.index(i, j)] += of_upper[grid.index(i, j)] + height(lower.shape, grid.x(i), grid.y(j)) +
+                                    height(upper.shape, grid.x(i), grid.y(j));
+  return distance;
+}
+
+/// Columns and rows from the middle of a grid to the farthest cell under pressure.
+std::array<int, 2> cells_reached(const SurfaceGrid& grid, std::span<const double> pressure)
+{
+  std::array<int, 2> reached{0, 0};
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      if (pressure[grid.index(i, j)] > 0.0)
+        reached = {std::max(reached[0], std::abs(i - grid.nx / 2)), std::max(reached[1], std::abs(j - grid.ny / 2))};
+  return reached;
+}
+
+/// Half-lengths that the elastic contact covers with a place x of the textures under its middle, by a solution on a coarse
+/// grid; along a periodic axis that of the period.
+std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
+                                    double modulus, const Domain& domain, const Footprint& smooth, double x)
+{
+  constexpr double tolerance = 1e-3; // of the approach
+  constexpr int iterations = 500;
+  const double reference = reference_distance(lower.shape, upper.shape, domain);
+  std::array<CoarseAxis, 2> axes{coarse_axis(domain.x, smooth.half_x), coarse_axis(domain.y, smooth.half_y)};
+  for (int attempt = 0; attempt < 4; ++attempt)
+  {
+    const SurfaceGrid grid{axes[0].cells,  axes[1].cells,    axes[0].cell(),
+                           axes[1].cell(), axes[0].boundary, axes[1].boundary};
+    const std::vector<double> distance = distance_at(lower, upper, grid, x);
+    const halfspace::SurfaceCompliance compliance(grid, modulus, reference);
+    contact::ElasticContact solver(compliance);
+    std::vector<double> pressure(grid.size(), 0.0);
+    std::vector<double> gap(grid.size());
+    // An estimate: what has not converged by then still shows where the contact is.
+    static_cast<void>(solver.solve(distance, drive, tolerance * smooth.approach, iterations, pressure, gap));
+    const std::array<int, 2> reached = cells_reached(grid, pressure);
+    bool ends = true;
+    std::array<double, 2> half{};
+    for (std::size_t i = 0; i < axes.size(); ++i)
+    {
+      const bool ends_here = axes[i].is_periodic() || reached[i] < axes[i].cells / 2;
+      half[i] = axes[i].is_periodic() ? axes[i].half : (reached[i] + 1) * axes[i].cell();
+      axes[i].half *= ends_here ? 1.0 : 1.6;
+      ends = ends && ends_here;
+    }
+    if (ends)
+      return half;
+  }
+  return {axes[0].half, axes[1].half};
+}
+
+} // namespace
+
+void add_textures(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, double modulus,
+                  const Domain& domain, Footprint& f)
+{
+  constexpr double clearly_elastic = 0.7; // of the pressure at first yield
+  double longest = 0.0;
+  std::set<double> places;
+  for (const ShapedBody* body : {&lower, &upper})
+    for (const TexturePart& part : body->texture.parts)
+    {
+      const Waviness waves = std::visit([](const auto& p) { return waviness_of(p); }, part);
+      longest = std::max(longest, waves.length);
+      if (!places.insert(waves.x).second)
+        continue;
+      const auto [x, y] = elastic_cover(lower, upper, drive, modulus, domain, f, waves.x);
+      f.over_x = std::max(f.over_x, x);
+      f.over_y = f.straight_y ? f.over_y : std::max(f.over_y, y);
+    }
+  if (longest > 0.0 && f.peak_ratio < clearly_elastic)
+    f.depth = std::min(f.depth, longest);
+}
+
+Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modulus, double yield_pressure,
+                   const Domain& domain)
+{
+  constexpr double rounding = 1e-9;
+  const SurfaceGrid grid = sampled_period(domain);
+  std::vector<double> h = sampled_depths(lower.texture, grid);
+  const std::vector<double> other = sampled_depths(upper.texture, grid);
+  const double apart = roughness_of(h, grid).height + roughness_of(other, grid).height;
+  std::transform(h.begin(), h.end(), other.begin(), h.begin(), std::plus<>());
+  const Roughness together = roughness_of(h, grid);
+  if (!(together.height > rounding * apart))
+    throw KeyError("upper.texture", "lower.texture and upper.texture leave the distance of the bodies the same "
+                                    "everywhere in the period, on its cells; allowed: textures that differ, of waves "
+                                    "that the cells show");
+  const double length = together.wavelength();
+  const double slope = std::numbers::sqrt2 * together.slope; // the largest, of waves with that height and slope
+  Footprint f;
+  f.elastic_x = f.half_x = f.elastic_y = f.half_y = 0.25 * length; // of a summit
+  f.approach = std::numbers::sqrt2 * together.height;
+  f.peak_ratio = 0.5 * modulus * slope / yield_pressure; // where the wave is flattened (Westergaard)
+  const double over_yield = std::max(1.0, f.peak_ratio);
+  f.first_yield_approach = f.approach / (over_yield * over_yield);
+  f.depth = length; // over it exp(-kz) (1 + kz) falls to 1.4 %
+  f.over_x = 0.5 * domain.x.size;
+  f.over_y = 0.5 * domain.y.size;
+  return f;
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/domain.hpp"
+
+#include "brinell/halfspace/surface_compliance.hpp"
+#include "brinell/simulation/quality.hpp"
+#include "brinell/simulation/run.hpp"
+#include "brinell/simulation/tugging.hpp"
+#include "simulation/texture_footprint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+/// Plans of bodies in a period: plane strain, one and two periodic axes.
+namespace brinell::simulation
+{
+namespace
+{
+
+using contact::Drive;
+
+constexpr double pi = std::numbers::pi;
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double R = 10e-3;
+const Elastic steel{200e9, 0.3};
+
+Drive load(double newton)
+{
+  return {Drive::Kind::load, newton};
+}
+Drive approach(double metre)
+{
+  return {Drive::Kind::approach, metre};
+}
+
+double modulus()
+{
+  return contact_modulus(steel, steel);
+}
+
+/// A cylinder of 10 mm without ends on a flat, in plane strain.
+IndentationCase cylinder(const Drive& drive, double reference = 0.0)
+{
+  IndentationCase c;
+  c.lower = {Plane{}, {steel, {}}};
+  c.upper = {Roller{R, inf}, {steel, {}}};
+  c.domain.y = {Boundary::periodic, 1.0, 1};
+  c.domain.reference = reference;
+  c.sequence = {drive};
+  return c;
+}
+
+IndentationCase flats(const Drive& drive)
+{
+  IndentationCase c = cylinder(drive);
+  c.upper.shape = Plane{};
+  c.domain.x = c.domain.y = {Boundary::periodic, 1e-3, 16};
+  c.lower.texture = Sinusoid{.amplitude = 1e-6, .wavelength_x = 0.5e-3, .wavelength_y = 0.5e-3};
+  return c;
+}
+
+Footprint smooth(const IndentationCase& c)
+{
+  return smooth_footprint(c.lower, c.upper, c.sequence.front(), c.domain);
+}
+
+/// The key that a plan is refused for, and a part of the message.
+template <typename ScenarioCase>
+void expect_refused(const ScenarioCase& c, const std::string& key, const std::string& part)
+{
+  try
+  {
+    static_cast<void>(plan(c));
+    ADD_FAILURE() << "not refused: " << part;
+  }
+  catch (const KeyError& error)
+  {
+    EXPECT_EQ(error.key(), key);
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part << "\n  in: " << error.what();
+  }
+}
+
+/// Load at which the half-width of the contact is b, per metre.
+double load_at(double b)
+{
+  return pi * modulus() * b * b / (4.0 * R);
+}
+
+// --- contact in a line --------------------------------------------------------------------------------------------
+
+TEST(LineFootprint, LoadAndApproachAreThatOfTheLogarithm)
+{
+  const double l = 0.5e-3;
+  for (const double b : {1e-6, 0.1e-3, 0.3e-3, 0.499e-3})
+  {
+    const double P = load_at(b);
+    const double delta = P / (pi * modulus()) * (1.0 + 2.0 * std::log(2.0 * l / b));
+    const Footprint by_load = smooth(cylinder(load(P), l));
+    EXPECT_NEAR(by_load.half_x, b, 1e-12 * b);
+    EXPECT_NEAR(by_load.approach, delta, 1e-12 * delta);
+    EXPECT_NEAR(smooth(cylinder(approach(delta), l)).half_x, b, 1e-9 * b);
+  }
+}
+
+TEST(LineFootprint, ARollerIsTheSameFromEitherSide)
+{
+  for (const double P : {1.0, 1e3, 1e5})
+  {
+    IndentationCase c = cylinder(load(P));
+    c.domain = {};
+    c.upper.shape = Roller{R, 5e-3};
+    const Footprint by_load = smooth(c);
+    const double b = std::sqrt(4.0 * P * R / (pi * 5e-3 * modulus()));
+    EXPECT_NEAR(by_load.half_x, b, 1e-12 * b);
+    EXPECT_TRUE(by_load.straight_y);
+    c.sequence = {approach(by_load.approach)};
+    EXPECT_NEAR(smooth(c).half_x, b, 1e-9 * b);
+  }
+}
+
+TEST(LineFootprint, AnImposedApproachLimitsTheWidthOfAPlasticContact)
+{
+  // A soft body would spread under the load that an elastic one bears; what comes down by delta is no wider than its overlap.
+  const double delta = 20e-6;
+  IndentationCase c = cylinder(approach(delta));
+  c.lower.material.hardening = constitutive::PerfectPlasticity{50e6};
+  for (const bool plane : {true, false})
+  {
+    if (!plane)
+    {
+      c.domain = {};
+      c.upper.shape = Roller{R, 5e-3};
+    }
+    EXPECT_LE(smooth(c).half_x, 1.2 * std::sqrt(2.0 * R * delta) * (1.0 + 1e-12));
+    EXPECT_GE(smooth(c).half_x, smooth(c).elastic_x);
+  }
+}
+
+TEST(LineFootprint, IsRefusedWhereItIsWiderThanTheReference)
+{
+  const double l = 0.2e-3;
+  const double most = l * l / (4.0 * R) * (1.0 + 2.0 * std::log(2.0));
+  EXPECT_NO_THROW(static_cast<void>(plan(cylinder(load(load_at(0.99 * l)), l))));
+  EXPECT_NO_THROW(static_cast<void>(plan(cylinder(approach(0.99 * most), l))));
+  expect_refused(cylinder(load(load_at(1.01 * l)), l), "grid.reference", "grid.reference = 0.0002 m is less than");
+  expect_refused(cylinder(approach(1.01 * most), l), "grid.reference", "grid.reference = 0.0002 m: with it");
+  // Of a row of balls, which tugging has estimates of its own for, as well.
+  TuggingCase t;
+  t.lower = t.upper = {Paraboloid{R, R}, {steel, {}}};
+  t.interference = 10e-6;
+  t.domain.y = {Boundary::periodic, 2e-3, 64};
+  EXPECT_NO_THROW(static_cast<void>(plan(t)));
+  t.domain.reference = 0.1e-3;
+  expect_refused(t, "grid.reference", "grid.reference = 0.0001 m is less than the half-width of the contact");
+}
+
+TEST(LineFootprint, TheOperatorIsDefiniteUpToTwiceTheReference)
+{
+  // The pressure 1/sqrt(a^2 - x^2) sinks a strip of half-width a evenly, by 2/E' ln(2 l/a): no stiffness is left at a = 2 l,
+  // where the approach of a cylinder is the largest. Mean over a cell, so that the strip is exact but for the cells' error.
+  constexpr int n = 400;
+  const auto work = [&](double a)
+  {
+    const SurfaceGrid g{n, 1, 2.0 * a / n, 1.0, Boundary::open, Boundary::periodic};
+    std::vector<double> p(g.size()), u(g.size());
+    for (int i = 0; i < n; ++i)
+      p[static_cast<std::size_t>(i)] =
+          (std::asin(std::min(1.0, 2.0 * (i + 1) / n - 1.0)) - std::asin(2.0 * i / n - 1.0)) / g.dx;
+    const halfspace::SurfaceCompliance compliance(g, 1.0, 1.0); // E' = 1, l = 1
+    auto scratch = compliance.make_scratch();
+    compliance.apply({.pressure = p}, {.z = u}, scratch);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      sum += p[i] * u[i] * g.dx;
+    return sum;
+  };
+  for (const double a : {0.5, 1.0, 1.9, 2.1, 4.0})
+    EXPECT_NEAR(work(a), 2.0 * pi * std::log(2.0 / a), 0.05) << a; // of the cells, about 1/sqrt(n)
+  EXPECT_GT(work(1.95), 0.0);
+  EXPECT_LT(work(2.05), 0.0);
+}
+
+TEST(LineFootprint, InAPeriodTheApproachCountsFromTheMeanPlane)
+{
+  IndentationCase c = cylinder(load(0.3e6));
+  const double period = 4e-3;
+  c.domain.x = {Boundary::periodic, period, 1024};
+  c.domain.layer = 0.1e-3;
+  c.steps = 1;
+  const IndentationPlan p = plan(c);
+  double found = 0.0;
+  Observer<IndentationRecord> observer;
+  observer.on_step = [&](const IndentationRecord& r, int) { found = r.approach; };
+  static_cast<void>(run(c, observer));
+  EXPECT_GT(found, 0.0);
+  EXPECT_NEAR(p.scales.gap, found, 0.01 * found); // lines beside each other, of (b/period)^2; and the cells
+  // Beyond full contact nothing is left to estimate, but the plan still holds.
+  c.sequence = {load(1e8)};
+  EXPECT_GT(plan(c).scales.gap, 0.0);
+  EXPECT_TRUE(std::isfinite(plan(c).scales.gap));
+}
+
+// --- cells in a period --------------------------------------------------------------------------------------------
+
+TEST(PlaneProblem, IsOneRowHoweverItIsGiven)
+{
+  IndentationCase by_cells = cylinder(load(1e6));
+  by_cells.lower.material.hardening = constitutive::LinearHardening{600e6, 20e9};
+  const IndentationPlan one = plan(by_cells);
+  EXPECT_TRUE(is_plane(one.contact));
+  EXPECT_DOUBLE_EQ(one.lower.dz, 0.5 * one.contact.dx);
+  IndentationCase by_spacing = by_cells;
+  by_spacing.domain.y.cells = 0;
+  by_spacing.spacing = {{one.contact.dx, 1.0, one.lower.dz}};
+  const IndentationPlan other = plan(by_spacing);
+  EXPECT_EQ(other.contact, one.contact);
+  EXPECT_EQ(other.lower, one.lower);
+  const Resolution expected = expected_quality(by_cells, one).resolution;
+  const Resolution found = expected_quality(by_spacing, other).resolution;
+  EXPECT_NEAR(found.cells_y, expected.cells_y, 1e-9);
+  EXPECT_NEAR(found.cells_x, expected.cells_x, 1e-9);
+}
+
+TEST(PlaneProblem, TheLengthOfThePeriodMeansNothing)
+{
+  for (const double yield : {600e6, inf})
+  {
+    IndentationCase c = cylinder(load(1e6));
+    if (std::isfinite(yield))
+      c.lower.material.hardening = constitutive::LinearHardening{yield, 20e9};
+    const IndentationPlan expected = plan(c);
+    for (const double length : {1e-6, 1e-3, 100.0})
+    {
+      c.domain.y.size = length;
+      c.sequence = {load(1e6 * length)};
+      const IndentationPlan found = plan(c);
+      EXPECT_EQ(found.contact.nx, expected.contact.nx);
+      EXPECT_NEAR(found.contact.dx, expected.contact.dx, 1e-9 * expected.contact.dx);
+      EXPECT_EQ(found.lower.surface.nx, expected.lower.surface.nx);
+      EXPECT_EQ(found.lower.nz, expected.lower.nz) << length;
+    }
+  }
+}
+
+TEST(CellsInPeriods, OneRowTakesWhatIsUniformAlongIt)
+{
+  IndentationCase c = cylinder(load(1e6));
+  c.upper.shape = Paraboloid{R, R};
+  expect_refused(c, "grid.cells", "their shapes vary; allowed: the period along y as grid.size and more than one cell");
+  c = cylinder(load(1e3));
+  c.upper.shape = Roller{R, 1e-3};
+  expect_refused(c, "grid.size",
+                 "grid.size = 1 m along y, in one row, is more than the length of the cylinder, 0.001 m");
+  c = cylinder(load(1e6));
+  c.lower.texture = Sinusoid{.amplitude = 1e-7, .wavelength_y = 0.5};
+  expect_refused(c, "grid.cells", "lower.texture varies");
+  c.lower.texture = Dent{.depth = 1e-7, .radius = 1e-4};
+  expect_refused(c, "grid.cells", "lower.texture varies");
+  c.lower.texture = Sinusoid{.amplitude = 1e-7, .wavelength_x = 1e-4};
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+  HeightMap profile{4, 2, 1e-4, 0.5, 0.0, 0.0, {0.0, 1e-7, 0.0, 0.0, 0.0, 1e-7, 0.0, 0.0}, true};
+  c.lower.texture = profile;
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+  profile.heights[0] = 1e-7;
+  c.lower.texture = profile;
+  expect_refused(c, "grid.cells", "lower.texture varies");
+}
+
+TEST(CellsInPeriods, OneColumnAndOneCell)
+{
+  IndentationCase c = flats(load(1.0));
+  c.domain.x.cells = 1;
+  expect_refused(c, "grid.cells", "grid.cells is 1 along x");
+  c.lower.texture = Sinusoid{.amplitude = 1e-6, .wavelength_y = 0.5e-3};
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+  c.domain.y.cells = 1;
+  c.lower.texture = HeightMap{1, 1, 1e-3, 1e-3, 0.0, 0.0, {1e-6}, true};
+  c.upper.shape = Roller{R, inf};
+  expect_refused(c, "grid.cells", "allowed: more than one cell along x or y");
+}
+
+TEST(CellsInPeriods, FewOfThemGiveNumbers)
+{
+  for (const auto& [nx, ny] : {std::pair{2, 1}, {1, 2}, {2, 2}, {3, 1}, {3, 2}})
+  {
+    IndentationCase c = flats(load(600.0));
+    c.domain.x.cells = nx;
+    c.domain.y.cells = ny;
+    c.lower.material.hardening = constitutive::LinearHardening{600e6, 20e9};
+    Sinusoid waves{.amplitude = 20e-6};
+    if (nx > 1)
+      waves = {.amplitude = 20e-6, .wavelength_x = 1e-3, .wavelength_y = inf, .x = 0.0, .y = 0.0};
+    else
+      waves = {.amplitude = 20e-6, .wavelength_x = inf, .wavelength_y = 1e-3, .x = 0.0, .y = 0.25e-3};
+    c.lower.texture = waves;
+    c.sequence = {load(600.0), load(0.0)};
+    c.steps = 2;
+    const IndentationSummary summary = run(c, {});
+    EXPECT_GT(summary.last.max_equivalent_plastic_strain, 0.0) << nx << ' ' << ny;
+    EXPECT_TRUE(std::isfinite(summary.last.max_residual_lower));
+    EXPECT_TRUE(std::isfinite(summary.last.approach));
+    EXPECT_TRUE(std::isfinite(summary.last.work));
+    EXPECT_EQ(summary.last.F_n, 0.0);
+  }
+}
+
+TEST(CellsInPeriods, EndsOfACylinderAreThoseOfCells)
+{
+  IndentationCase c = cylinder(load(1e3));
+  c.upper.shape = Roller{R, 0.5e-3};
+  for (const int cells : {15, 16})
+  {
+    const double dy = 1.2e-3 / cells;
+    c.domain.y = {Boundary::periodic, 1.2e-3, cells};
+    for (const int rows : {5, 6})
+    {
+      c.upper.shape = Roller{R, rows * dy};
+      if ((rows - cells) % 2 == 0)
+        EXPECT_NO_THROW(static_cast<void>(plan(c)));
+      else
+        EXPECT_THROW(static_cast<void>(plan(c)), GridError);
+    }
+  }
+}
+
+// --- approach -----------------------------------------------------------------------------------------------------
+
+TEST(PeriodicApproach, EndsAtTheMeanDistanceOfTheSurfaces)
+{
+  const auto refused = [](const IndentationCase& c)
+  { return reason_against_approach(c.lower, c.upper, c.sequence.front().value, c.domain).has_value(); };
+  EXPECT_TRUE(refused(flats(approach(1e-9)))) << "waves touch before their mean planes do";
+  EXPECT_THROW(static_cast<void>(plan(flats(approach(1e-9)))), InputError);
+  // Flats that touch all around a dent: full contact at its mean depth.
+  IndentationCase dented = flats(approach(0.0));
+  dented.lower.texture = Dent{.depth = 1e-6, .radius = 0.8e-3};
+  const SurfaceGrid g = sampled_period(dented.domain);
+  double mean = 0.0;
+  for (const double d : sampled_depths(dented.lower.texture, g))
+    mean += d / static_cast<double>(g.size());
+  ASSERT_GT(mean, 0.0);
+  dented.sequence = {approach(0.99 * mean)};
+  EXPECT_FALSE(refused(dented));
+  dented.sequence = {approach(1.01 * mean)};
+  EXPECT_TRUE(refused(dented));
+  // A ball: the mean of r^2/(2 R) over the square is L^2/(12 R).
+  IndentationCase ball = flats(approach(0.0));
+  ball.lower.texture = {};
+  ball.upper.shape = Paraboloid{R, R};
+  for (const double share : {0.95, 1.05})
+  {
+    ball.sequence = {approach(share * 1e-6 / (12.0 * R))};
+    EXPECT_EQ(refused(ball), share > 1.0);
+  }
+  // Nothing of this with an open axis.
+  EXPECT_FALSE(refused(cylinder(approach(1e-3))));
+}
+
+TEST(PeriodicLoad, DoesNotYieldEverythingBeneath)
+{
+  // Held in its plane under p, s_zz = -p and s_xx = s_yy = -nu/(1 - nu) p.
+  IndentationCase c = flats(load(0.0));
+  c.lower.material.hardening = constitutive::LinearHardening{600e6, 20e9};
+  const double most = 600e6 * 0.7 / 0.4 * 1e-6; // on 1 mm^2
+  c.sequence = {load(0.99 * most)};
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+  c.sequence = {load(1.01 * most)};
+  EXPECT_THROW(static_cast<void>(plan(c)), InputError);
+  c.lower.material.yield_factor = constitutive::DepthProfile({0.0, 1e-4}, {0.5, 1.1}); // what counts is the core
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+  c.lower.material.hardening.reset();
+  c.sequence = {load(100.0 * most)};
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+}
+
+// --- textures -----------------------------------------------------------------------------------------------------
+
+TEST(RoughnessTest, WavelengthOfWavesAndOfIsotropicSurfaces)
+{
+  // Differences of points n to a wave see its slope by sin(pi/n)/(pi/n).
+  constexpr int n = 64;
+  const double seen = std::sin(pi / n) / (pi / n);
+  const double length = 2e-3;
+  const SurfaceGrid grid{2 * n, 2 * n, length / n, length / n, Boundary::periodic, Boundary::periodic};
+  const auto roughness = [&](const Texture& t) { return roughness_of(depths(t, grid, 0.0, 0.0), grid); };
+  const double A = 3e-6;
+  const Roughness along_x = roughness(Sinusoid{.amplitude = A, .wavelength_x = length});
+  EXPECT_NEAR(along_x.height, A / std::sqrt(2.0), 1e-9 * A);
+  EXPECT_NEAR(along_x.slope, seen * 2.0 * pi / length * A / std::sqrt(2.0), 1e-9 * A / length);
+  EXPECT_NEAR(along_x.wavelength(), length / seen, 1e-9 * length);
+  // Crossed waves of one length have wavevectors at 45 degrees, of sqrt(2) times the wavenumber.
+  const Roughness crossed = roughness(Sinusoid{.amplitude = A, .wavelength_x = length, .wavelength_y = length});
+  EXPECT_NEAR(crossed.wavelength(), length / std::sqrt(2.0) / seen, 1e-9 * length);
+  // An isotropic surface: as the sum over its waves has it.
+  const RandomSurface random({.hurst = 0.8,
+                              .rms_height = 1e-6,
+                              .rms_slope = {},
+                              .rolloff = 2.0 * length,
+                              .cutoff = 0.5 * length,
+                              .size_x = 2.0 * length,
+                              .size_y = 2.0 * length,
+                              .seed = 3});
+  const Roughness of_random = roughness(random);
+  EXPECT_NEAR(of_random.height, random.rms_height(), 1e-9 * random.rms_height());
+  EXPECT_NEAR(of_random.slope, random.rms_slope(), 0.005 * random.rms_slope()); // differences, 32 to the shortest wave
+  // The same without the differences around the period.
+  SurfaceGrid open = grid;
+  open.boundary_x = open.boundary_y = Boundary::open;
+  const Roughness of_map = roughness_of(depths(random, grid, 0.0, 0.0), open);
+  EXPECT_NEAR(of_map.wavelength(), of_random.wavelength(), 0.03 * of_random.wavelength()); // one row and column less
+}
+
+TEST(TextureFootprint, OfAPlaneProblemCoversWhatTheContactCovers)
+{
+  // The cylinder bears on two crests at twice the half-width of the smooth contact. What the run finds on fine cells lies in
+  // the cover, which has one coarse cell more at either end, of a fortieth of the coarse grid.
+  IndentationCase c = cylinder(load(2e4));
+  const Footprint bare = smooth(c);
+  c.lower.texture = Sinusoid{.amplitude = 1e-6, .wavelength_x = 4.0 * bare.half_x, .x = 2.0 * bare.half_x};
+  c.steps = 1;
+  const Footprint rough = footprint(c.lower, c.upper, c.sequence.front(), c.domain);
+  const IndentationPlan p = plan(c);
+  const IndentationSummary summary = run(c, {});
+  const double reached = 0.5 * summary.coverage.contact_columns * p.contact.dx;
+  EXPECT_GT(reached, 2.0 * bare.half_x);
+  EXPECT_GE(rough.over_x, reached - p.contact.dx);
+  EXPECT_LE(rough.over_x, reached + p.contact.dx + 2.0 * 5.0 * bare.half_x / 41.0);
+  EXPECT_TRUE(summary.grid_changes.empty()) << "the grid was wide enough";
+  // More rows of the same change nothing.
+  c.domain.y.cells = 5;
+  const Footprint rows = footprint(c.lower, c.upper, c.sequence.front(), c.domain);
+  EXPECT_DOUBLE_EQ(rows.over_x, rough.over_x);
+  EXPECT_DOUBLE_EQ(rows.over_y, rough.over_y);
+}
+
+TEST(TextureFootprint, FlatsThatFitIntoEachOtherAreRefused)
+{
+  IndentationCase c = flats(load(1.0));
+  c.upper.texture = c.lower.texture;
+  std::get<Sinusoid>(c.upper.texture.parts.front()).amplitude *= -1.0;
+  expect_refused(c, "upper.texture", "the same everywhere in the period");
+}
+
+} // namespace
+} // namespace brinell::simulation
