@@ -268,7 +268,7 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
 std::string driving_key(const CaseReader& reader)
 {
   std::vector<std::string> given;
-  for (const char* key : {"indentation.load", "indentation.approach", "indentation.pressure"})
+  for (const char* key : {"indentation.load", "indentation.approach", "indentation.pressure", "indentation.mean_gap"})
     if (reader.has(key))
       given.emplace_back(key);
   if (given.size() == 1)
@@ -276,47 +276,53 @@ std::string driving_key(const CaseReader& reader)
   if (given.empty())
     reader.problems.add(
         reader.place("indentation.load"),
-        "indentation needs one of indentation.load, indentation.approach and indentation.pressure, a list "
-        "as [\"10 N\", 0], [\"2 um\", 0] or [\"50 MPa\", 0]");
+        "indentation needs one of indentation.load, indentation.approach, indentation.pressure and "
+        "indentation.mean_gap, a list as [\"10 N\", 0], [\"2 um\", 0], [\"50 MPa\", 0] or [\"0.1 um\"]");
   else
     reader.add(given[1], fmt::format("cannot stand together with {}; keep one of them", given[0]));
   return {};
 }
 
-/// Loads, approaches or mean pressures, whichever are given.
+/// What a number of that key stands for [N], [m]; none, with the problem told, if it cannot stand in this case.
+std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, const IndentationCase& indentation,
+                                    const std::string& key)
+{
+  const simulation::Domain& domain = indentation.domain;
+  const bool is_gap = key == "indentation.mean_gap";
+  if (is_gap || key == "indentation.pressure")
+  {
+    if (domain.is_periodic())
+      return is_gap ? 1.0 : domain.x.size * domain.y.size;
+    reader.add(key, fmt::format("is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
+                                is_gap ? "indentation.approach" : "indentation.load"));
+    return std::nullopt;
+  }
+  if (!reader.get<bool>("indentation.normalised"))
+    return 1.0;
+  if (c.first_yield)
+    return key == "indentation.load" ? c.first_yield->critical.load : c.first_yield->critical.interference;
+  reader.add(key,
+             fmt::format("is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
+                         reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
+                         can_yield(indentation) ? "" : ", or a yield stress for a body"));
+  return std::nullopt;
+}
+
+/// Loads, approaches, mean pressures or mean gaps, whichever are given.
 std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const IndentationCase& indentation)
 {
   const std::string key = driving_key(reader);
-  if (key.empty())
+  const auto unit = key.empty() ? std::nullopt : unit_of_drive(reader, c, indentation, key);
+  if (!unit)
     return {};
-  const bool by_load = key != "indentation.approach";
-  const simulation::Domain& domain = indentation.domain;
-  double unit = 1.0;
-  if (key == "indentation.pressure")
-  {
-    if (!domain.is_periodic())
-    {
-      reader.add(key,
-                 "is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise indentation.load");
-      return {};
-    }
-    unit = domain.x.size * domain.y.size;
-  }
-  else if (reader.get<bool>("indentation.normalised"))
-  {
-    if (!c.first_yield)
-    {
-      reader.add(key,
-                 fmt::format("is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
-                             reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
-                             can_yield(indentation) ? "" : ", or a yield stress for a body"));
-      return {};
-    }
-    unit = by_load ? c.first_yield->critical.load : c.first_yield->critical.interference;
-  }
+  const Drive::Kind kind = key == "indentation.approach"   ? Drive::Kind::approach
+                           : key == "indentation.mean_gap" ? Drive::Kind::mean_gap
+                                                           : Drive::Kind::load;
   std::vector<Drive> drives;
   for (const double value : reader.get<std::vector<double>>(key))
-    drives.push_back({by_load ? Drive::Kind::load : Drive::Kind::approach, value * unit});
+    drives.push_back({kind, value * *unit});
+  if (kind == Drive::Kind::mean_gap) // whether it presses, and ends without contact, the plan knows
+    return drives;
   if (std::none_of(drives.begin(), drives.end(), [](const Drive& d) { return d.value > 0.0; }))
     reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
   const bool repeats = indentation.cycles > 1 || indentation.places.size() > 1;
@@ -381,8 +387,8 @@ void complete(const CaseReader& reader, Case& c, IndentationCase& i)
   read_pair(reader, c, i.lower, i.upper, i.domain);
   i.sequence = sequence(reader, c, i);
   if (reader.problems.empty())
-    check_plan(reader, c, i, "indentation.steps", &simulation::IndentationPlan::contact_radius,
-               &simulation::IndentationPlan::contact_radius_y);
+    check_plan(reader, c, i, reader.has("indentation.mean_gap") ? "indentation.mean_gap" : "indentation.steps",
+               &simulation::IndentationPlan::contact_radius, &simulation::IndentationPlan::contact_radius_y);
 }
 
 void complete(const CaseReader& reader, Case& c, RollingCase& r)
