@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_text.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace brinell::app
@@ -13,6 +14,9 @@ std::string step_text(const io::Case& c, const simulation::TuggingRecord& record
 
 std::string step_text(const io::Case&, const simulation::IndentationRecord& record)
 {
+  if (!std::isnan(record.contact_fraction)) // a period
+    return fmt::format("mean gap {:.3e} m  pressure {:.3e} Pa  contact {:.3g} %", record.mean_gap,
+                       record.nominal_pressure, 100.0 * record.contact_fraction);
   return fmt::format("approach {:.3e} m  load {:.3e} N", record.approach, record.F_n);
 }
 

@@ -5,6 +5,7 @@
 #include "python_calls.hpp"
 
 #include "brinell/contact/contact_area.hpp"
+#include "brinell/contact/contact_stiffness.hpp"
 #include "brinell/contact/elastic_contact.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -28,9 +29,11 @@ using Kind = contact::Drive::Kind;
 
 contact::Drive drive(Kind kind, const char* name, double value)
 {
-  if (!std::isfinite(value) || (kind == Kind::load && value < 0.0))
+  if (!std::isfinite(value) || (kind != Kind::approach && value < 0.0))
     throw InputError(fmt::format("{} = {:g}; allowed: finite{}", name, value,
-                                 kind == Kind::load ? ", not below 0: there is no adhesion" : ""));
+                                 kind == Kind::load       ? ", not below 0: there is no adhesion"
+                                 : kind == Kind::mean_gap ? ", not below 0"
+                                                          : ""));
   return {kind, value};
 }
 
@@ -69,6 +72,12 @@ double area(const SurfaceGrid& grid, const Input& pressure, const Input& gap, do
                                contact_modulus);
 }
 
+double stiffness(const SurfaceCompliance& compliance, const Input& pressure)
+{
+  const auto p = values(pressure, shape(compliance.grid()), "pressure");
+  return without_lock([&] { return contact::stiffness(compliance, p); });
+}
+
 } // namespace
 
 void bind_contact(nb::module_& m)
@@ -77,7 +86,9 @@ void bind_contact(nb::module_& m)
       .def_static(
           "of_load", [](double load) { return drive(Kind::load, "load", load); }, "load"_a)
       .def_static(
-          "of_approach", [](double approach) { return drive(Kind::approach, "approach", approach); }, "approach"_a);
+          "of_approach", [](double approach) { return drive(Kind::approach, "approach", approach); }, "approach"_a)
+      .def_static(
+          "of_mean_gap", [](double gap) { return drive(Kind::mean_gap, "mean_gap", gap); }, "mean_gap"_a);
   nb::class_<contact::Report>(m, "ContactReport")
       .def_ro("converged", &contact::Report::converged)
       .def_ro("iterations", &contact::Report::iterations)
@@ -86,6 +97,7 @@ void bind_contact(nb::module_& m)
       .def_ro("penetration", &contact::Report::penetration);
   m.def("solve_contact", &solve_contact, "compliance"_a, "distance"_a, "drive"_a, "tolerance"_a, "max_iterations"_a,
         "guess"_a.none());
+  m.def("contact_stiffness", &stiffness, "compliance"_a, "pressure"_a);
   m.def("contact_area", &area, "grid"_a, "pressure"_a, "gap"_a, "contact_modulus"_a);
 }
 

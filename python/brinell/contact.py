@@ -84,6 +84,7 @@ class ElasticContact:
         *,
         load: float | None = None,
         approach: float | None = None,
+        mean_gap: float | None = None,
         tolerance: float | None = None,
         max_iterations: int = 2000,
         guess: ArrayLike | None = None,
@@ -95,20 +96,24 @@ class ElasticContact:
             load: [N], >= 0.
             approach: instead of the load: how far the bodies have come together [m]. With two periodic axes at most the
                 mean distance, where all of the surface touches.
-            tolerance: largest residual [m]. None: 1e-7 of the overlap of the undeformed surfaces if the approach is
-                given; of load/(E' sqrt(area of the grid)), less than the bodies come together, if the load is.
+            mean_gap: instead, with two periodic axes, the mean gap over the period, >= 0 [m].
+            tolerance: largest residual [m]. None: 1e-7 of the overlap of the undeformed surfaces if the approach or
+                the mean gap is given; of load/(E' sqrt(area of the grid)), less than the bodies come together, if the
+                load is.
             max_iterations: after which it gives up.
             guess: (ny, nx) a pressure to begin with, as that of a neighbouring problem [Pa].
 
         Raises:
             ConvergenceError: the residual did not reach the tolerance.
-            InputError: a wrong shape, a negative load, an approach beyond full contact, or not one of load and approach
-                is given.
+            InputError: a wrong shape, a negative load or mean gap, a mean gap without two periodic axes, an approach
+                beyond full contact, or not one of load, approach and mean gap is given.
         """
         if max_iterations < 0:
             raise InputError(f"max_iterations = {max_iterations}; allowed: not below 0")
         distance = contiguous(distance, "distance")
-        drive = drive_of(load, approach)
+        drive = drive_of(load, approach, mean_gap)
+        if mean_gap is not None:
+            approach = float(distance.mean()) - mean_gap
         pressure, gap, report = _core.solve_contact(
             self.compliance._engine,
             distance,
@@ -133,6 +138,20 @@ class ElasticContact:
             residual,
             contact_area(self.grid, pressure, gap, self.compliance.contact_modulus),
         )
+
+    def stiffness(self, pressure: ArrayLike) -> float:
+        """Elastic stiffness of a solved contact [N/m]: load per approach as they begin to change.
+
+        That of a flat punch of the shape of the contact: 0 without contact, infinite if all of a surface with two
+        periodic axes touches, NaN if it could not be computed.
+
+        Args:
+            pressure: (ny, nx), only where it is above zero counts [Pa].
+
+        Raises:
+            InputError: a wrong shape.
+        """
+        return _core.contact_stiffness(self.compliance._engine, contiguous(pressure, "pressure"))
 
     def _tolerance(self, distance: Array, load: float | None, approach: float | None) -> float:
         if load is not None:
@@ -163,14 +182,16 @@ def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact
     )
 
 
-def drive_of(load: float | None, approach: float | None) -> _core.Drive:
+def drive_of(load: float | None, approach: float | None, mean_gap: float | None = None) -> _core.Drive:
     """What is imposed on two bodies.
 
     Raises:
         InputError: not one of them is given, the load is negative, or a value is not finite.
     """
-    if load is not None and approach is None:
+    if (load is not None) + (approach is not None) + (mean_gap is not None) != 1:
+        raise InputError("a contact needs either load or approach, or with two periodic axes mean_gap")
+    if load is not None:
         return _core.Drive.of_load(number(load, "load"))
-    if approach is not None and load is None:
+    if approach is not None:
         return _core.Drive.of_approach(number(approach, "approach"))
-    raise InputError("a contact needs either load or approach")
+    return _core.Drive.of_mean_gap(number(mean_gap, "mean_gap"))

@@ -214,6 +214,7 @@ class CoupledContact:
         *,
         load: float | None = None,
         approach: float | None = None,
+        mean_gap: float | None = None,
         lower: Place = Place(),
         upper: Place = Place(),
         integration: Integration = "path",
@@ -226,6 +227,7 @@ class CoupledContact:
             distance: (ny, nx) of the smooth, undeformed surfaces on the contact grid where they touch without load [m].
             load: [N], >= 0.
             approach: instead of the load [m].
+            mean_gap: instead, with two periodic axes, the mean gap over the period, >= 0 [m].
             lower: where the contact grid lies on the lower body's.
             upper: where it lies on the upper body's.
             integration: of the plastic strain: "path", second order in the increment, or "backward_euler", first order.
@@ -235,7 +237,8 @@ class CoupledContact:
         Raises:
             ConvergenceError: two attempts did not converge, and a smaller increment may help. After any error, and
                 after Ctrl-C, everything is as it was before.
-            InputError: a wrong shape, a negative load, not one of load and approach, or a contact that leaves a grid.
+            InputError: a wrong shape, a negative load or mean gap, not one of load, approach and mean gap, or
+                a contact that leaves a grid.
         """
         if integration not in ("path", "backward_euler"):
             raise InputError(f'integration = "{integration}"; allowed: "path" or "backward_euler"')
@@ -244,7 +247,7 @@ class CoupledContact:
                 f"max_evaluations = {max_evaluations}, anderson_depth = {anderson_depth}; allowed: from 1 and from 0 on"
             )
         distance = contiguous(distance, "distance")
-        drive = drive_of(load, approach)
+        drive = drive_of(load, approach, mean_gap)
         evaluations = 0
         # A cell's own stiffness converges fastest; with all of it the plain fixed point would descend always.
         for stiffness_share in (0.6, 1.0):

@@ -127,6 +127,7 @@ class Indentation(_Scenario):
         load: Sequence[Quantity] | None = None,
         approach: Sequence[Quantity] | None = None,
         pressure: Sequence[Quantity] | None = None,
+        mean_gap: Sequence[Quantity] | None = None,
         normalised: bool = False,
         steps: int | None = None,
         cycles: int | None = None,
@@ -144,6 +145,7 @@ class Indentation(_Scenario):
             load: loads to be reached one after the other, from none: ["10 N", 0] presses and lifts off.
             approach: instead, depths of the indenter from the touch of the undeformed bodies.
             pressure: instead, means over the period of a grid that is periodic along both axes.
+            mean_gap: instead, means of the gap over that period: the smaller, the more they are pressed.
             normalised: whether loads or approaches are in their values at first yield, P_c and alpha_c.
             steps: from one entry of the list to the next.
             cycles: how often the list is gone through at each place.
@@ -160,6 +162,7 @@ class Indentation(_Scenario):
             "load": load,
             "approach": approach,
             "pressure": pressure,
+            "mean_gap": mean_gap,
             "normalised": normalised,
             "steps": steps,
             "cycles": cycles,

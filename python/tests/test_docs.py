@@ -126,7 +126,7 @@ def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind:
     assert set(re.findall(rf"`{part}\[\]\.(\w+)`", page)) == keys | derived
 
 
-@pytest.mark.parametrize("page", ["boundaries", "curves", "notebooks", "rough-sliding"])
+@pytest.mark.parametrize("page", ["boundaries", "curves", "notebooks", "rough-sliding", "rough-surfaces"])
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
 def test_the_code_of_a_page_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pandas")

@@ -101,6 +101,10 @@ def _drop_steps(path: Path) -> None:
         del file["steps"]
 
 
+def test_no_contact_fraction_without_a_period(make_indentation: MakeRun) -> None:
+    assert indentation.contact_fraction([open_run(make_indentation())]) is None
+
+
 @pytest.mark.parametrize("draw", list(indentation.FIGURES.values()))
 def test_other_scenarios_are_refused(make_rolling: MakeRun, draw: Callable) -> None:
     with pytest.raises(RunError, match="is of scenario 'rolling', this figure needs 'indentation'"):

@@ -179,16 +179,26 @@ Report touching(std::span<const double> distance, std::span<double> pressure, st
   return report;
 }
 
-/// The displacement of bodies without ends is counted from their mean plane, so that the mean gap is the mean distance less
-/// the approach, whatever the pressure.
-void require_possible(double approach, std::span<const double> distance, double tolerance)
+/// Load or approach that is imposed. The displacement of bodies without ends is counted from their mean plane, so that the mean
+/// gap is the mean distance less the approach, whatever the pressure.
+Drive imposed(const Drive& drive, const SurfaceGrid& grid, std::span<const double> distance, double tolerance)
 {
+  const bool by_gap = drive.kind == Drive::Kind::mean_gap;
+  if (by_gap && !(grid.is_periodic() && drive.value >= 0.0))
+    throw InputError(fmt::format("contact: mean_gap = {:g} m; allowed: not below 0, of bodies that are periodic along "
+                                 "both axes",
+                                 drive.value));
+  if (drive.kind == Drive::Kind::load || !grid.is_periodic())
+    return drive;
   const double full = sum(distance) / static_cast<double>(distance.size());
-  if (approach > full + tolerance)
+  if (by_gap)
+    return {Drive::Kind::approach, full - drive.value};
+  if (drive.value > full + tolerance)
     throw InputError(
         fmt::format("contact of bodies that are periodic along both axes: approach = {:g} m; allowed: at most "
                     "the mean distance of the surfaces, {:g} m, at which all of them touches. Impose a load",
-                    approach, full));
+                    drive.value, full));
+  return drive;
 }
 
 } // namespace
@@ -317,18 +327,17 @@ ElasticContact::Step ElasticContact::advance(double step, std::span<const double
   return {sums.cut > 0.0, sums.pressure};
 }
 
-Report ElasticContact::solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
+Report ElasticContact::solve(std::span<const double> distance, const Drive& given, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap, const std::function<bool()>& wants_stop)
 {
   const std::size_t cells = compliance_.grid().size();
   require_size("ElasticContact::solve: the distance", distance, cells);
   require_size("ElasticContact::solve: the pressure", pressure, cells);
   require_size("ElasticContact::solve: the gap", gap, cells);
+  const Drive drive = imposed(given, compliance_.grid(), distance, tolerance);
   const bool load_given = drive.kind == Drive::Kind::load;
   if (load_given && !(drive.value > 0.0))
     return touching(distance, pressure, gap);
-  if (!load_given && compliance_.grid().is_periodic())
-    require_possible(drive.value, distance, tolerance);
   guess(distance, drive, tolerance, pressure, wants_stop);
   start(distance, drive, pressure);
   std::fill(direction_.begin(), direction_.end(), 0.0);

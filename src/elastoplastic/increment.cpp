@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/increment.hpp"
 
+#include "brinell/contact/contact_stiffness.hpp"
 #include "brinell/elastoplastic/anderson.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
@@ -132,9 +133,10 @@ CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved
   return result;
 }
 
-bool CoupledContact::has_energy() const
+bool CoupledContact::has_energy(contact::Drive::Kind drive) const
 {
-  return std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.has_energy(); });
+  return drive != contact::Drive::Kind::mean_gap &&
+         std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.has_energy(); });
 }
 
 Outgrown CoupledContact::outgrown() const
@@ -212,6 +214,11 @@ void CoupledContact::spread(const Placement& placement)
 double CoupledContact::load() const
 {
   return sum(pressure_) * grid().cell_area();
+}
+
+double CoupledContact::stiffness() const
+{
+  return contact::stiffness(compliance_, pressure_);
 }
 
 double CoupledContact::elastic_energy() const
@@ -312,12 +319,22 @@ bool CoupledContact::has_unknowns() const
   return std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.unknowns() > 0; });
 }
 
+namespace
+{
+
+/// What the contact's dual value counts as imposed, see CoupledContact::energy.
+double imposed_approach(const contact::Drive& drive, double found)
+{
+  return drive.kind == contact::Drive::Kind::load ? 0.0 : found;
+}
+
+} // namespace
+
 /// The fixed point of the trial deviators, to convergence or until it is given up.
 IncrementReport CoupledContact::iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy)
 {
   IncrementReport report;
-  const double imposed_approach = drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0;
   Anderson anderson(strategy.anderson_depth);
   Unknowns unknowns;
   StallRule stall_rule;
@@ -364,7 +381,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       break;
     if (strategy.watch_energy)
     {
-      const double now = energy(imposed_approach);
+      const double now = energy(imposed_approach(drive, report.approach));
       constexpr double rounding = 1e-10;
       report.energy_rose = report.evaluations > 2 && !grew && now > report.energy + rounding * std::abs(report.energy);
       report.energy = now;
@@ -399,7 +416,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   }
   if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.leaves_grid; }))
     throw GridError("the contact has reached the end of a material grid");
-  report.energy = energy(drive.kind == contact::Drive::Kind::approach ? drive.value : 0.0);
+  report.energy = energy(imposed_approach(drive, report.approach));
   for (Side& side : sides_)
     side.body.commit(side.pressure);
   placement_ = placement;

@@ -203,7 +203,7 @@ std::optional<std::string> reason_against_approach(const ShapedBody& lower, cons
   return fmt::format(
       "cannot be reached: with both axes periodic it counts from the mean planes, and at {:.3g} m all of "
       "the surfaces touches; allowed: less than that, or a load or mean pressure instead "
-      "(indentation.load, indentation.pressure)",
+      "(indentation.load, indentation.pressure, indentation.mean_gap)",
       mean);
 }
 

@@ -283,9 +283,6 @@ Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, con
 
 Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
 {
-  if (drive.kind == Drive::Kind::approach)
-    if (const auto reason = reason_against_approach(lower, upper, drive.value, domain))
-      throw InputError(fmt::format("an approach of {:.4g} m {}", drive.value, *reason));
   if (drive.kind == Drive::Kind::load)
     require_finite_depth(lower, upper, drive.value, domain);
   const Pair pair = pair_of(lower, upper, domain);

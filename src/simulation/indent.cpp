@@ -41,6 +41,9 @@ double IndentReader::add(const IndentationRecord& r, double opening)
     indent_.max_load = std::max(indent_.max_load, r.F_n);
     indent_.max_approach = r.approach;
     indent_.contact_area = r.contact_area;
+    indent_.contact_fraction = r.contact_fraction;
+    indent_.mean_gap = r.mean_gap;
+    indent_.contact_stiffness = r.contact_stiffness;
     indent_.hardness = r.mean_pressure;
   }
   if (!closed && was_closed)

@@ -6,12 +6,15 @@
 #include "footprint.hpp"
 #include "grid_layout.hpp"
 #include "indent.hpp"
+#include "period.hpp"
 #include "run_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace brinell::simulation
 {
@@ -21,16 +24,25 @@ namespace
 
 using contact::Drive;
 
-Drive largest_drive(const IndentationCase& indentation)
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// What a drive is called, and its unit.
+struct DriveText
 {
-  if (indentation.sequence.empty())
-    throw InputError("an indentation needs at least one load or approach");
-  Drive largest = indentation.sequence.front();
-  for (const Drive& drive : indentation.sequence)
-    largest.value = std::max(largest.value, drive.value);
-  if (!(largest.value > 0.0))
-    throw InputError("an indentation needs a load or an approach > 0");
-  return largest;
+  const char *name, *unit;
+};
+DriveText text_of(Drive::Kind kind)
+{
+  switch (kind)
+  {
+  case Drive::Kind::load:
+    return {"load", "N"};
+  case Drive::Kind::approach:
+    return {"approach", "m"};
+  case Drive::Kind::mean_gap:
+    return {"mean gap", "m"};
+  }
+  throw InternalError("a drive of no kind");
 }
 
 /// Loading and unloading, place after place.
@@ -38,7 +50,7 @@ class Indentation
 {
 public:
   Indentation(const IndentationCase& indentation, const IndentationPlan& plan)
-      : case_(indentation), steps_(plan.steps), current_(x(0), 0, 0, 0.0)
+      : case_(indentation), steps_(plan.steps), contact_(plan.contact), current_(x(0), 0, 0, 0.0)
   {
   }
 
@@ -55,20 +67,19 @@ public:
     const Centre here{x(done_), 0.0};
     const int in_indent = done_ % steps_per_indent();
     const int in_entry = in_indent % case_.steps;
-    const double touch = stepper.clearance(here);
+    const Stepper::Distances touch = stepper.distances(here);
     if (in_indent == 0)
-      current_ = IndentReader(here.lower, indent() / case_.cycles, indent() % case_.cycles, touch);
+      current_ = IndentReader(here.lower, indent() / case_.cycles, indent() % case_.cycles, touch.smallest);
     if (in_entry == 0)
       begin_entry(in_indent, touch);
     if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
       to_ = std::min(to_, lifted(touch));
     const auto path = [this, here, in_entry](double t) {
-      return Target{here, {case_.sequence.front().kind, imposed((in_entry + t) / case_.steps)}};
+      return Target{here, {kind(), imposed((in_entry + t) / case_.steps)}};
     };
     constexpr double finest = 1.0 / 64;
-    return {path, finest,
-            fmt::format("step {}, {} = {:g} {}", done_, by_load() ? "load" : "approach", path(1.0).drive.value,
-                        by_load() ? "N" : "m")};
+    const auto [name, unit] = text_of(kind());
+    return {path, finest, fmt::format("step {}, {} = {:g} {}", done_, name, path(1.0).drive.value, unit)};
   }
 
   void read(Stepper& stepper, const IndentationRecord& /*before*/, IndentationRecord& r)
@@ -80,6 +91,7 @@ public:
     r.approach = stepper.pair().approach();
     r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
     r.mean_pressure = r.contact_area > 0.0 ? r.F_n / r.contact_area : 0.0;
+    read_period(stepper.pair(), r);
     const auto [highest, deepest] = stepper.residual_range(here);
     r.residual_depth = deepest;
     r.pile_up = -highest;
@@ -88,7 +100,13 @@ public:
       indents_.push_back(current_.result());
   }
 
-  void summarise(IndentationSummary& summary) const { summary.indents = indents_; }
+  void summarise(IndentationSummary& summary) const
+  {
+    summary.indents = indents_;
+    const Roughness r = contact_.is_periodic() ? roughness(case_, contact_) : Roughness{nan, nan};
+    summary.rms_height = r.height;
+    summary.rms_slope = r.slope;
+  }
 
   void exchange(Archive& archive)
   {
@@ -108,33 +126,63 @@ private:
     return case_.places[static_cast<std::size_t>(step / steps_per_indent() / case_.cycles)];
   }
 
-  /// An imposed approach of zero means no contact, dents and bumps included.
-  [[nodiscard]] double lifted(double touch) const { return by_load() ? 0.0 : std::min(0.0, touch); }
+  /// What only bodies without ends have.
+  static void read_period(const elastoplastic::CoupledContact& pair, IndentationRecord& r)
+  {
+    const SurfaceGrid& grid = pair.grid();
+    r.contact_cells = static_cast<int>(
+        std::count_if(pair.pressure().begin(), pair.pressure().end(), [](double p) { return p > 0.0; }));
+    r.nominal_pressure = r.contact_fraction = r.mean_gap = r.contact_stiffness = nan;
+    if (!grid.is_periodic())
+      return;
+    const auto cells = static_cast<double>(grid.size());
+    const double area = cells * grid.cell_area();
+    r.nominal_pressure = r.F_n / area;
+    r.contact_fraction = r.contact_area / area;
+    r.mean_gap = std::max(0.0, std::accumulate(pair.gap().begin(), pair.gap().end(), 0.0) / cells);
+    r.contact_stiffness = pair.stiffness() / area;
+  }
+
+  /// An imposed approach of zero means no contact, dents and bumps included; mean gaps begin where the surfaces touch.
+  [[nodiscard]] double lifted(const Stepper::Distances& touch) const
+  {
+    switch (kind())
+    {
+    case Drive::Kind::load:
+      return 0.0;
+    case Drive::Kind::approach:
+      return std::min(0.0, touch.smallest);
+    case Drive::Kind::mean_gap:
+      return touch.mean - touch.smallest;
+    }
+    throw InternalError("a drive of no kind");
+  }
 
   /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the depth grows evenly: the first
   /// step in load would be the longest by far.
   [[nodiscard]] double imposed(double share) const
   {
-    if (!by_load())
+    if (kind() != Drive::Kind::load)
       return from_ + (to_ - from_) * share;
     const double from = std::pow(from_, 2.0 / 3.0);
     return share == 1.0 ? to_ : std::pow(from + (std::pow(to_, 2.0 / 3.0) - from) * share, 1.5);
   }
 
-  void begin_entry(int in_indent, double touch)
+  void begin_entry(int in_indent, const Stepper::Distances& touch)
   {
     const double entry = case_.sequence[static_cast<std::size_t>(in_indent / case_.steps)].value;
     from_ = in_indent == 0 ? lifted(touch) : to_;
     to_ = entry == 0.0 ? lifted(touch) : entry;
   }
 
-  [[nodiscard]] bool by_load() const { return case_.sequence.front().kind == Drive::Kind::load; }
+  [[nodiscard]] Drive::Kind kind() const { return case_.sequence.front().kind; }
 
   const IndentationCase& case_;
-  int steps_; ///< of the run
+  int steps_;           ///< of the run
+  SurfaceGrid contact_; ///< of its beginning; that of a period does not grow
   IndentReader current_;
   std::vector<Indent> indents_;
-  double from_ = 0.0, to_ = 0.0; ///< load or approach at the ends of the present entry of the sequence
+  double from_ = 0.0, to_ = 0.0; ///< load, approach or mean gap at the ends of the present entry of the sequence
   int done_ = 0;                 ///< steps
 };
 
@@ -145,11 +193,37 @@ bool are_twins(const IndentationCase& indentation, const IndentationPlan& plan)
          alike(indentation.lower, indentation.upper);
 }
 
+/// Mean gaps that are all larger than that of the first touch press nothing, and a cycle must end without contact.
+void require_contact(const IndentationCase& indentation, double touching_gap)
+{
+  if (indentation.sequence.front().kind != Drive::Kind::mean_gap)
+    return;
+  const auto touches = [&](const Drive& drive) { return drive.value < touching_gap; };
+  if (std::none_of(indentation.sequence.begin(), indentation.sequence.end(), touches))
+    throw InputError(fmt::format("the mean gap is never below {:g} m, where the surfaces first touch", touching_gap));
+  if ((indentation.cycles > 1 || indentation.places.size() > 1) && touches(indentation.sequence.back()))
+    throw InputError(fmt::format("with several cycles or places the last mean gap must not be below {:g} m, where the "
+                                 "surfaces first touch",
+                                 touching_gap));
+}
+
+/// Where an approach is imposed, the largest one must not press all of a period together.
+void require_approach(const IndentationCase& indentation, const contact::Drive& largest)
+{
+  if (indentation.sequence.front().kind != Drive::Kind::approach)
+    return;
+  if (const auto reason =
+          reason_against_approach(indentation.lower, indentation.upper, largest.value, indentation.domain))
+    throw InputError(fmt::format("an approach of {:.4g} m {}", largest.value, *reason));
+}
+
 } // namespace
 
 IndentationPlan plan(const IndentationCase& indentation)
 {
-  const Footprint f = footprint(indentation.lower, indentation.upper, largest_drive(indentation), indentation.domain);
+  const contact::Drive largest = largest_drive(indentation);
+  require_approach(indentation, largest);
+  const Footprint f = footprint(indentation.lower, indentation.upper, largest, indentation.domain);
   double track = 0.0;
   for (const double x : indentation.places)
     track = std::max(track, std::abs(x));
@@ -159,6 +233,8 @@ IndentationPlan plan(const IndentationCase& indentation)
   plan.reference = reference_distance(indentation.lower.shape, indentation.upper.shape, indentation.domain);
   plan.contact_radius = f.half_x;
   plan.contact_radius_y = f.half_y;
+  plan.touching_gap = indentation.domain.is_periodic() ? touching_gap(indentation, plan.contact) : nan;
+  require_contact(indentation, plan.touching_gap);
   plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
                               static_cast<double>(indentation.sequence.size() * indentation.places.size()),

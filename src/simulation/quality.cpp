@@ -2,6 +2,7 @@
 #include "brinell/simulation/quality.hpp"
 
 #include "footprint.hpp"
+#include "period.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,10 +109,7 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan)
 
 Facts facts(const IndentationCase& c, const IndentationPlan& plan)
 {
-  contact::Drive largest = c.sequence.front();
-  for (const contact::Drive& drive : c.sequence)
-    largest.value = std::max(largest.value, drive.value);
-  Facts f = shaped_facts(c, plan, largest);
+  Facts f = shaped_facts(c, plan, largest_drive(c));
   f.documented = of_indentation;
   return f;
 }
@@ -365,6 +363,13 @@ Quality after(const Facts& f, const RunTotals& totals)
   return std::move(judge).result();
 }
 
+Quality with_gaps(Quality quality, const IndentationCase& indentation, const IndentationPlan& plan)
+{
+  if (auto text = gaps_without_contact(indentation, plan.touching_gap))
+    quality.warnings.push_back({"no_contact", std::move(*text)});
+  return quality;
+}
+
 } // namespace
 
 Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan)
@@ -373,7 +378,7 @@ Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan)
 }
 Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan)
 {
-  return before(facts(indentation, plan));
+  return with_gaps(before(facts(indentation, plan)), indentation, plan);
 }
 Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan)
 {
@@ -385,7 +390,7 @@ Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTo
 }
 Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals)
 {
-  return after(facts(indentation, plan), totals);
+  return with_gaps(after(facts(indentation, plan), totals), indentation, plan);
 }
 Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals)
 {

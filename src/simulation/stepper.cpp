@@ -206,7 +206,7 @@ void Stepper::descend(const Target& target)
   const elastoplastic::Settings& s = setup_.solver;
   IncrementReport report;
   constexpr int patience = 20; // the plain fixed point is slow, but it descends
-  const bool has_energy = pair_->has_energy();
+  const bool has_energy = pair_->has_energy(target.drive.kind);
   for (const double share : {1.0, 2.0, 4.0})
   {
     report = solved(target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, true,
@@ -305,14 +305,18 @@ void Stepper::place(const Frame& frame)
       distance_[g.index(i, j)] = setup_.distance(frame.x0 + i * g.dx, g.y(j));
 }
 
-double Stepper::clearance(const Centre& centre)
+Stepper::Distances Stepper::distances(const Centre& centre)
 {
   place(lattice_.frame(centre));
   const Depths& depth = depths(centre);
-  double smallest = std::numeric_limits<double>::infinity();
+  Distances result{std::numeric_limits<double>::infinity(), 0.0};
   for (std::size_t i = 0; i < distance_.size(); ++i)
-    smallest = std::min(smallest, distance_[i] + depth.lower[i] + depth.upper[i]);
-  return smallest;
+  {
+    const double distance = distance_[i] + depth.lower[i] + depth.upper[i];
+    result.smallest = std::min(result.smallest, distance);
+    result.mean += distance / static_cast<double>(distance_.size());
+  }
+  return result;
 }
 
 const Stepper::Depths& Stepper::depths(const Centre& centre)

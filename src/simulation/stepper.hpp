@@ -81,8 +81,13 @@ public:
   /// @throws ConvergenceError; GridError if larger grids do not fit into the memory
   int advance(const std::function<Target(double)>& path, double finest, const std::string& where);
 
-  /// Smallest distance of the surfaces, with texture and residual displacement, at no approach [m].
-  [[nodiscard]] double clearance(const Centre& centre);
+  /// Of the surfaces under the contact grid, with texture and residual displacement, at no approach [m].
+  struct Distances
+  {
+    double smallest = 0.0, mean = 0.0;
+  };
+  [[nodiscard]] Distances distances(const Centre& centre);
+  [[nodiscard]] double clearance(const Centre& centre) { return distances(centre).smallest; }
   /// What all scenarios record.
   void fill(StepRecord& record) const;
   /// Depth of each surface under the contact grid [m].

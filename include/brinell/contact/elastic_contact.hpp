@@ -12,13 +12,14 @@
 namespace brinell::contact
 {
 
-/// Approach or load: one of them is imposed on two bodies, the other one is found.
+/// Approach, load or mean gap: one of them is imposed on two bodies, the others are found.
 struct Drive
 {
   enum class Kind
   {
     approach, ///< how far the bodies have come together since their undeformed surfaces touched, `value` in [m]
-    load      ///< the sum of the pressure, `value` in [N], not negative
+    load,     ///< the sum of the pressure, `value` in [N], not negative
+    mean_gap  ///< of bodies that are periodic along both axes, over the period, `value` in [m], not negative
   };
   Kind kind = Kind::approach;
   double value = 0.0;
@@ -66,9 +67,9 @@ public:
   /// @param gap        out: [m].
   /// @param wants_stop asked every few iterations.
   /// @throws Interrupted if `wants_stop` says so; InputError for an approach beyond full contact of bodies that are periodic
-  ///         along both axes, the mean of the distance, where the mean gap is zero whatever the pressure; InternalError if a
-  ///         field does not have one value per cell.
-  [[nodiscard]] Report solve(std::span<const double> distance, const Drive& drive, double tolerance, int max_iterations,
+  ///         along both axes, the mean of the distance, where the mean gap is zero whatever the pressure, and for a mean gap
+  ///         that is negative or of other bodies; InternalError if a field does not have one value per cell.
+  [[nodiscard]] Report solve(std::span<const double> distance, const Drive& given, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap,
                              const std::function<bool()>& wants_stop = {});
 

@@ -100,13 +100,17 @@ public:
 
   [[nodiscard]] BodyView lower() const { return {sides_.front().body, Twin::none, textures_.lower}; }
   [[nodiscard]] BodyView upper() const { return {sides_.back().body, twin_, textures_.upper}; }
-  /// Whether backward Euler minimises an energy in an increment, so that Strategy::watch_energy has something to watch.
-  [[nodiscard]] bool has_energy() const;
+  /// Whether backward Euler minimises an energy in an increment, so that Strategy::watch_energy has something to watch. A mean
+  /// gap has none: the approach that it asks for changes with the plastic strain.
+  [[nodiscard]] bool has_energy(contact::Drive::Kind drive) const;
   [[nodiscard]] std::span<const double> pressure() const { return pressure_; } ///< on the contact grid [Pa]
   [[nodiscard]] std::span<const double> gap() const { return gap_; }           ///< on the contact grid [m]
   [[nodiscard]] double approach() const { return approach_; }                  ///< of the last increment [m]
   [[nodiscard]] double load() const;                                           ///< sum of the pressure [N]
   [[nodiscard]] double elastic_energy() const;                                 ///< recoverable, 1/2 p A p [J]
+  /// Load per approach with which the bodies would begin to part or to approach further without yielding [N/m]:
+  /// contact::stiffness.
+  [[nodiscard]] double stiffness() const;
   [[nodiscard]] const SurfaceGrid& grid() const { return compliance_.grid(); }
 
   /// Solves one increment from the present state; commits it only if it converged.

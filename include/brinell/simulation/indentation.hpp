@@ -20,8 +20,8 @@ struct IndentationCase : Numerics
 
   ShapedBody lower; ///< is indented
   ShapedBody upper; ///< the indenter
-  /// Loads or approaches to be reached one after the other from no contact, all of one kind; a list that is repeated or
-  /// has several places must end with zero.
+  /// Loads, approaches or mean gaps to be reached one after the other from no contact, all of one kind; a list that is
+  /// repeated or has several places must end without contact: with zero, or with a mean gap not below `touching_gap`.
   std::vector<contact::Drive> sequence;
   int steps = 20;                  ///< from one entry of the sequence to the next
   int cycles = 1;                  ///< how often the sequence is applied at each place
@@ -32,6 +32,9 @@ struct IndentationPlan : Plan
 {
   double contact_radius = 0.0;   ///< estimate at the largest load or approach, along x [m]
   double contact_radius_y = 0.0; ///< and along y [m]
+  /// Mean gap of the undeformed surfaces where they first touch, at the first place [m]: of bodies that are periodic along
+  /// both axes; NaN of others.
+  double touching_gap = 0.0;
 };
 
 /// One row of the history.
@@ -41,9 +44,15 @@ struct IndentationRecord : StepRecord
   double x = 0.0;              ///< where it is [m]
   double approach = 0.0;       ///< depth of the indenter from first touch of the undeformed bodies [m]
   double contact_radius = 0.0; ///< of the circle with the contact area [m]
+  int contact_cells = 0;       ///< cells under pressure
   double mean_pressure = 0.0;  ///< load over projected contact area [Pa]
-  double residual_depth = 0.0; ///< largest residual displacement of the lower body at this place [m]
-  double pile_up = 0.0;        ///< largest height of its residual surface there [m]
+  /// Of bodies that are periodic along both axes; NaN of others.
+  double nominal_pressure = 0.0, ///< load over the area of the period [Pa]
+      contact_fraction = 0.0,    ///< contact area over the same
+      mean_gap = 0.0,            ///< of the deformed surfaces over the period [m], not negative
+      contact_stiffness = 0.0;   ///< elastic, - d nominal pressure / d mean gap [Pa/m]
+  double residual_depth = 0.0;   ///< largest residual displacement of the lower body at this place [m]
+  double pile_up = 0.0;          ///< largest height of its residual surface there [m]
 
   void exchange(Archive& archive);
 };
@@ -52,10 +61,14 @@ struct IndentationRecord : StepRecord
 struct Indent
 {
   int place = 0, cycle = 0;
-  double x = 0.0;                   ///< [m]
-  double max_load = 0.0;            ///< [N]
-  double max_approach = 0.0;        ///< at that load [m]
-  double contact_area = 0.0;        ///< projected, at that load [m^2]
+  double x = 0.0;            ///< [m]
+  double max_load = 0.0;     ///< [N]
+  double max_approach = 0.0; ///< at that load [m]
+  double contact_area = 0.0; ///< projected, at that load [m^2]
+  /// At that load, of bodies that are periodic along both axes; NaN of others.
+  double contact_fraction = 0.0,    ///< contact area over that of the period
+      mean_gap = 0.0,               ///< [m]
+      contact_stiffness = 0.0;      ///< elastic [Pa/m]
   double hardness = 0.0;            ///< max_load / contact_area [Pa]
   double loading_stiffness = 0.0;   ///< dF/d approach, arriving at the largest load (the last time) [N/m]
   double unloading_stiffness = 0.0; ///< leaving it [N/m]; 0 without unloading
@@ -69,6 +82,10 @@ struct Indent
 
 struct IndentationSummary : RunTotals
 {
+  /// Root mean squares over the period, of the distance that both textures make together: of bodies that are periodic along
+  /// both axes; NaN of others.
+  double rms_height = 0.0, ///< [m]
+      rms_slope = 0.0;     ///< of the length of the gradient
   std::vector<Indent> indents;
   IndentationRecord last;
 };

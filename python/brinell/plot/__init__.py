@@ -2,8 +2,9 @@
 """Figures of results; each function returns a matplotlib Figure, `style.save` writes it.
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling` (several runs of these
-scenarios), `fields`, `sections` and `depth` (one state of any scenario), `history` and `energy` (one run step by step),
-`animation` (one pass as a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell
+scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of any
+scenario), `history` and `energy` (one run step by step), `animation` (one pass as a moving picture), `standard`
+(what suits a run), `surfaces` (a height map), `cli` (`brinell
 plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the
 fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which
 state and which bodies), `cells` (cell values as pictures).
@@ -19,6 +20,7 @@ from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
 from brinell.plot.planes import Plane
 from brinell.plot.quantities import QUANTITIES
 from brinell.plot.rolling import along_track, depth_profiles, pass_by_pass, track_profile
+from brinell.plot.rough import contact_fraction
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
 from brinell.plot.standard import standard_figures
@@ -30,6 +32,7 @@ __all__ = [
     "Plane",
     "along_track",
     "animate",
+    "contact_fraction",
     "contact_pressure",
     "depth_profiles",
     "energy_balance",

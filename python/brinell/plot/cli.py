@@ -195,7 +195,10 @@ plot.add_command(
     "paper",
 )
 plot.add_command(
-    _several("Load over depth, imprint and contact pressure of one indentation or several.", indents.FIGURES),
+    _several(
+        "Load over depth, imprint, contact pressure and, over a period, contact fraction of indentations.",
+        indents.FIGURES,
+    ),
     "indentation",
 )
 plot.add_command(

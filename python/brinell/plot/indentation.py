@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from brinell.plot import style
 from brinell.plot.cells import at_centre
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, looks, zero_line
+from brinell.plot.rough import contact_fraction
 from brinell.plot.scales import Scale, common_scales, si, twin_axis
 from brinell.results import BodyFields, History, Run
 
@@ -255,5 +256,6 @@ FIGURES: dict[str, Callable[[Sequence[Run]], Figure | None]] = {
     "load-depth": load_depth,
     "imprint": imprint,
     "contact-pressure": contact_pressure,
+    "contact-fraction": contact_fraction,
 }
 """What the command `indentation` writes: file name and function; None: the runs have nothing to draw there."""

@@ -19,7 +19,7 @@ from matplotlib.axes import Axes
 from brinell.plot import style
 from brinell.results import Run
 
-__all__ = ["PERCENT", "Scale", "Scales", "common_scales", "in_si", "si", "twin_axis"]
+__all__ = ["PERCENT", "Scale", "Scales", "common_scales", "draws_si", "in_si", "si", "twin_axis"]
 
 _IN_SI: ContextVar[bool] = ContextVar("in_si", default=False)
 
@@ -38,6 +38,11 @@ def in_si() -> Iterator[None]:
         yield
     finally:
         _IN_SI.reset(token)
+
+
+def draws_si() -> bool:
+    """Whether figures are drawn in SI."""
+    return _IN_SI.get()
 
 
 @dataclass(frozen=True)
@@ -102,7 +107,7 @@ class Scales:
     """Scales of one run; each takes the largest value to be drawn [SI], which only matters for SI axes."""
 
     def __init__(self, run: Run):
-        normalised = run.complete and not _IN_SI.get()
+        normalised = run.complete and not draws_si()
         self._critical = run.critical if normalised and run.has_critical_values else None
         self._radius = run.equivalent_radius if normalised and run.scenario == "tugging" else None
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from brinell._reprs import column_table
 from brinell.errors import MissingExtraError
 from brinell.results.errors import RunError, listed
-from brinell.results.scenarios import COLUMN_UNITS, INTEGER_COLUMNS, Scenario, scenario_of
+from brinell.results.scenarios import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, Scenario, scenario_of
 
 if TYPE_CHECKING:
     import pandas
@@ -146,6 +146,6 @@ def _row(cells: Sequence[str], names: Sequence[str], where: str) -> list[float]:
     except ValueError as error:
         raise RunError(f"{where}: {error}") from error
     for name, value in zip(names, row, strict=True):
-        if not np.isfinite(value):
+        if not np.isfinite(value) and name not in OF_A_PERIOD:
             raise RunError(f"{where}: {name} = {value} is not a finite number")
     return row

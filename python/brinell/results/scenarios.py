@@ -22,6 +22,7 @@ __all__ = [
     "COLUMN_UNITS",
     "HISTORY_COLUMNS",
     "INTEGER_COLUMNS",
+    "OF_A_PERIOD",
     "Indent",
     "RollingPass",
     "Scenario",
@@ -36,7 +37,10 @@ FloatArray = NDArray[np.float64]
 Scenario = Literal["tugging", "indentation", "rolling"]
 """Names of the scenarios, as in the case file."""
 
-_ADDED_LATER = ("height", "friction")
+OF_A_PERIOD = ("nominal_pressure", "contact_fraction", "mean_gap", "contact_stiffness")
+"""Columns that are NaN unless both axes are periodic; the stiffness is infinite in full contact."""
+
+_ADDED_LATER = ("height", "friction", "contact_cells", *OF_A_PERIOD)
 """Columns that the histories of older versions do not have."""
 
 HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(
@@ -126,6 +130,12 @@ class Indent:
     """Largest height of its residual surface then, outwards positive [m]."""
     work: float
     """Net work of the drive in this indent [J]."""
+    contact_fraction: float = math.nan
+    """Contact area over that of the period, at the largest load; NaN unless both axes are periodic [-]."""
+    mean_gap: float = math.nan
+    """Mean gap over the period then [m]; NaN unless both axes are periodic."""
+    contact_stiffness: float = math.nan
+    """Elastic, nominal pressure over mean gap as they change, then [Pa/m]; NaN unless both axes are periodic."""
 
 
 @dataclass(frozen=True)
@@ -200,7 +210,7 @@ def parsed(kind: type[_T], entry: Any, where: str) -> _T:
     return kind(**values)
 
 
-_UNITS = ("", "_m", "_m2", "_N", "_N_per_m", "_J", "_Pa")
+_UNITS = ("", "_m", "_m2", "_N", "_N_per_m", "_J", "_Pa", "_Pa_per_m")
 """What keys of the summary end with."""
 
 _READERS: Mapping[str, Callable[[Any], Any]] = {

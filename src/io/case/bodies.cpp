@@ -140,6 +140,21 @@ simulation::Texture sinusoid(const CaseReader& reader, const std::string& table)
   return waves;
 }
 
+/// Period of the grid along x and along y, where it is given.
+std::array<std::optional<double>, 2> grid_period(const CaseReader& reader)
+{
+  const auto& boundary = reader.get<std::string>("grid.boundary");
+  if (!reader.has("grid.size"))
+    return {};
+  const auto& size = reader.get<std::vector<double>>("grid.size");
+  if (boundary == "periodic" && size.size() == 2)
+    return {size[0], size[1]};
+  if (size.size() != 1 || boundary == "periodic") // told with the domain
+    return {};
+  return boundary == "periodic_x" ? std::array<std::optional<double>, 2>{size[0], std::nullopt}
+                                  : std::array<std::optional<double>, 2>{std::nullopt, size[0]};
+}
+
 /// Period of a random surface; none, with the problem told, if it cannot be known.
 std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const std::string& table)
 {
@@ -152,11 +167,15 @@ std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const
     reader.add(table + "size", "needs two lengths, [along x, along y]");
     return std::nullopt;
   }
+  auto [along_x, along_y] = grid_period(reader);
   if (reader.has(table + "rolloff"))
   {
     const double size = rolloffs * reader.get<double>(table + "rolloff");
-    return std::array{size, size};
+    along_x = along_x.value_or(size);
+    along_y = along_y.value_or(size);
   }
+  if (along_x && along_y)
+    return std::array{*along_x, *along_y};
   reader.add(table + "type", fmt::format("needs {0}size or {0}rolloff", table));
   return std::nullopt;
 }

@@ -169,8 +169,11 @@ std::string motion_report(const simulation::TuggingCase& t, const simulation::Tu
 
 std::string motion_report(const simulation::IndentationCase& i, const simulation::IndentationPlan& plan)
 {
-  return fmt::format("# Indentation: {} steps at {} place{}; largest contact radius about {:.4e} m\n", plan.steps,
-                     i.places.size(), i.places.size() == 1 ? "" : "s", plan.contact_radius);
+  std::string text = fmt::format("# Indentation: {} steps at {} place{}; largest contact radius about {:.4e} m\n",
+                                 plan.steps, i.places.size(), i.places.size() == 1 ? "" : "s", plan.contact_radius);
+  if (!std::isnan(plan.touching_gap))
+    text += fmt::format("# The surfaces first touch at a mean gap of {:.4e} m\n", plan.touching_gap);
+  return text;
 }
 
 std::string motion_report(const simulation::RollingCase& r, const simulation::RollingPlan& plan)

@@ -226,7 +226,7 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
 std::string driving_key(const CaseReader& reader)
 {
   std::vector<std::string> given;
-  for (const char* key : {"indentation.load", "indentation.approach", "indentation.pressure"})
+  for (const char* key : {"indentation.load", "indentation.approach", "indentation.pressure", "indentation.mean_gap"})
     if (reader.has(key))
       given.emplace_back(key);
   if (given.size() == 1)
@@ -234,54 +234,62 @@ std::string driving_key(const CaseReader& reader)
   if (given.empty())
     reader.problems.add(
         reader.place("indentation.load"),
-        "indentation needs one of indentation.load, indentation.approach and indentation.pressure, a list "
-        "as [\"10 N\", 0], [\"2 um\", 0] or [\"50 MPa\", 0]");
+        "indentation needs one of indentation.load, indentation.approach, indentation.pressure and "
+        "indentation.mean_gap, a list as [\"10 N\", 0], [\"2 um\", 0], [\"50 MPa\", 0] or [\"0.1 um\"]");
   else
     reader.add(given[1], fmt::format("cannot stand together with {}; keep one of them", given[0]));
   return {};
 }
 
-/// Loads, approaches or mean pressures, whichever are given.
+/// What a number of that key stands for [N], [m]; none, with the problem told, if it cannot stand in this case.
+std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, const IndentationCase& indentation,
+                                    const std::string& key)
+{
+  const simulation::Domain& domain = indentation.domain;
+  const bool is_gap = key == "indentation.mean_gap";
+  if (is_gap || key == "indentation.pressure")
+  {
+    if (reader.get<bool>("indentation.normalised"))
+      reader.add("indentation.normalised", fmt::format("goes with a load or an approach, and not with {}", key));
+    if (domain.is_periodic())
+      return is_gap ? 1.0 : domain.x.size * domain.y.size;
+    reader.add(key, fmt::format("is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
+                                is_gap ? "indentation.approach" : "indentation.load"));
+    return std::nullopt;
+  }
+  if (!reader.get<bool>("indentation.normalised"))
+    return 1.0;
+  if (c.first_yield)
+    return key == "indentation.load" ? c.first_yield->critical.load : c.first_yield->critical.interference;
+  reader.add(key,
+             fmt::format("is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
+                         reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
+                         can_yield(indentation) ? "" : ", or a yield stress for a body"));
+  return std::nullopt;
+}
+
+/// Loads, approaches, mean pressures or mean gaps, whichever are given.
 std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const IndentationCase& indentation,
                             const std::string& key)
 {
-  const bool by_load = key != "indentation.approach";
-  const simulation::Domain& domain = indentation.domain;
-  double unit = 1.0;
-  if (key == "indentation.pressure")
-  {
-    if (!domain.is_periodic())
-    {
-      reader.add(key,
-                 "is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise indentation.load");
-      return {};
-    }
-    if (reader.get<bool>("indentation.normalised"))
-      reader.add("indentation.normalised", "goes with a load or an approach, and not with indentation.pressure");
-    unit = domain.x.size * domain.y.size;
-  }
-  else if (reader.get<bool>("indentation.normalised"))
-  {
-    if (!c.first_yield)
-    {
-      reader.add(key,
-                 fmt::format("is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
-                             reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
-                             can_yield(indentation) ? "" : ", or a yield stress for a body"));
-      return {};
-    }
-    unit = by_load ? c.first_yield->critical.load : c.first_yield->critical.interference;
-  }
+  const auto unit = unit_of_drive(reader, c, indentation, key);
+  if (!unit)
+    return {};
+  const Drive::Kind kind = key == "indentation.approach"   ? Drive::Kind::approach
+                           : key == "indentation.mean_gap" ? Drive::Kind::mean_gap
+                                                           : Drive::Kind::load;
   std::vector<Drive> drives;
   for (const double value : reader.get<std::vector<double>>(key))
-    drives.push_back({by_load ? Drive::Kind::load : Drive::Kind::approach, value * unit});
+    drives.push_back({kind, value * *unit});
+  if (kind == Drive::Kind::mean_gap) // whether it presses, and ends without contact, the plan knows
+    return drives;
   if (std::none_of(drives.begin(), drives.end(), [](const Drive& d) { return d.value > 0.0; }))
     reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
   const auto largest =
       std::max_element(drives.begin(), drives.end(), [](const Drive& a, const Drive& b) { return a.value < b.value; });
-  if (!by_load && largest->value > 0.0)
-    if (const auto reason =
-            simulation::reason_against_approach(indentation.lower, indentation.upper, largest->value, domain))
+  if (kind == Drive::Kind::approach && largest->value > 0.0)
+    if (const auto reason = simulation::reason_against_approach(indentation.lower, indentation.upper, largest->value,
+                                                                indentation.domain))
       reader.add(key, *reason);
   const bool repeats = indentation.cycles > 1 || indentation.places.size() > 1;
   if (repeats && drives.back().value != 0.0)

@@ -213,7 +213,7 @@ Entries texture_entries(const std::string& table)
            .type = Type::numbers,
            .dimension = dimension::length,
            .range = above(0.0),
-           .unset = "8 rolloff",
+           .unset = "grid.size along axes that are periodic, otherwise 8 rolloff",
            .text = "Period [along x, along y], which is the longest wavelength: up to 4096 times the cutoff.",
            .when = of_random},
           {.key = "seed",

@@ -94,11 +94,19 @@ std::vector<Entry> indentation_entries()
        .range = at_least(0.0),
        .unset = "indentation.load or indentation.approach",
        .text = "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\"."},
+      {.key = "indentation.mean_gap",
+       .type = Type::numbers,
+       .dimension = dimension::length,
+       .range = above(0.0),
+       .unset = "indentation.load or indentation.approach",
+       .text = "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
+               "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
+               "them: [\"0.1 um\", \"5 um\"] presses and lifts off."},
       bound({.key = "indentation.steps",
              .range = between(1, 100000),
              .text =
-                 "Steps from one entry of the list to the next, of equal approach; of equal load^(2/3) if the load is "
-                 "imposed."},
+                 "Steps from one entry of the list to the next, of equal approach or mean gap; of equal load^(2/3) if "
+                 "the load is imposed."},
             &Draft::indentation, &IndentationCase::steps),
       bound({.key = "indentation.cycles",
              .range = between(1, 10000),

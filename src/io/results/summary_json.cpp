@@ -323,6 +323,9 @@ std::string summary_text(const Case& c, const simulation::IndentationPlan& plan,
   Json json = head_json(c);
   json["geometry"] = geometry_json(c);
   json["geometry"]["estimated_contact_radius_m"] = plan.contact_radius;
+  json["geometry"]["touching_gap_m"] = plan.touching_gap;
+  json["geometry"]["rms_height_m"] = s.rms_height;
+  json["geometry"]["rms_slope"] = s.rms_slope;
   json["indents"] = Json::array();
   json["normalised"] = Json::array();
   for (const simulation::Indent& indent : s.indents)

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <fstream>
 
 /// Case files of indentation and rolling.
@@ -258,7 +260,8 @@ TEST(ScenarioCase, HertzPressureIsALoad)
 TEST(ScenarioCase, SaysWhatIsMissingOrTooMuch)
 {
   const std::pair<std::string, const char*> refusals[] = {
-      {refusal(indentation("")), "needs one of indentation.load, indentation.approach and indentation.pressure"},
+      {refusal(indentation("")),
+       "needs one of indentation.load, indentation.approach, indentation.pressure and indentation.mean_gap"},
       {refusal(indentation("load = [1, 0]\napproach = [1, 0]\n")), "cannot stand together"},
       {refusal(indentation("load = [0, 0]\n")), "never presses the bodies together"},
       {refusal(indentation("load = [-1]\n")), "out of range"},
@@ -280,6 +283,65 @@ TEST(ScenarioCase, SaysWhatIsMissingOrTooMuch)
   };
   for (const auto& [text, expected] : refusals)
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n  in: " << text;
+}
+
+/// A rough flat under a rigid one, over a period.
+std::string rough(const std::string& keys, const std::string& texture_keys = "")
+{
+  return "scenario = \"indentation\"\n[indentation]\n" + keys + R"(
+[lower]
+shape = {type = "flat"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
+texture = {type = "random", rms_slope = 0.01, cutoff = "25 um")" +
+         texture_keys + R"(}
+[upper]
+shape = {type = "flat"}
+material = {rigid = true}
+[grid]
+boundary = "periodic"
+size = ["200 um", "100 um"]
+cells = [32, 16]
+)";
+}
+
+TEST(ScenarioCase, MeanGapsOverAPeriod)
+{
+  const Case c = parse_case(rough("mean_gap = [\"50 nm\", \"1 mm\"]\n"), "sample.toml");
+  const auto& i = std::get<IndentationCase>(c.scenario);
+  EXPECT_EQ(i.sequence, (std::vector<contact::Drive>{{contact::Drive::Kind::mean_gap, 5e-8},
+                                                     {contact::Drive::Kind::mean_gap, 1e-3}}));
+  const double touch = simulation::plan(i).touching_gap;
+  const auto with_touch = [&](const char* format) { return fmt::format(fmt::runtime(format), touch); };
+  const std::pair<std::string, std::string> refusals[] = {
+      {refusal(indentation("mean_gap = [1e-6]\n")),
+       "indentation.mean_gap = [1e-06] is the mean over a period; allowed "
+       "with grid.boundary = \"periodic\"; otherwise indentation.approach"},
+      {refusal(rough("mean_gap = [-1e-6]\n")), "out of range; allowed: list of lengths > 0"},
+      {refusal(rough("mean_gap = [0]\n")), "out of range; allowed: list of lengths > 0"},
+      {refusal(rough("mean_gap = [\"1 MPa\"]\n")), "is a pressure"},
+      {refusal(rough("mean_gap = [1e-7]\npressure = [1e6]\n")), "cannot stand together with indentation.pressure"},
+      {refusal(rough("mean_gap = [\"1 mm\"]\n")),
+       with_touch(
+           "indentation.mean_gap = [\"1 mm\"] does not fit: the mean gap is never below {:g} m, where the surfaces "
+           "first touch")},
+      {refusal(rough("mean_gap = [1e-7]\ncycles = 2\n")),
+       with_touch("the last mean gap must not be below {:g} m, where the surfaces first touch")},
+  };
+  for (const auto& [text, expected] : refusals)
+    EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n  in: " << text;
+}
+
+TEST(ScenarioCase, ARandomSurfaceHasThePeriodOfTheGrid)
+{
+  const auto size = [](const std::string& keys, const std::vector<std::string>& overrides = {})
+  {
+    const auto c = read<IndentationCase>(rough("pressure = [1e6]\n", keys), overrides);
+    const auto& p = std::get<simulation::RandomSurface>(c.lower.texture.parts.front()).parameters();
+    return std::array{p.size_x, p.size_y};
+  };
+  EXPECT_EQ(size(""), (std::array{200e-6, 100e-6}));
+  EXPECT_EQ(size(", rolloff = \"50 um\""), (std::array{200e-6, 100e-6}));
+  EXPECT_EQ(size(", size = [\"100 um\", \"50 um\"]"), (std::array{100e-6, 50e-6})); // twice along each axis
 }
 
 TEST(ScenarioCase, ResolvedTextReadsBackTheSame)
