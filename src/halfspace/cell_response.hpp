@@ -3,12 +3,13 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
+#include "brinell/green/traction.hpp"
 
 #include <array>
 #include <cstdlib>
 #include <vector>
 
-/// What a unit pressure on one cell gives at the others, from the closed forms of rectangle and strip. Along a periodic axis
+/// What a unit traction on one cell gives at the others, from the closed forms of rectangle and strip. Along a periodic axis
 /// the cell has copies, one per period: some near ones are summed, and the rest is a strip: docs/theory/half-space.md
 /// (copies).
 namespace brinell::halfspace
@@ -56,6 +57,7 @@ struct Quadrant
 [[nodiscard]] Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference);
 
 /// Stress at a depth under the cell [-].
-[[nodiscard]] Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio);
+[[nodiscard]] Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio,
+                                              Traction traction);
 
 } // namespace brinell::halfspace
