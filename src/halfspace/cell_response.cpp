@@ -16,7 +16,8 @@ double scaled(double factor, double value)
   return factor * value;
 }
 
-SymTensor scaled(double factor, SymTensor value)
+template <std::size_t size>
+std::array<double, size> scaled(double factor, std::array<double, size> value)
 {
   for (double& component : value)
     component *= factor;
@@ -28,7 +29,8 @@ void add(double value, double& sum)
   sum += value;
 }
 
-void add(const SymTensor& value, SymTensor& sum)
+template <std::size_t size>
+void add(const std::array<double, size>& value, std::array<double, size>& sum)
 {
   for (std::size_t c = 0; c < sum.size(); ++c)
     sum[c] += value[c];
@@ -140,6 +142,7 @@ SurfaceGrid swapped(const SurfaceGrid& g)
 }
 
 using brinell::xy_exchanged;
+using green::xy_exchanged;
 
 double xy_exchanged(double value)
 {
@@ -176,6 +179,14 @@ struct DisplacementKernel
   [[nodiscard]] DisplacementKernel xy_exchanged() const { return *this; }
 };
 
+struct SurfaceTermsKernel
+{
+  double reference;
+  [[nodiscard]] green::SurfaceTerms corner(double X, double Y) const { return green::rectangle_surface_corner(X, Y); }
+  [[nodiscard]] green::SurfaceTerms edge(double X) const { return green::strip_surface_edge(X, reference); }
+  [[nodiscard]] SurfaceTermsKernel xy_exchanged() const { return *this; }
+};
+
 struct StressKernel
 {
   double depth, poisson_ratio;
@@ -193,6 +204,11 @@ struct StressKernel
 Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference)
 {
   return response<double>(grid, DisplacementKernel{reference});
+}
+
+Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference)
+{
+  return response<green::SurfaceTerms>(grid, SurfaceTermsKernel{reference});
 }
 
 Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio, Traction traction)

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
+#include "brinell/green/surface_terms.hpp"
 #include "brinell/green/traction.hpp"
 
 #include <array>
@@ -55,6 +56,10 @@ struct Quadrant
 /// Integral of 1/r over the cell [m].
 /// @param reference  with one periodic axis, the distance at which a line load along it is counted as zero [m].
 [[nodiscard]] Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference);
+
+/// Surface displacement of a unit traction on the cell, as `green::SurfaceTerms`.
+/// @param reference  as above, for the displacements in all directions
+[[nodiscard]] Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference);
 
 /// Stress at a depth under the cell [-].
 [[nodiscard]] Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio,

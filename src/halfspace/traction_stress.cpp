@@ -2,11 +2,7 @@
 #include "halfspace/traction_stress.hpp"
 
 #include "brinell/foundation/sym_tensor.hpp"
-#include "cell_response.hpp"
-#include "foundation/lane_functions.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace brinell::halfspace
@@ -49,7 +45,7 @@ const TractionStress::Kernels* TractionStress::kernels(int block, int row) const
   return kernels_.data() + static_cast<std::size_t>(block * rows_ + folded) * static_cast<std::size_t>(grid_.nz);
 }
 
-TractionStress::Parity TractionStress::parity(int which) const
+Parity TractionStress::parity(int which) const
 {
   const bool odd_x = which == Deviator::xz || which == Deviator::xy;
   const bool odd_y = which == Deviator::yz || which == Deviator::xy;
@@ -84,35 +80,13 @@ Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double po
 
 void TractionStress::tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft)
 {
-  const SurfaceGrid& s = grid_.surface;
-  const int px = fft.px();
-  const int py = fft.py();
-  const Offsets along_x(s.nx, s.boundary_x);
-  const Offsets along_y(s.ny, s.boundary_y);
   const Quadrant<SymTensor> response = mean_over_layer(grid_, layer, poisson_ratio, traction_);
-  AlignedVector<double> plane(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
-  AlignedVector<Complex> transformed(fft.plane());
   for (int which = 0; which < kernel_count; ++which)
-  {
-    const auto [odd_x, odd_y] = parity(which);
-    std::fill(plane.begin(), plane.end(), 0.0);
-    for (int j = along_y.first(); j <= along_y.last(); ++j)
-      for (int i = along_x.first(); i <= along_x.last(); ++i)
-      {
-        const double sign = (odd_x ? along_x.sign(i) : 1.0) * (odd_y ? along_y.sign(j) : 1.0);
-        plane[static_cast<std::size_t>((j + py) % py * px + (i + px) % px)] =
-            sign * kernel_values(response.at(i, j))[static_cast<std::size_t>(which)];
-      }
-    fft.forward_padded(plane, transformed.data());
-    const bool imaginary = odd_x != odd_y;
-    for (int row = 0; row < rows_; ++row)
-      for (int i = 0; i < fft.kx(); ++i)
-      {
-        const Complex value = transformed[static_cast<std::size_t>(row * fft.kx() + i)];
-        kernels_at(row, i, layer)[static_cast<std::size_t>(which)][i % lane_count] =
-            imaginary ? value.imag() : value.real();
-      }
-  }
+    parity_spectrum(
+        fft, parity(which),
+        [&](int i, int j) { return kernel_values(response.at(i, j))[static_cast<std::size_t>(which)]; },
+        [&](int row, int column, double number)
+        { kernels_at(row, column, layer)[static_cast<std::size_t>(which)][column % lane_count] = number; });
 }
 
 namespace
@@ -216,12 +190,9 @@ void add_lanes(const ComplexLanes& value, Complex* to)
 
 } // namespace
 
-/// Rows of negative wavenumbers in y are stored with those of the positive ones; kernels odd in y change sign there.
 ComplexLanes TractionStress::phased(int which, int row, const ComplexLanes& value) const
 {
-  const auto [odd_x, odd_y] = parity(which);
-  const ComplexLanes signed_value = odd_y && row > fft_.py() / 2 ? -1.0 * value : value;
-  return odd_x != odd_y ? times_i(signed_value) : signed_value;
+  return parity(which).phased(row, fft_.py(), value);
 }
 
 void TractionStress::add_deviator(int block, int first, int count, const Complex* traction, Complex* stress) const
@@ -274,10 +245,7 @@ void TractionStress::displacement(int block, int row, const Complex* strain, Com
   }
   // Of the transpose, with conj(i K) = -i K.
   const auto conjugated = [&](int which, const ComplexLanes& sum)
-  {
-    const auto [odd_x, odd_y] = parity(which);
-    return odd_x != odd_y ? -1.0 * phased(which, row, sum) : phased(which, row, sum);
-  };
+  { return parity(which).is_imaginary() ? -1.0 * phased(which, row, sum) : phased(which, row, sum); };
   const ComplexLanes shear = conjugated(yz, of_yz) + conjugated(xz, of_xz) + conjugated(xy, of_xy);
   store_lanes(grid_.dz * (conjugated(xx, of_diagonal) + 2.0 * shear), displacement);
 }

@@ -5,6 +5,7 @@
 #include "brinell/green/traction.hpp"
 #include "foundation/blocked_fft.hpp"
 #include "foundation/fft.hpp"
+#include "parity_spectrum.hpp"
 
 #include <array>
 
@@ -53,12 +54,7 @@ private:
   /// For `lane_count` wavenumbers. Every kernel is even or odd in x and in y: the imaginary parts of those that are odd in
   /// one of them alone, real parts otherwise.
   using Kernels = std::array<Lanes, kernel_count>;
-  struct Parity
-  {
-    bool odd_x, odd_y;
-  };
   [[nodiscard]] Parity parity(int which) const;
-  /// What a kernel's stored part is multiplied with, so that it is multiplied with `value` itself.
   [[nodiscard]] ComplexLanes phased(int which, int row, const ComplexLanes& value) const;
   [[nodiscard]] const Kernels* kernels(int block, int row) const;
   [[nodiscard]] Kernels& kernels_at(int row, int column, int layer);
