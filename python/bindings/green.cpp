@@ -62,14 +62,19 @@ void bind_green(nb::module_& m)
       [](const Input& x, const Input& y, double dx, double dy)
       { return scalars(x, y, [&](double X, double Y) { return green::rectangle_displacement(X, Y, dx, dy); }); },
       "x"_a, "y"_a, "dx"_a, "dy"_a);
+  nb::enum_<Traction>(m, "Traction")
+      .value("pressure", Traction::pressure)
+      .value("shear_x", Traction::shear_x)
+      .value("shear_y", Traction::shear_y);
   m.def(
       "rectangle_stress",
-      [](const Input& x, const Input& y, const Input& z, double dx, double dy, double nu)
+      [](const Input& x, const Input& y, const Input& z, double dx, double dy, double nu, Traction traction)
       {
         return tensors(x, y, z,
-                       [&](double X, double Y, double Z) { return green::rectangle_stress(X, Y, Z, dx, dy, nu); });
+                       [&](double X, double Y, double Z)
+                       { return green::rectangle_stress(X, Y, Z, dx, dy, nu, traction); });
       },
-      "x"_a, "y"_a, "z"_a, "dx"_a, "dy"_a, "nu"_a);
+      "x"_a, "y"_a, "z"_a, "dx"_a, "dy"_a, "nu"_a, "traction"_a);
   m.def(
       "cuboid_stress",
       [](const Input& x, const Input& y, const Input& z, double dx, double dy, double dz, const Input& eigenstrain,

@@ -6,6 +6,7 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "brinell/halfspace/surface_compliance.hpp"
+#include "brinell/halfspace/traction_compliance.hpp"
 
 #include <cmath>
 #include <nanobind/stl/optional.h>
@@ -21,6 +22,8 @@ namespace
 
 using halfspace::HalfSpace;
 using halfspace::SurfaceCompliance;
+using halfspace::SurfaceLoad;
+using halfspace::TractionCompliance;
 
 Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
 {
@@ -33,6 +36,29 @@ Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
         compliance.apply({.pressure = p}, {.z = u}, scratch);
       });
   return array(std::move(u), shape(compliance.grid()));
+}
+
+/// What acts on a surface; None is zero.
+SurfaceLoad surface_load(const SurfaceGrid& grid, const std::optional<Input>& pressure,
+                         const std::optional<Input>& shear_x, const std::optional<Input>& shear_y)
+{
+  const auto part = [&](const std::optional<Input>& given, const char* name)
+  { return given ? values(*given, shape(grid), name) : std::span<const double>{}; };
+  return {part(pressure, "pressure"), part(shear_x, "shear_x"), part(shear_y, "shear_y")};
+}
+
+/// Along x, y and z.
+Output displacements(const TractionCompliance& compliance, const std::optional<Input>& pressure,
+                     const std::optional<Input>& shear_x, const std::optional<Input>& shear_y)
+{
+  const SurfaceGrid& g = compliance.grid();
+  const SurfaceLoad load = surface_load(g, pressure, shear_x, shear_y);
+  std::vector<double> u(3 * g.size());
+  const auto part = [&](std::size_t direction) { return std::span(u).subspan(direction * g.size(), g.size()); };
+  without_lock([&] { compliance.apply(load, {.z = part(2), .x = part(0), .y = part(1)}); });
+  Shape three = shape(g);
+  three.insert(three.begin(), 3);
+  return array(std::move(u), three);
 }
 
 /// Six components -> the engine's five.
@@ -56,12 +82,11 @@ std::vector<double> traceless(std::span<const double> fields)
 }
 
 Output stress(const HalfSpace& half_space, const std::optional<Input>& pressure,
-              const std::optional<Input>& eigenstrain)
+              const std::optional<Input>& eigenstrain, const std::optional<Input>& shear_x,
+              const std::optional<Input>& shear_y)
 {
   const VolumeGrid& g = half_space.grid();
-  std::span<const double> p;
-  if (pressure)
-    p = values(*pressure, shape(g.surface), "pressure");
+  const SurfaceLoad load = surface_load(g.surface, pressure, shear_x, shear_y);
   std::span<const double> given;
   if (eigenstrain)
     given = values(*eigenstrain, tensor_shape(g), "eigenstrain");
@@ -73,14 +98,15 @@ Output stress(const HalfSpace& half_space, const std::optional<Input>& pressure,
                      std::vector<double> deviator(strain.size());
                      std::vector<double> trace(g.size());
                      HalfSpace::Work work = half_space.make_work();
-                     half_space.full_stress({.pressure = p}, strain, work, deviator, trace);
+                     half_space.full_stress(load, strain, work, deviator, trace);
                      return six_fields(deviator, trace);
                    }),
                tensor_shape(g));
 }
 
-Output residual_displacement(const HalfSpace& half_space, const Input& eigenstrain)
+Output residual_displacement(const HalfSpace& half_space, const Input& eigenstrain, char axis)
 {
+  using halfspace::Displacements;
   const VolumeGrid& g = half_space.grid();
   const auto given = values(eigenstrain, tensor_shape(g), "eigenstrain");
   std::vector<double> u(g.surface.size());
@@ -89,7 +115,14 @@ Output residual_displacement(const HalfSpace& half_space, const Input& eigenstra
       {
         HalfSpace::Work work = half_space.make_work();
         const std::vector<double> strain = traceless(given);
-        half_space.load(strain, g.nz, work).displacement({.z = u});
+        const auto wanted = axis == 'z' ? Displacements::normal : Displacements::all;
+        const HalfSpace::Loaded loaded = half_space.load(strain, g.nz, work, wanted);
+        if (axis == 'z')
+          loaded.displacement({.z = u});
+        else if (axis == 'x')
+          loaded.displacement({.x = u});
+        else
+          loaded.displacement({.y = u});
       });
   return array(std::move(u), shape(g.surface));
 }
@@ -121,14 +154,23 @@ void bind_halfspace(nb::module_& m)
           { without_lock([&] { return new (self) SurfaceCompliance(grid, contact_modulus, reference); }); },
           "grid"_a, "contact_modulus"_a, "reference"_a = 0.0)
       .def("displacement", &displacement, "pressure"_a);
+  nb::class_<TractionCompliance>(m, "TractionCompliance")
+      .def(
+          "__init__",
+          [](TractionCompliance* self, const SurfaceGrid& grid, const constitutive::Material& lower,
+             const constitutive::Material& upper, double reference) {
+            without_lock([&] { return new (self) TractionCompliance(grid, lower.elastic, upper.elastic, reference); });
+          },
+          "grid"_a, "lower"_a, "upper"_a, "reference"_a = 0.0)
+      .def("displacement", &displacements, "pressure"_a.none(), "shear_x"_a.none(), "shear_y"_a.none());
   nb::class_<HalfSpace>(m, "HalfSpace")
       .def(
           "__init__",
           [](HalfSpace* self, const VolumeGrid& grid, const constitutive::Material& material)
           { without_lock([&] { return new (self) HalfSpace(grid, material.elastic); }); },
           "grid"_a, "material"_a)
-      .def("stress", &stress, "pressure"_a.none(), "eigenstrain"_a.none())
-      .def("residual_displacement", &residual_displacement, "eigenstrain"_a);
+      .def("stress", &stress, "pressure"_a.none(), "eigenstrain"_a.none(), "shear_x"_a.none(), "shear_y"_a.none())
+      .def("residual_displacement", &residual_displacement, "eigenstrain"_a, "axis"_a);
 }
 
 } // namespace brinell::python

@@ -21,6 +21,12 @@ __all__ = [
     "rectangle_stress",
 ]
 
+_TRACTIONS = {
+    "pressure": _core.Traction.pressure,
+    "shear_x": _core.Traction.shear_x,
+    "shear_y": _core.Traction.shear_y,
+}
+
 
 def rectangle_displacement(x: ArrayLike, y: ArrayLike, dx: float, dy: float) -> Array:
     """Integral of 1/r over a rectangle in the plane of the point (Love 1929; Johnson 1985, Eq. 3.25).
@@ -41,25 +47,38 @@ def rectangle_displacement(x: ArrayLike, y: ArrayLike, dx: float, dy: float) -> 
     return _core.rectangle_displacement(x, y, dx, dy).reshape(shape)
 
 
-def rectangle_stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, dx: float, dy: float, poisson_ratio: float) -> Array:
-    """Stress under a uniform unit pressure on a rectangle of the surface (Love 1929).
+def rectangle_stress(
+    x: ArrayLike,
+    y: ArrayLike,
+    z: ArrayLike,
+    dx: float,
+    dy: float,
+    poisson_ratio: float,
+    traction: str = "pressure",
+) -> Array:
+    """Stress under a uniform unit traction on a rectangle of the surface (Love 1929; Cerruti).
 
     Args:
         x: points along x, from the rectangle's centre [m].
         y: points along y [m].
-        z: depths [m], >= 0. On z = 0 the value on an edge is the mean of its two sides.
+        z: depths [m], >= 0. On z = 0 the value of a pressure on an edge is the mean of its two sides; that of a
+            shear is infinite there.
         dx: side along x [m].
         dy: side along y [m].
         poisson_ratio: nu [-].
+        traction: on the body, "pressure", "shear_x" or "shear_y".
 
     Returns:
-        (6, ...) [Pa/Pa]; the zz component is -1 just under the rectangle.
+        (6, ...) [Pa/Pa]; just under the rectangle zz = -1 of a pressure, xz = -1 of a shear along x.
     """
+    if traction not in _TRACTIONS:
+        raise InputError(f"traction = {traction!r}; allowed: {', '.join(map(repr, _TRACTIONS))}")
     require_positive(dx=dx, dy=dy)
     shape, (x, y, z) = points(x=x, y=y, z=z)
     require_below(z)
     require_poisson(poisson_ratio)
-    return _core.rectangle_stress(x, y, z, dx, dy, poisson_ratio).reshape(6, *shape)
+    stress = _core.rectangle_stress(x, y, z, dx, dy, poisson_ratio, _TRACTIONS[traction])
+    return stress.reshape(6, *shape)
 
 
 def cuboid_stress(

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Half spaces on a regular grid: what a pressure and a plastic strain do to one elastic body.
+"""Half spaces on a regular grid: what a pressure, shears and a plastic strain do to one elastic body.
 
 Arrays on a grid are [y, x] or [z, y, x]; a tensor field is [component, z, y, x] with the six components xx, yy, zz, yz,
 xz, xy (tensor components, not engineering shear). z points into the body, pressure is positive in compression, stress
-in tension. Values belong to the middle of a cell; there are no periodic images but along axes that are
-`periodic`. What comes back is a new array each time. An operator is planned once and may be applied by several threads.
+in tension; a shear is the traction on the body along x or y. Values belong to the middle of a cell; there are no
+periodic images but along axes that are `periodic`. What comes back is a new array each time. An operator is
+planned once and may be applied by several threads.
 
     grid = VolumeGrid(SurfaceGrid(64, 64, 1e-6, 1e-6), nz=32, dz=1e-6)
     body = HalfSpace(grid, Material("210 GPa", 0.3))
@@ -140,7 +141,7 @@ class VolumeGrid:
 
 
 class SurfaceCompliance:
-    """Pressure -> sum of the elastic normal displacements of two bodies (Love 1929).
+    """Pressure -> sum of the elastic normal displacements of two bodies (Love 1929); shears, too (Cerruti).
 
     The operator is symmetric and positive definite, so it is its own transpose. On a grid that is periodic along both
     axes a uniform pressure gives no displacement: displacements are those from the mean plane.
@@ -154,7 +155,8 @@ class SurfaceCompliance:
             lower: one body; of its material only the elastic constants count.
             upper: the other one.
             reference: on a grid that is periodic along one axis, the distance from a line load at which its
-                displacement is counted as zero [m], larger than the surface: it has a logarithm without end.
+                displacement in any direction is counted as zero [m], larger than the surface: it has a logarithm
+                without end.
 
         Raises:
             InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
@@ -171,6 +173,8 @@ class SurfaceCompliance:
         self.contact_modulus = _core.contact_modulus(lower._engine, upper._engine)
         """E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
         self._engine = _core.SurfaceCompliance(grid._engine, self.contact_modulus, reference or 0.0)
+        self._pair = lower, upper, reference
+        self._tractions: _core.TractionCompliance | None = None  # planned when it is first needed
 
     def __repr__(self) -> str:
         return f"<SurfaceCompliance {cells(self.grid.shape)}>"
@@ -186,13 +190,43 @@ class SurfaceCompliance:
         """
         return self._engine.displacement(contiguous(pressure, "pressure"))
 
+    def displacement(
+        self,
+        pressure: ArrayLike | None = None,
+        shear_x: ArrayLike | None = None,
+        shear_y: ArrayLike | None = None,
+    ) -> Array:
+        """Displacement along all axes (docs/theory/half-space.md).
+
+        The shears act on the lower body, and on the upper one the other way. The displacement along z is the sum of
+        both bodies', each along its own z; along x and y it is that of the lower body less that of the upper one. The
+        operator is symmetric. Bodies with equal constants do not couple pressure and shear.
+
+        Args:
+            pressure: (ny, nx) [Pa]; None: zero.
+            shear_x: (ny, nx) [Pa]; None: zero.
+            shear_y: (ny, nx) [Pa]; None: zero.
+
+        Returns:
+            (3, ny, nx) [m], along x, y and z.
+        """
+        if self._tractions is None:
+            lower, upper, reference = self._pair
+            self._tractions = _core.TractionCompliance(
+                self.grid._engine, lower._engine, upper._engine, reference or 0.0
+            )
+        return self._tractions.displacement(
+            _optional(pressure, "pressure"), _optional(shear_x, "shear_x"), _optional(shear_y, "shear_y")
+        )
+
 
 class HalfSpace:
-    """One elastic body with a surface pressure and a plastic strain.
+    """One elastic body with a traction on its surface and a plastic strain.
 
     Three operators: B, pressure -> stress; its transpose B', plastic strain -> normal displacement of the surface; and
     H, plastic strain -> residual stress, which is symmetric. With the same coefficients both ways Betti's theorem holds
-    to rounding: the sum of B p : eps dV is that of p B' eps dA, and the sum of H eps1 : eps2 that of H eps2 : eps1.
+    to rounding: the sum of B p : eps dV is that of p B' eps dA, and the sum of H eps1 : eps2 that of H eps2 : eps1. The
+    same holds for shears and the displacement along x and y. What shears need is planned when the first one comes.
     """
 
     def __init__(self, grid: VolumeGrid, material: Material):
@@ -215,19 +249,30 @@ class HalfSpace:
     def __repr__(self) -> str:
         return f"<HalfSpace {cells(self.grid.shape)}>"
 
-    def stress(self, pressure: ArrayLike | None, eigenstrain: ArrayLike | None) -> Array:
-        """Stress of a pressure and a plastic strain together.
+    def stress(
+        self,
+        pressure: ArrayLike | None = None,
+        eigenstrain: ArrayLike | None = None,
+        *,
+        shear_x: ArrayLike | None = None,
+        shear_y: ArrayLike | None = None,
+    ) -> Array:
+        """Stress of what acts on the surface and of a plastic strain together.
 
         Args:
             pressure: (ny, nx) [Pa]; None: zero.
             eigenstrain: (6, nz, ny, nx) plastic strain, xx + yy + zz = 0 [-]; None: zero.
+            shear_x: (ny, nx) traction on the body along x [Pa]; None: zero.
+            shear_y: (ny, nx) [Pa]; None: zero.
 
         Returns:
             (6, nz, ny, nx) [Pa], mean over the thickness of a layer, at the middle of a cell in x and y.
         """
         return self._engine.stress(
-            None if pressure is None else contiguous(pressure, "pressure"),
-            None if eigenstrain is None else contiguous(eigenstrain, "eigenstrain"),
+            _optional(pressure, "pressure"),
+            _optional(eigenstrain, "eigenstrain"),
+            _optional(shear_x, "shear_x"),
+            _optional(shear_y, "shear_y"),
         )
 
     def pressure_to_stress(self, pressure: ArrayLike) -> Array:
@@ -252,16 +297,23 @@ class HalfSpace:
         """
         return self.stress(None, eigenstrain)
 
-    def eigenstrain_to_displacement(self, eigenstrain: ArrayLike) -> Array:
-        """Normal displacement of the surface of a plastic strain, B' (Betti's theorem).
+    def eigenstrain_to_displacement(self, eigenstrain: ArrayLike, axis: str = "z") -> Array:
+        """Displacement of the surface of a plastic strain, B' (Betti's theorem).
 
         Args:
             eigenstrain: (6, nz, ny, nx), xx + yy + zz = 0 [-].
+            axis: "z", the normal displacement, "x" or "y".
 
         Returns:
-            (ny, nx) [m], into the body positive.
+            (ny, nx) [m], along z into the body positive.
         """
-        return self._engine.residual_displacement(contiguous(eigenstrain, "eigenstrain"))
+        if axis not in ("x", "y", "z"):
+            raise InputError(f"axis = {axis!r} of a displacement; allowed: 'x', 'y', 'z'")
+        return self._engine.residual_displacement(contiguous(eigenstrain, "eigenstrain"), axis)
+
+
+def _optional(values: ArrayLike | None, name: str) -> Array | None:
+    return None if values is None else contiguous(values, name)
 
 
 def _middles(count: int, size: float) -> Array:

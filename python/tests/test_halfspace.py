@@ -169,6 +169,59 @@ def test_results_own_their_memory_and_inputs_stay() -> None:
     np.testing.assert_array_equal(p, before)
 
 
+def test_stress_of_shears_is_the_mean_of_rectangles_over_a_layer() -> None:
+    grid, q_x, q_y = GRID.surface, pressure(11), pressure(12)
+    points, weights = np.polynomial.legendre.leggauss(3)  # the rule that the engine uses
+    x, y = (coordinate.reshape(-1) for coordinate in np.broadcast_arrays(grid.x, grid.y))
+    expected = np.zeros((6, *GRID.shape))
+    for layer in range(GRID.nz):
+        for point, weight in zip(points, weights, strict=True):
+            z = (layer + 0.5 + 0.5 * point) * GRID.dz
+            for traction, q in (("shear_x", q_x), ("shear_y", q_y)):
+                influence = green.rectangle_stress(
+                    x[:, None] - x, y[:, None] - y, z, grid.dx, grid.dy, 0.3, traction=traction
+                )
+                expected[:, layer] += 0.5 * weight * (influence @ q.reshape(-1)).reshape(6, *grid.shape)
+    found = HalfSpace(GRID, STEEL).stress(shear_x=q_x, shear_y=q_y)
+    np.testing.assert_allclose(found, expected, atol=ROUNDING * np.abs(expected).max())
+
+
+def test_betti_holds_for_shears() -> None:
+    body, eps = HalfSpace(GRID, STEEL), strain(13)
+    for axis, name in (("x", "shear_x"), ("y", "shear_y"), ("z", "pressure")):
+        q = pressure(14)
+        stress = body.stress(**{name: q})
+        inside = contracted(stress, eps) * GRID.cell_volume
+        outside = float(np.vdot(q, body.eigenstrain_to_displacement(eps, axis))) * GRID.surface.cell_area
+        scale = np.linalg.norm(stress) * np.linalg.norm(eps) * GRID.cell_volume
+        assert inside == pytest.approx(outside, abs=ROUNDING * scale)
+
+
+@pytest.mark.parametrize(("boundary", "reference"), [("open", None), ("periodic", None), (("open", "periodic"), 40.0)])
+def test_displacement_of_tractions_is_symmetric(boundary: str | tuple[str, str], reference: float | None) -> None:
+    grid = SurfaceGrid(9, 6, 0.5, 1.5, boundary=boundary)
+    compliance = SurfaceCompliance(grid, STEEL, brinell.Material(3.0, 0.1), reference=reference)
+    a, b = (np.random.default_rng(seed).normal(size=(3, *grid.shape)) for seed in (1, 2))
+    of_a, of_b = (compliance.displacement(load[2], load[0], load[1]) for load in (a, b))
+    assert np.vdot(a, of_b) == pytest.approx(np.vdot(b, of_a), abs=ROUNDING * np.linalg.norm(a) * np.linalg.norm(of_b))
+    assert np.vdot(a, of_a) > 0
+    of_pressure = compliance.displacement(a[2])
+    np.testing.assert_allclose(
+        of_pressure[2], compliance.pressure_to_displacement(a[2]), atol=ROUNDING * np.abs(of_pressure).max()
+    )
+
+
+def test_a_shear_is_told_by_name() -> None:
+    with pytest.raises(brinell.InputError, match=r"shear_y has the shape \(9, 6\); it must be \(6, 9\)"):
+        HalfSpace(GRID, STEEL).stress(shear_y=np.zeros((9, 6)))
+    with pytest.raises(brinell.InputError, match="shear_x has values that are not finite"):
+        SurfaceCompliance(GRID.surface, STEEL).displacement(shear_x=np.full(GRID.surface.shape, np.nan))
+    with pytest.raises(brinell.InputError, match="axis = 'w' of a displacement; allowed: 'x', 'y', 'z'"):
+        HalfSpace(GRID, STEEL).eigenstrain_to_displacement(strain(1), "w")
+    with pytest.raises(brinell.InputError, match="traction = 'friction'; allowed: 'pressure', 'shear_x', 'shear_y'"):
+        green.rectangle_stress(0.0, 0.0, 1.0, 1.0, 1.0, 0.3, traction="friction")
+
+
 def test_a_view_and_another_type_are_taken() -> None:
     compliance = SurfaceCompliance(GRID.surface, STEEL)
     p = np.arange(54).reshape(9, 6).T

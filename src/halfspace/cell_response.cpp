@@ -16,7 +16,8 @@ double scaled(double factor, double value)
   return factor * value;
 }
 
-SymTensor scaled(double factor, SymTensor value)
+template <std::size_t size>
+std::array<double, size> scaled(double factor, std::array<double, size> value)
 {
   for (double& component : value)
     component *= factor;
@@ -28,7 +29,8 @@ void add(double value, double& sum)
   sum += value;
 }
 
-void add(const SymTensor& value, SymTensor& sum)
+template <std::size_t size>
+void add(const std::array<double, size>& value, std::array<double, size>& sum)
 {
   for (std::size_t c = 0; c < sum.size(); ++c)
     sum[c] += value[c];
@@ -58,10 +60,8 @@ struct Copies
 };
 
 /// Response of a cell with copies along y, at offsets >= 0.
-/// @param corner  antiderivative of the rectangle, at (X, Y)
-/// @param edge    antiderivative of the strip, at X
-template <typename Value, typename Corner, typename Edge>
-void with_copies(const SurfaceGrid& grid, const Corner& corner, const Edge& edge, Quadrant<Value>& out)
+template <typename Value, typename Kernel>
+void with_copies(const SurfaceGrid& grid, const Kernel& kernel, Quadrant<Value>& out)
 {
   const Copies copies{grid.ny, grid.dy, grid.ny * grid.dy};
   const double density = grid.dy / copies.period; // of the strip, which stands for the copies
@@ -70,15 +70,15 @@ void with_copies(const SurfaceGrid& grid, const Corner& corner, const Edge& edge
     Value sum{};
     for (int copy = -copies.count() - 1; copy <= copies.count() + 1; ++copy)
       if (const double weight = copies.weight(copy); weight != 0.0)
-        add(scaled(weight, corner(X, Y + copy * copies.period)), sum);
+        add(scaled(weight, kernel.corner(X, Y + copy * copies.period)), sum);
     return sum;
   };
   /// The strip without the part over which the copies have been summed.
   const auto rest = [&](double X, double y)
   {
-    Value value = scaled(density, edge(X));
-    add(scaled(-density, corner(X, y + 0.5 * copies.length())), value);
-    add(scaled(density, corner(X, y - 0.5 * copies.length())), value);
+    Value value = scaled(density, kernel.edge(X));
+    add(scaled(-density, kernel.corner(X, y + 0.5 * copies.length())), value);
+    add(scaled(density, kernel.corner(X, y - 0.5 * copies.length())), value);
     return value;
   };
   const auto columns = static_cast<std::size_t>(out.nx + 1);
@@ -109,15 +109,15 @@ void with_copies(const SurfaceGrid& grid, const Corner& corner, const Edge& edge
 }
 
 /// Response of a cell alone.
-template <typename Value, typename Corner>
-void alone(const SurfaceGrid& grid, const Corner& corner, Quadrant<Value>& out)
+template <typename Value, typename Kernel>
+void alone(const SurfaceGrid& grid, const Kernel& kernel, Quadrant<Value>& out)
 {
   const auto columns = static_cast<std::size_t>(out.nx + 1);
   std::vector<Value> front(columns), back(columns);
   const auto fill = [&](std::vector<Value>& row, int j)
   {
     for (std::size_t i = 0; i < columns; ++i)
-      row[i] = corner((static_cast<double>(i) - 0.5) * grid.dx, (j - 0.5) * grid.dy);
+      row[i] = kernel.corner((static_cast<double>(i) - 0.5) * grid.dx, (j - 0.5) * grid.dy);
   };
   fill(back, 0);
   for (int j = 0; j < out.ny; ++j)
@@ -141,51 +141,79 @@ SurfaceGrid swapped(const SurfaceGrid& g)
   return {g.ny, g.nx, g.dy, g.dx, g.boundary_y, g.boundary_x};
 }
 
-double swapped(double value)
+using brinell::xy_exchanged;
+using green::xy_exchanged;
+
+double xy_exchanged(double value)
 {
   return value;
 }
 
-/// With x and y exchanged.
-SymTensor swapped(const SymTensor& t)
-{
-  return {t[1], t[0], t[2], t[4], t[3], t[5]};
-}
-
-template <typename Value, typename Corner, typename Edge>
-Quadrant<Value> response(const SurfaceGrid& grid, const Corner& corner, const Edge& edge)
+/// @param kernel  antiderivatives `corner` of the rectangle at (X, Y) and `edge` of the strip at X, and `xy_exchanged`
+template <typename Value, typename Kernel>
+Quadrant<Value> response(const SurfaceGrid& grid, const Kernel& kernel)
 {
   if (grid.is_periodic())
     throw InternalError("the response of a cell: a body that is periodic along both axes has waves instead");
   Quadrant<Value> out(grid);
   if (grid.is_periodic_y())
-    with_copies(grid, corner, edge, out);
+    with_copies(grid, kernel, out);
   else if (!grid.is_periodic_x())
-    alone(grid, corner, out);
+    alone(grid, kernel, out);
   else
   {
-    const Quadrant<Value> across = response<Value>(swapped(grid), corner, edge);
+    const Quadrant<Value> across = response<Value>(swapped(grid), kernel.xy_exchanged());
     for (int j = 0; j < out.ny; ++j)
       for (int i = 0; i < out.nx; ++i)
-        out.at(i, j) = swapped(across.at(j, i));
+        out.at(i, j) = xy_exchanged(across.at(j, i));
   }
   return out;
 }
+
+/// Of 1/r.
+struct DisplacementKernel
+{
+  double reference;
+  [[nodiscard]] double corner(double X, double Y) const { return green::rectangle_displacement_corner(X, Y); }
+  [[nodiscard]] double edge(double X) const { return green::strip_displacement_edge(X, reference); }
+  [[nodiscard]] DisplacementKernel xy_exchanged() const { return *this; }
+};
+
+struct SurfaceTermsKernel
+{
+  double reference;
+  [[nodiscard]] green::SurfaceTerms corner(double X, double Y) const { return green::rectangle_surface_corner(X, Y); }
+  [[nodiscard]] green::SurfaceTerms edge(double X) const { return green::strip_surface_edge(X, reference); }
+  [[nodiscard]] SurfaceTermsKernel xy_exchanged() const { return *this; }
+};
+
+struct StressKernel
+{
+  double depth, poisson_ratio;
+  Traction traction;
+  [[nodiscard]] SymTensor corner(double X, double Y) const
+  {
+    return green::rectangle_stress_corner(X, Y, depth, poisson_ratio, traction);
+  }
+  [[nodiscard]] SymTensor edge(double X) const { return green::strip_stress_edge(X, depth, poisson_ratio, traction); }
+  [[nodiscard]] StressKernel xy_exchanged() const { return {depth, poisson_ratio, brinell::xy_exchanged(traction)}; }
+};
 
 } // namespace
 
 Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference)
 {
-  return response<double>(
-      grid, [](double X, double Y) { return green::rectangle_displacement_corner(X, Y); },
-      [reference](double X) { return green::strip_displacement_edge(X, reference); });
+  return response<double>(grid, DisplacementKernel{reference});
 }
 
-Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio)
+Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference)
 {
-  return response<SymTensor>(
-      grid, [=](double X, double Y) { return green::rectangle_stress_corner(X, Y, depth, poisson_ratio); },
-      [=](double X) { return green::strip_stress_edge(X, depth, poisson_ratio); });
+  return response<green::SurfaceTerms>(grid, SurfaceTermsKernel{reference});
+}
+
+Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio, Traction traction)
+{
+  return response<SymTensor>(grid, StressKernel{depth, poisson_ratio, traction});
 }
 
 } // namespace brinell::halfspace

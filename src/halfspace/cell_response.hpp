@@ -3,12 +3,14 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
+#include "brinell/green/surface_terms.hpp"
+#include "brinell/green/traction.hpp"
 
 #include <array>
 #include <cstdlib>
 #include <vector>
 
-/// What a unit pressure on one cell gives at the others, from the closed forms of rectangle and strip. Along a periodic axis
+/// What a unit traction on one cell gives at the others, from the closed forms of rectangle and strip. Along a periodic axis
 /// the cell has copies, one per period: some near ones are summed, and the rest is a strip: docs/theory/half-space.md
 /// (copies).
 namespace brinell::halfspace
@@ -55,7 +57,12 @@ struct Quadrant
 /// @param reference  with one periodic axis, the distance at which a line load along it is counted as zero [m].
 [[nodiscard]] Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference);
 
+/// Surface displacement of a unit traction on the cell, as `green::SurfaceTerms`.
+/// @param reference  as above, for the displacements in all directions
+[[nodiscard]] Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference);
+
 /// Stress at a depth under the cell [-].
-[[nodiscard]] Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio);
+[[nodiscard]] Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio,
+                                              Traction traction);
 
 } // namespace brinell::halfspace

@@ -41,14 +41,15 @@ HalfSpace::Work HalfSpace::make_work() const
   return work;
 }
 
-HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int layers, Work& work) const
+HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int layers, Work& work,
+                                  Displacements displacements) const
 {
   require_size("HalfSpace::load: the plastic strain", plastic_strain, Deviator::size * grid().size());
   if (layers < 0 || layers > grid().nz)
     throw InternalError(fmt::format("HalfSpace::load: {} layers are wanted, the grid has {}", layers, grid().nz));
   if (work.empty())
     throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
-  operators_->load_strain(plastic_strain, layers, *work.buffers_, nullptr);
+  operators_->load_strain(plastic_strain, layers, displacements, *work.buffers_, nullptr);
   return {*operators_, plastic_strain, *work.buffers_};
 }
 
@@ -68,7 +69,13 @@ void HalfSpace::Loaded::displacement(const SurfaceDisplacement& out) const
   const Operators& op = *operators_;
   require_displacement("HalfSpace::Loaded::displacement", out, op.grid.surface.size());
   require_current("HalfSpace::Loaded::displacement");
-  op.surface_fft.rows_inverse(buffers_->displacement_rows.data(), 0, out.z.data(), buffers_->threads.front().fft);
+  if (buffers_->displacements == Displacements::normal && !(out.x.empty() && out.y.empty()))
+    throw InternalError("HalfSpace::Loaded::displacement: the load was asked for the normal displacement alone");
+  const OfTraction<std::span<double>> parts{out.z, out.x, out.y};
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    if (!parts[t].empty())
+      op.surface_fft.rows_inverse(buffers_->displacement_rows[t].data(), 0, parts[t].data(),
+                                  buffers_->threads.front().fft);
 }
 
 void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviator) const
@@ -77,9 +84,8 @@ void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviat
   require_load("HalfSpace::Loaded::stress", load, op.grid.surface.size());
   require_size("HalfSpace::Loaded::stress: the stress", deviator, Deviator::size * op.grid.size());
   require_current("HalfSpace::Loaded::stress");
-  if (!load.pressure.empty())
-    op.load_pressure(load.pressure, *buffers_);
-  op.add_pressure_and_invert(!load.pressure.empty(), plastic_strain_, *buffers_, deviator);
+  op.load_surface(load, *buffers_);
+  op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
 }
 
 void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
@@ -97,15 +103,17 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
   const BlockedFft& fft = op.trace_fft;
   AlignedVector<Complex> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
   AlignedVector<Complex> rows(fft.rows_size());
-  op.load_strain(plastic_strain, grid.nz, buffers, spectra.data());
+  op.load_strain(plastic_strain, grid.nz, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
+  const auto kernels = op.kernels_of(parts_of(load));
   BlockedFft::Scratch& scratch = buffers.threads.front().fft;
   for (int block = 0; block < fft.blocks(); ++block)
   {
     Complex* spectrum = spectra.data() + row_at(fft, block, 0);
-    for (int row = 0; row < fft.py() && !load.pressure.empty(); ++row)
-      op.pressure_stress.add_trace(block, row, buffers.surface.data() + row_at(op.surface_fft, block, row),
-                                   spectrum + row_at(fft, 0, row));
+    for (std::size_t t = 0; t < kernels.size(); ++t)
+      for (int row = 0; row < fft.py() && kernels[t] != nullptr; ++row)
+        kernels[t]->add_trace(block, row, buffers.surface[t].data() + row_at(op.surface_fft, block, row),
+                              spectrum + row_at(fft, 0, row));
     for (int group = 0; group < BlockedFft::groups(grid.nz); ++group)
     {
       fft.gather(spectrum, group, grid.nz, scratch);

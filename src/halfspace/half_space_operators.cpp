@@ -24,9 +24,24 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constan
       surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
-      pressure_stress(volume, constants.poisson_ratio, surface_fft), eigenstrain_stress(volume, constants, surface_fft),
-      image_correction(volume, constants, surface_fft)
+      eigenstrain_stress(volume, constants, surface_fft), image_correction(volume, constants, surface_fft)
 {
+  static_cast<void>(kernels_of({true, false, false}));
+}
+
+OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTraction<bool>& wanted) const
+{
+  OfTraction<const TractionStress*> result{};
+  for (const Traction traction : tractions)
+    if (wanted[index(traction)])
+    {
+      Kernels& kernels = kernels_[index(traction)];
+      std::call_once(
+          kernels.tabulated, [&]
+          { kernels.stress = std::make_unique<TractionStress>(grid, elastic.poisson_ratio, surface_fft, traction); });
+      result[index(traction)] = kernels.stress.get();
+    }
+  return result;
 }
 
 std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() const
@@ -38,9 +53,9 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   work->rows.resize(volume_fft.rows_size());
   work->strain.resize(volume_fft.block_size());
   work->stress.resize(volume_fft.block_size() * blocks);
-  work->displacement_rows.resize(surface_fft.rows_size());
+  work->displacement_rows.front().resize(surface_fft.rows_size());
   work->surface_rows.resize(surface_fft.rows_size());
-  work->surface.resize(surface_fft.block_size() * blocks);
+  work->surface.front().resize(surface_fft.block_size() * blocks);
   work->images = image_correction.make_response();
   return work;
 }
@@ -63,11 +78,19 @@ int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain
   return strained;
 }
 
-void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
-                                       Complex* trace) const
+void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements,
+                                       Work::Buffers& work, Complex* trace) const
 {
   const int strained = strained_layers(plastic_strain);
+  const bool along_surface = displacements == Displacements::all;
+  const auto kernels = kernels_of({true, along_surface, along_surface});
   work.layers = layers;
+  work.displacements = displacements;
+  for (std::size_t t = 1; along_surface && t < tractions.size(); ++t)
+  {
+    work.surface[t].resize(work.surface.front().size());
+    work.displacement_rows[t].resize(work.displacement_rows.front().size());
+  }
   ++work.number;
   image_correction.respond(plastic_strain, strained, work.images);
   const int planes = Deviator::size * strained;
@@ -91,8 +114,9 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
       const auto pass_row = [&](int row)
       {
         const Complex* strain = work.strain.data() + row_at(volume_fft, 0, row);
-        pressure_stress.displacement(block, row, strain, work.surface.data() + row_at(surface_fft, block, row),
-                                     strained);
+        for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
+          kernels[t]->displacement(block, row, strain, work.surface[t].data() + row_at(surface_fft, block, row),
+                                   strained);
         eigenstrain_stress.apply(block, row, strain, strained, work.stress.data() + row_at(volume_fft, block, row),
                                  layers, scratch.layers,
                                  trace == nullptr ? nullptr : trace + row_at(trace_fft, block, row));
@@ -107,27 +131,37 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     }
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft.blocks(); ++block)
+      for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
+      {
+        surface_fft.gather(work.surface[t].data() + row_at(surface_fft, block, 0), 0, 1, scratch.fft);
+        surface_fft.columns_inverse(scratch.fft, block, 0, 1, work.displacement_rows[t].data());
+      }
+  }
+}
+
+void HalfSpace::Operators::load_surface(const SurfaceLoad& load, Work::Buffers& work) const
+{
+  BlockedFft::Scratch& scratch = work.threads.front().fft;
+  for (const Traction traction : tractions)
+  {
+    const std::span<const double> part = part_of(load, traction);
+    if (part.empty())
+      continue;
+    AlignedVector<Complex>& spectrum = work.surface[index(traction)];
+    spectrum.resize(work.surface.front().size());
+    surface_fft.rows_forward(part.data(), 0, work.surface_rows.data(), scratch);
+    for (int block = 0; block < surface_fft.blocks(); ++block)
     {
-      surface_fft.gather(work.surface.data() + row_at(surface_fft, block, 0), 0, 1, scratch.fft);
-      surface_fft.columns_inverse(scratch.fft, block, 0, 1, work.displacement_rows.data());
+      surface_fft.columns_forward(work.surface_rows.data(), block, 0, 1, scratch);
+      surface_fft.scatter(scratch, 0, 1, spectrum.data() + row_at(surface_fft, block, 0));
     }
   }
 }
 
-void HalfSpace::Operators::load_pressure(std::span<const double> pressure, Work::Buffers& work) const
+void HalfSpace::Operators::add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain,
+                                               Work::Buffers& work, std::span<double> stress) const
 {
-  BlockedFft::Scratch& scratch = work.threads.front().fft;
-  surface_fft.rows_forward(pressure.data(), 0, work.surface_rows.data(), scratch);
-  for (int block = 0; block < surface_fft.blocks(); ++block)
-  {
-    surface_fft.columns_forward(work.surface_rows.data(), block, 0, 1, scratch);
-    surface_fft.scatter(scratch, 0, 1, work.surface.data() + row_at(surface_fft, block, 0));
-  }
-}
-
-void HalfSpace::Operators::add_pressure_and_invert(bool has_pressure, std::span<const double> plastic_strain,
-                                                   Work::Buffers& work, std::span<double> stress) const
-{
+  const auto kernels = kernels_of(parts_of(load));
   const int planes = Deviator::size * work.layers;
   const auto threads = static_cast<int>(work.threads.size());
 #pragma omp parallel num_threads(threads)
@@ -140,9 +174,11 @@ void HalfSpace::Operators::add_pressure_and_invert(bool has_pressure, std::span<
       {
         volume_fft.gather(work.stress.data() + row_at(volume_fft, block, 0), group, planes, scratch.fft);
         const int first = group * layers_of_a_group;
-        if (has_pressure)
-          pressure_stress.add_deviator(block, first, std::min(layers_of_a_group, work.layers - first),
-                                       work.surface.data() + row_at(surface_fft, block, 0), scratch.fft.columns.data());
+        for (std::size_t t = 0; t < tractions.size(); ++t)
+          if (kernels[t] != nullptr)
+            kernels[t]->add_deviator(block, first, std::min(layers_of_a_group, work.layers - first),
+                                     work.surface[t].data() + row_at(surface_fft, block, 0),
+                                     scratch.fft.columns.data());
         volume_fft.columns_inverse(scratch.fft, block, group, planes, work.rows.data());
       }
     }

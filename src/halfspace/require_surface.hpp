@@ -10,26 +10,37 @@
 namespace brinell::halfspace
 {
 
+/// @param part_name  "pressure"
+inline void require_part(const char* function_name, const char* part_name, std::span<const double> part,
+                         std::size_t cells)
+{
+  if (!part.empty() && part.size() != cells)
+    require_size(fmt::format("{}: the {}", function_name, part_name).c_str(), part, cells);
+}
+
 /// That a load has the parts that an operator can compute, with a value per cell or none.
 /// @param function_name  "HalfSpace::Loaded::stress"
 /// @throws InputError if it has others, InternalError if a size is wrong
 inline void require_load(const char* function_name, const SurfaceLoad& load, std::size_t cells)
 {
-  if (!load.shear_x.empty() || !load.shear_y.empty() || !load.heat.empty())
+  if (!load.heat.empty())
     throw InputError(
-        fmt::format("{}: shear and heat on the surface are not computed yet; allowed: pressure alone", function_name));
-  if (!load.pressure.empty() && load.pressure.size() != cells)
-    require_size(fmt::format("{}: the pressure", function_name).c_str(), load.pressure, cells);
+        fmt::format("{}: heat on the surface is not computed yet; allowed: pressure and shears", function_name));
+  require_part(function_name, "pressure", load.pressure, cells);
+  require_part(function_name, "shear along x", load.shear_x, cells);
+  require_part(function_name, "shear along y", load.shear_y, cells);
 }
 
-/// That no part of a displacement is asked for that an operator does not have.
+/// That every part of a displacement that is asked for has a value per cell, and that there is one.
+/// @throws InternalError
 inline void require_displacement(const char* function_name, const SurfaceDisplacement& displacement, std::size_t cells)
 {
-  if (!displacement.x.empty() || !displacement.y.empty())
-    throw InputError(
-        fmt::format("{}: displacements along the surface are not computed yet; allowed: z alone", function_name));
-  if (displacement.z.size() != cells)
+  const bool along_surface = !displacement.x.empty() || !displacement.y.empty();
+  if (!along_surface && displacement.z.size() != cells)
     require_size(fmt::format("{}: the displacement", function_name).c_str(), displacement.z, cells);
+  require_part(function_name, "displacement along z", displacement.z, cells);
+  require_part(function_name, "displacement along x", displacement.x, cells);
+  require_part(function_name, "displacement along y", displacement.y, cells);
 }
 
 } // namespace brinell::halfspace

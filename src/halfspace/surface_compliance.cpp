@@ -216,6 +216,9 @@ void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement
 {
   require_load("SurfaceCompliance::apply", load, grid().size());
   require_displacement("SurfaceCompliance::apply", displacement, grid().size());
+  if (!load.shear_x.empty() || !load.shear_y.empty() || !displacement.x.empty() || !displacement.y.empty())
+    throw InternalError(
+        "SurfaceCompliance::apply: shears and displacements along the surface are those of TractionCompliance");
   if (!operator_->compliance.fits(scratch.buffers_->compliance))
     throw InternalError("SurfaceCompliance::apply: the scratch is of another operator; make_scratch makes one");
   if (load.pressure.empty())

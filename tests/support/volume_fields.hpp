@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 /// Deviator fields as the operators want them: 5 values per cell, component by component.
@@ -66,12 +67,16 @@ inline double contracted(const std::vector<double>& a, const std::vector<double>
 class StressField
 {
 public:
-  StressField(const halfspace::HalfSpace& half_space, std::vector<double> pressure, std::vector<double> strain)
-      : deviator(Deviator::size * half_space.grid().size()), trace(half_space.grid().size())
+  StressField(const halfspace::HalfSpace& half_space, const std::vector<double>& pressure, std::vector<double> strain)
   {
-    strain.resize(deviator.size(), 0.0);
-    halfspace::HalfSpace::Work work = half_space.make_work();
-    half_space.full_stress({.pressure = pressure}, strain, work, deviator, trace);
+    compute(half_space, {.pressure = pressure}, std::move(strain));
+  }
+  /// Of anything that acts on the surface.
+  static StressField of(const halfspace::HalfSpace& half_space, const halfspace::SurfaceLoad& load)
+  {
+    StressField field;
+    field.compute(half_space, load, {});
+    return field;
   }
 
   [[nodiscard]] SymTensor at(std::size_t cell) const
@@ -83,6 +88,17 @@ public:
   }
 
   std::vector<double> deviator, trace;
+
+private:
+  StressField() = default;
+  void compute(const halfspace::HalfSpace& half_space, const halfspace::SurfaceLoad& load, std::vector<double> strain)
+  {
+    deviator.resize(Deviator::size * half_space.grid().size());
+    trace.resize(half_space.grid().size());
+    strain.resize(deviator.size(), 0.0);
+    halfspace::HalfSpace::Work work = half_space.make_work();
+    half_space.full_stress(load, strain, work, deviator, trace);
+  }
 };
 
 } // namespace brinell::test

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "brinell/foundation/sym_tensor.hpp"
+#include "brinell/green/traction.hpp"
 
 /// Influence coefficients: closed-form solutions of the elastic half space z >= 0 (z into the body), without state.
 ///
-/// A uniform pressure on a rectangle is a sum over its four corners of an antiderivative G,
+/// A uniform traction on a rectangle gives a sum over its four corners of an antiderivative G,
 ///     f(x, y) = G(x + dx/2, y + dy/2) - G(x - dx/2, y + dy/2) - G(x + dx/2, y - dy/2) + G(x - dx/2, y - dy/2),
 /// so on a lattice of points with spacing (dx, dy) each corner serves four points: evaluate the `_corner` functions
 /// once per corner and difference them. G is fixed only up to functions of x alone and of y alone; the forms used here
@@ -36,17 +37,29 @@ namespace brinell::green
 ///     V,yy = -X Y/(rho (Y^2 + z^2))    V,yz = -z X/(rho (Y^2 + z^2))    V,xy   = 1/rho
 ///     chi,xx = atan(X Y (rho - z)/(X^2 rho + Y^2 z))                    chi,xy = ln(rho + z)
 /// V,zz = -(V,xx + V,yy) and chi,yy = -(V,z + chi,xx).
+///
+/// For a shear along x, with one potential more, chi = chi_1,z (Cerruti; Johnson 1985, Eqs. 3.7),
+///     sigma_xx = (2 (1 + nu) V,x + 2 nu chi_1,xxx - z chi,xxx)/(2 pi)    sigma_yz = -z V,xy/(2 pi)
+///     sigma_yy = (2 nu V,x + 2 nu chi_1,xyy - z chi,xyy)/(2 pi)          sigma_xz = (V,z - z V,xx)/(2 pi)
+///     sigma_zz = -z V,xz/(2 pi)                                          sigma_xy = (V,y + 2 nu chi_1,xxy - z chi,xxy)/(2 pi)
+///     V,x = asinh(Y/sqrt(X^2 + z^2))       chi_1,xxy = -X/(rho + z)      chi,xxy = X/(rho (rho + z))
+///     V,y = asinh(X/sqrt(Y^2 + z^2))       chi_1,xyy = -Y/(rho + z)      chi,xyy = Y/(rho (rho + z))
+/// chi_1,xxx = -(V,x + chi_1,xyy) and chi,xxx = -(V,xz + chi,xyy). A shear along y is the same with x and y exchanged.
 /// @param X, Y  point minus corner [m], any sign or zero.
 /// @param z     depth [m], >= 0. On z = 0 the value on an edge line is the mean of its two sides; the xy component is
 ///              minus infinity at the corner itself, where sigma_xy is logarithmically singular (unless nu = 1/2).
+///              Under a shear the stress is singular on z = 0 at the edges: not to be asked for on an edge line there.
 /// @param nu    Poisson's ratio [-].
-[[nodiscard]] SymTensor rectangle_stress_corner(double X, double Y, double z, double nu);
+[[nodiscard]] SymTensor rectangle_stress_corner(double X, double Y, double z, double nu,
+                                                Traction traction = Traction::pressure);
 
-/// Stress in the half space under a uniform unit pressure on a rectangle of its surface [Pa/Pa], tension positive:
-/// sigma_zz = -1 just under the rectangle (Love 1929; equations at `rectangle_stress_corner`).
+/// Stress in the half space under a uniform unit traction on a rectangle of its surface [Pa/Pa], tension positive:
+/// just under the rectangle sigma_zz = -1 of a pressure, sigma_xz = -1 of a shear along x (Love 1929, Cerruti; equations at
+/// `rectangle_stress_corner`).
 /// @param x, y, z  point relative to the rectangle's centre [m], z >= 0 into the body.
 /// @param dx, dy   sides of the rectangle [m], > 0.
 /// @param nu       Poisson's ratio [-].
-[[nodiscard]] SymTensor rectangle_stress(double x, double y, double z, double dx, double dy, double nu);
+[[nodiscard]] SymTensor rectangle_stress(double x, double y, double z, double dx, double dy, double nu,
+                                         Traction traction = Traction::pressure);
 
 } // namespace brinell::green

@@ -17,7 +17,7 @@ namespace brinell::halfspace
 ///
 /// The stress of an increment is asked for in two steps, because the load on the surface depends on the displacement that
 /// the plastic strain gives to the surface: `load` transforms the strain and returns a `Loaded`, which gives the displacement
-/// and, for any surface load, the stress.
+/// and, for any surface load, the stress. What shears need is made when the first one comes.
 class HalfSpace
 {
 public:
@@ -40,7 +40,9 @@ public:
   /// Transforms the plastic strain [-] of all layers and prepares its stress in the layers [0, layers).
   /// The `Loaded` that is returned refers to `plastic_strain`, `work` and this object, and lasts until `work` is used again:
   /// later calls of its functions throw InternalError. The order of the calls: docs/theory/half-space.md.
-  [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work) const;
+  /// @param displacements  those that the `Loaded` shall have
+  [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work,
+                            Displacements displacements = Displacements::normal) const;
   /// Deviator and trace of the stress [Pa] in all layers, for output.
   void full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
                    std::span<double> deviator, std::span<double> trace) const;
@@ -71,7 +73,7 @@ private:
 class HalfSpace::Loaded
 {
 public:
-  /// Residual displacement of the surface.
+  /// Residual displacement of the surface: those parts that `load` was asked for.
   void displacement(const SurfaceDisplacement& out) const;
   /// Deviatoric stress [Pa] of the load and the strain in the layers that were prepared; the others are left alone.
   /// May be asked for with one load after another.

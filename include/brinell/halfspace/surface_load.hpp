@@ -8,7 +8,8 @@ namespace brinell::halfspace
 
 /// What acts on the surface of a body: one value per cell of the surface grid in each part; an empty part is zero.
 ///
-/// The operators so far take the pressure alone. They refuse the other parts by name, so that no load is lost.
+/// The operators so far take no heat, and `SurfaceCompliance` the pressure alone. They refuse other parts by name, so that no
+/// load is lost.
 struct SurfaceLoad
 {
   std::span<const double> pressure{};           ///< into the body [Pa]
@@ -17,11 +18,18 @@ struct SurfaceLoad
 };
 
 /// Where the displacement of a surface goes: one value per cell of the surface grid in each part; an empty part is not
-/// wanted. The operators so far have the normal displacement alone, and refuse the other parts.
+/// wanted.
 struct SurfaceDisplacement
 {
   std::span<double> z{};      ///< into the body [m]
   std::span<double> x{}, y{}; ///< [m]
+};
+
+/// Which parts of a displacement shall be prepared.
+enum class Displacements
+{
+  normal, ///< z
+  all
 };
 
 } // namespace brinell::halfspace

@@ -292,12 +292,13 @@ TEST(HalfSpaceDoorTest, RefusesFieldsOfAnotherSize)
   const HalfSpace::Loaded loaded = half_space.load(strain, 2, work);
   test::expect_refused("HalfSpace::Loaded::displacement: the displacement", 11, 12,
                        [&] { loaded.displacement({.z = short_surface}); });
-  EXPECT_THROW(loaded.displacement({.z = displacement, .x = displacement}), InputError); // not computed yet
+  EXPECT_THROW(loaded.displacement({.z = displacement, .x = displacement}), InternalError); // not prepared
   test::expect_refused("HalfSpace::Loaded::stress: the pressure", 11, 12,
                        [&] { loaded.stress({.pressure = short_surface}, stress); });
   test::expect_refused("HalfSpace::Loaded::stress: the stress", 144, 120,
                        [&] { loaded.stress({.pressure = surface}, long_deviator); });
-  EXPECT_THROW(loaded.stress({.pressure = surface, .shear_y = surface}, stress), InputError);
+  test::expect_refused("HalfSpace::Loaded::stress: the shear along y", 11, 12,
+                       [&] { loaded.stress({.pressure = surface, .shear_y = short_surface}, stress); });
   EXPECT_THROW(loaded.stress({.heat = surface}, stress), InputError);
 
   const auto full = [&](const Field& p, const Field& e, Field& s, Field& t)

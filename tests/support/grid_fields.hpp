@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+/// Fields on a surface grid.
+namespace brinell::test
+{
+
+using Field = std::vector<double>;
+
+/// f(i, j) at all cells.
+template <typename Function>
+[[nodiscard]] Field sampled(const SurfaceGrid& g, Function f)
+{
+  Field field(g.size());
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      field[g.index(i, j)] = f(i, j);
+  return field;
+}
+
+/// Mean over cells of sqrt(1 - r^2), the cell in the middle of the grid at the origin; in one row, of sqrt(1 - x^2).
+[[nodiscard]] inline Field hertz(const SurfaceGrid& g)
+{
+  constexpr int parts = 32;
+  const auto middle = [&](int i, int a, int cells, double size)
+  { return cells == 1 ? 0.0 : (i - cells / 2 - 0.5 + (a + 0.5) / parts) * size; };
+  return sampled(g,
+                 [&](int i, int j)
+                 {
+                   double sum = 0.0;
+                   for (int b = 0; b < parts; ++b)
+                     for (int a = 0; a < parts; ++a)
+                       sum += std::sqrt(std::max(0.0, 1.0 - std::pow(middle(i, a, g.nx, g.dx), 2) -
+                                                          std::pow(middle(j, b, g.ny, g.dy), 2)));
+                   return sum / (parts * parts);
+                 });
+}
+
+} // namespace brinell::test
