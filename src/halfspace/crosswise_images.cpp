@@ -162,7 +162,13 @@ void CrosswiseImages::couple(int c, int e, const std::vector<images::Powers>& te
 CrosswiseImages::Response CrosswiseImages::make_response() const
 {
   const auto values = [&](int count) { return std::vector<double>(static_cast<std::size_t>(count * block())); };
-  return {values(strains * grid_.nz), values(strains * depth_.count), values(stresses * depth_.count)};
+  return {values(strains * grid_.nz), values(strains * depth_.count), values(stresses * depth_.count),
+          std::vector<double>(static_cast<std::size_t>(waves_) * sorted_size())};
+}
+
+std::size_t CrosswiseImages::sorted_size() const
+{
+  return coupling_.front().columns().size() + coupling_.front().rows().size();
 }
 
 void CrosswiseImages::respond(std::span<const double> strain, int layers, Response& response) const
@@ -189,14 +195,17 @@ void CrosswiseImages::respond(std::span<const double> strain, int layers, Respon
   }
 #pragma omp parallel for schedule(static)
   for (int wave = 0; wave < waves_; ++wave)
-    multiply(wave, response, response.stress);
+    multiply(wave, response);
 }
 
 /// Moments of the strain for one wave -> coefficients of the stress, for u and v (see `couple`).
-void CrosswiseImages::multiply(int wave, const Response& response, std::span<double> stress) const
+void CrosswiseImages::multiply(int wave, Response& response) const
 {
   const MomentCoupling& coupling = coupling_[static_cast<std::size_t>(wave)];
-  std::vector<double> in(coupling.columns().size()), out(coupling.rows().size());
+  const std::span<double> sorted =
+      std::span(response.sorted).subspan(static_cast<std::size_t>(wave) * sorted_size(), sorted_size());
+  const std::span<double> in = sorted.first(coupling.columns().size());
+  const std::span<double> out = sorted.last(coupling.rows().size());
   for (const bool is_v : {false, true})
   {
     const auto place = [&](int moment) // [component][depth][power] -> [component][depth][power][wave]
@@ -210,7 +219,7 @@ void CrosswiseImages::multiply(int wave, const Response& response, std::span<dou
       in[i] = sign(coupling.columns()[i]) * response.moments[place(coupling.columns()[i])];
     coupling.multiply(in.data(), out.data());
     for (std::size_t i = 0; i < out.size(); ++i)
-      stress[place(coupling.rows()[i])] = sign(coupling.rows()[i]) * out[i];
+      response.stress[place(coupling.rows()[i])] = sign(coupling.rows()[i]) * out[i];
   }
 }
 

@@ -33,6 +33,7 @@ public:
     std::vector<double> of_layers; ///< [component][layer][power][wave]
     std::vector<double> moments;   ///< [component][depth][power][wave]
     std::vector<double> stress;    ///< [component or trace][depth][power][wave]
+    std::vector<double> sorted;    ///< moments, then stress, of each wave in the order of its coupling
   };
   [[nodiscard]] Response make_response() const;
   /// Response to `strain` as in ImageCorrection.
@@ -49,7 +50,8 @@ private:
   [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
   void couple(int c, int e, const std::vector<images::Powers>& powers, const std::vector<Eigen::MatrixXd>& values,
               MomentCoupling& coupling) const;
-  void multiply(int wave, const Response& response, std::span<double> stress) const;
+  void multiply(int wave, Response& response) const;
+  [[nodiscard]] std::size_t sorted_size() const; ///< of one wave
   [[nodiscard]] const std::array<int, images::stresses>& odd_along() const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_across() const;
 
