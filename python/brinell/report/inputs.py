@@ -27,6 +27,7 @@ UNITS: Mapping[str, str] = {
             "x",
             "y",
             "interference",
+            "mean_gap",
             "approach",
             "places",
             "distance",
