@@ -48,7 +48,7 @@ private:
   [[nodiscard]] MomentCoupling empty_coupling() const;
   void fit(int wave, const Elastic& elastic, double period_along, double period_across);
   [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
-  void couple(int c, int e, const std::vector<images::Powers>& powers, const std::vector<Eigen::MatrixXd>& values,
+  void couple(int c, int e, const std::vector<images::Powers>& terms, const std::vector<Eigen::MatrixXd>& values,
               MomentCoupling& coupling) const;
   void multiply(int wave, Response& response) const;
   [[nodiscard]] std::size_t sorted_size() const; ///< of one wave
