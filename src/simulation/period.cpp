@@ -57,14 +57,9 @@ double touching_gap(const IndentationCase& c, const SurfaceGrid& grid)
 
 Roughness roughness(const IndentationCase& c, const SurfaceGrid& grid)
 {
-  Roughness result;
   const auto mean_square = [](const Field& field)
   { return std::inner_product(field.begin(), field.end(), field.begin(), 0.0) / static_cast<double>(field.size()); };
-  Field heights = of_both(c, grid, depths);
-  const double middle = mean(heights);
-  for (double& h : heights)
-    h -= middle;
-  result.height = std::sqrt(mean_square(heights));
+  Roughness result = roughness_of(of_both(c, grid, depths), grid);
   // Textures are functions of the place: differences over a hair of a cell are their slopes.
   constexpr double hair = 1e-4;
   const auto mean_square_slope = [&](double dx, double dy)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/simulation/indentation.hpp"
+#include "roughness.hpp"
 
 #include <optional>
 #include <string>
@@ -14,12 +15,8 @@ namespace brinell::simulation
 /// the indentation [m]: their mean gap when they first touch.
 [[nodiscard]] double touching_gap(const IndentationCase& c, const SurfaceGrid& grid);
 
-/// Root mean squares of what both textures make together of the distance at the first place, in the centres of the cells.
-struct Roughness
-{
-  double height = 0.0; ///< from the mean [m]
-  double slope = 0.0;  ///< length of the gradient
-};
+/// Of what both textures make together of the distance at the first place, in the centres of the cells; with the slope of the
+/// textures themselves, not of differences between cells.
 [[nodiscard]] Roughness roughness(const IndentationCase& c, const SurfaceGrid& grid);
 
 /// What is to be said of mean gaps that leave the surfaces apart, but for the last one, which lifts off; empty if there are none.

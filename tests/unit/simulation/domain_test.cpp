@@ -5,7 +5,8 @@
 #include "brinell/simulation/quality.hpp"
 #include "brinell/simulation/run.hpp"
 #include "brinell/simulation/tugging.hpp"
-#include "simulation/texture_footprint.hpp"
+#include "simulation/footprint.hpp"
+#include "simulation/roughness.hpp"
 
 #include <gtest/gtest.h>
 
