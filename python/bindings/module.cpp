@@ -64,6 +64,7 @@ NB_MODULE(_core, m)
   brinell::python::bind_green(m);
   brinell::python::bind_constitutive(m);
   brinell::python::bind_halfspace(m);
+  brinell::python::bind_heat(m);
   brinell::python::bind_contact(m);
   brinell::python::bind_elastoplastic(m);
   brinell::python::bind_textures(m);

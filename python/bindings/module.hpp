@@ -13,6 +13,7 @@ void bind_reference(nanobind::module_& m);
 void bind_green(nanobind::module_& m);
 void bind_constitutive(nanobind::module_& m);
 void bind_halfspace(nanobind::module_& m);
+void bind_heat(nanobind::module_& m);
 void bind_contact(nanobind::module_& m);
 void bind_elastoplastic(nanobind::module_& m);
 void bind_textures(nanobind::module_& m);

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 # OpenMP reads this when the extension is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
-from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, reference, surfaces
+from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, surfaces
 from brinell.bodies import (
     Berkovich,
     Body,
@@ -112,6 +112,7 @@ __all__ = [
     "export",
     "green",
     "halfspace",
+    "heat",
     "open",
     "plot",
     "reference",

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/heat_response.hpp"
+
+#include "brinell/green/spread_cell.hpp"
+#include "foundation/fft.hpp"
+#include "foundation/require_size.hpp"
+#include "heat_quadrature.hpp"
+#include "require_thermal.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+/// How a cell has spread along one axis at one time before the end, seen from the centres of all cells of the padded length.
+struct SpreadAlong
+{
+  int cells, length;
+  double size, velocity;
+  bool is_periodic;
+
+  void at(double time, double spread, std::vector<double>& values) const
+  {
+    const double half = 0.5 * size, period = cells * size;
+    for (int i = 0; i < length; ++i)
+    {
+      // The centre of the cell was velocity * time further back. Offsets beyond the grid are negative ones, wrapped.
+      const int offset = i < cells ? i : i - length;
+      const double x = offset * size + velocity * time;
+      double& value = values[static_cast<std::size_t>(i)];
+      if (is_periodic)
+        value = green::spread_cells(x, half, spread, period);
+      else
+        value = offset > -cells ? green::spread_cell(x, half, spread) : 0.0;
+    }
+  }
+};
+
+} // namespace
+
+struct HeatResponse::Operator
+{
+  PaddedFft fft;
+  AlignedVector<Complex> spectrum;
+
+  Operator(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion) : fft(grid), spectrum(fft.plane())
+  {
+    AlignedVector<double> response = tabulate(thermal, motion);
+    fft.forward_padded(response, spectrum.data());
+  }
+
+  /// Temperature of a unit flux through one cell [K m^2/W].
+  [[nodiscard]] AlignedVector<double> tabulate(const Thermal& thermal, const HeatMotion& motion) const
+  {
+    const SurfaceGrid& g = fft.grid();
+    const double diffusivity = thermal.diffusivity();
+    const double factor = std::sqrt(diffusivity * std::numbers::inv_pi) / thermal.conductivity;
+    const std::vector<PastTime> times = past_times(g, diffusivity, motion);
+    const auto px = static_cast<std::size_t>(fft.px()), py = static_cast<std::size_t>(fft.py());
+    const SpreadAlong along_x{g.nx, fft.px(), g.dx, motion.velocity_x, g.is_periodic_x()};
+    const SpreadAlong along_y{g.ny, fft.py(), g.dy, motion.velocity_y, g.is_periodic_y()};
+    AlignedVector<double> response(px * py);
+    std::vector<double> of_x(px), of_y(py);
+    for (const PastTime& past : times)
+    {
+      const double spread = std::sqrt(4.0 * diffusivity * past.time);
+      along_x.at(past.time, spread, of_x);
+      along_y.at(past.time, spread, of_y);
+      for (std::size_t j = 0; j < py; ++j)
+      {
+        const double weight = factor * past.weight * of_y[j];
+        if (weight == 0.0)
+          continue; // heat has not come so far
+        double* row = response.data() + j * px;
+#pragma omp simd
+        for (std::size_t i = 0; i < px; ++i)
+          row[i] += weight * of_x[i];
+      }
+    }
+    return response;
+  }
+};
+
+struct HeatResponse::Scratch::Buffers
+{
+  AlignedVector<double> rows;
+  AlignedVector<Complex> spectrum;
+};
+
+HeatResponse::Scratch::Scratch(std::unique_ptr<Buffers> buffers) : buffers_(std::move(buffers)) {}
+HeatResponse::Scratch::~Scratch() = default;
+HeatResponse::Scratch::Scratch(Scratch&&) noexcept = default;
+HeatResponse::Scratch& HeatResponse::Scratch::operator=(Scratch&&) noexcept = default;
+
+HeatResponse::HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion)
+{
+  require_thermal("HeatResponse", thermal);
+  if (!(motion.duration > 0.0) || !std::isfinite(motion.velocity_x) || !std::isfinite(motion.velocity_y))
+    throw InputError(fmt::format("HeatResponse: a duration of {} s at {} and {} m/s; allowed: a duration above 0 and "
+                                 "finite velocities",
+                                 motion.duration, motion.velocity_x, motion.velocity_y));
+  const bool stays =
+      (grid.is_periodic_x() || motion.velocity_x == 0.0) && (grid.is_periodic_y() || motion.velocity_y == 0.0);
+  if (std::isinf(motion.duration) && (grid.is_periodic_x() || grid.is_periodic_y()) && stays)
+    throw InputError(
+        "HeatResponse: there is no steady state of a body that is heated all along a periodic axis by a flux "
+        "that never leaves; allowed: a duration, a velocity across the period, or open axes");
+  operator_ = std::make_unique<Operator>(grid, thermal, motion);
+}
+
+HeatResponse::~HeatResponse() = default;
+HeatResponse::HeatResponse(HeatResponse&&) noexcept = default;
+HeatResponse& HeatResponse::operator=(HeatResponse&&) noexcept = default;
+
+const SurfaceGrid& HeatResponse::grid() const
+{
+  return operator_->fft.grid();
+}
+
+HeatResponse::Scratch HeatResponse::make_scratch() const
+{
+  auto buffers = std::make_unique<Scratch::Buffers>();
+  buffers->rows.resize(operator_->fft.scratch_size());
+  buffers->spectrum.resize(operator_->fft.plane());
+  return Scratch(std::move(buffers));
+}
+
+void HeatResponse::apply(std::span<const double> flux, std::span<double> temperature, Scratch& scratch) const
+{
+  require_size("HeatResponse::apply: the flux", flux, grid().size());
+  require_size("HeatResponse::apply: the temperature", temperature, grid().size());
+  Scratch::Buffers& buffers = *scratch.buffers_;
+  operator_->fft.forward(flux.data(), buffers.spectrum.data(), buffers.rows);
+  for (std::size_t i = 0; i < buffers.spectrum.size(); ++i)
+    buffers.spectrum[i] *= operator_->spectrum[i];
+  operator_->fft.inverse(buffers.spectrum.data(), temperature.data(), buffers.rows);
+}
+
+} // namespace brinell::halfspace
