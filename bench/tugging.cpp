@@ -16,7 +16,7 @@ void tugging_paper(benchmark::State& state)
   for (auto _ : state)
     summary = brinell::simulation::run(std::get<brinell::simulation::TuggingCase>(c.scenario));
   state.counters["steps"] = summary.steps;
-  state.counters["evaluations_per_step"] = static_cast<double>(summary.iterations) / summary.steps;
+  state.counters["evaluations_per_step"] = static_cast<double>(summary.evaluations) / summary.steps;
   state.counters["split_increments"] = summary.split_increments;
 }
 BENCHMARK(tugging_paper)->Unit(benchmark::kMillisecond);

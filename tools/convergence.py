@@ -87,7 +87,7 @@ def main() -> None:
             print("| " + " | ".join([name, *cells, order, f"{limit:.5g}"]) + " |")
         rows = {
             "energy balance": [f"{100 * s['energy']['balance_error']:+.2f} %" for s in runs],
-            "evaluations per step": [f"{s['run']['iterations'] / s['run']['steps']:.1f}" for s in runs],
+            "evaluations per step": [f"{s['run']['evaluations'] / s['run']['steps']:.1f}" for s in runs],
             "time": [f"{s['run']['wall_time_s']:.3g} s" for s in runs],
             "memory": [f"{s['memory']:.0f} MB" for s in runs],
         }

@@ -66,8 +66,8 @@ int run_command(const RunArguments& arguments)
     if (arguments.resume && !arguments.quiet)
       fmt::print(stderr, "brinell: going on after {} finished steps\n", finished_steps);
   };
-  monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
-  { progress->step(step, count, where, iterations); };
+  monitor.on_step = [&](int step, int count, const std::string& where, int evaluations)
+  { progress->step(step, count, where, evaluations); };
   monitor.on_remark = [&](const std::string& remark) { progress->remark(remark); };
   monitor.on_level = [&](int number, double cells, bool taken_over)
   {

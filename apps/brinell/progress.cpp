@@ -64,7 +64,7 @@ void Progress::remark(const std::string& text)
   bar_is_shown_ = false;
 }
 
-void Progress::step(int step, int step_count, const std::string& where, int iterations)
+void Progress::step(int step, int step_count, const std::string& where, int evaluations)
 {
   if (quiet_)
     return;
@@ -72,8 +72,8 @@ void Progress::step(int step, int step_count, const std::string& where, int iter
   const int total = std::max(step_count, done); // the count is an estimate
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   const double left = seconds / std::max(1, done - done_before_) * (total - done);
-  const std::string text = fmt::format("step {}/{}  {}  {} iteration{}  {} left", done, total, where, iterations,
-                                       iterations == 1 ? "" : "s", duration_text(left));
+  const std::string text = fmt::format("step {}, {}/{} done  {}  {} evaluation{}  {} left", step, done, total, where,
+                                       evaluations, evaluations == 1 ? "" : "s", duration_text(left));
   if (terminal_)
   {
     // A line that fills the last column would go on in the next one.

@@ -23,7 +23,7 @@ public:
 
   /// @param step   counts from 0
   /// @param where  what the step was about
-  void step(int step, int step_count, const std::string& where, int iterations);
+  void step(int step, int step_count, const std::string& where, int evaluations);
   /// A line of its own.
   void remark(const std::string& text);
 

@@ -75,7 +75,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   {
     results.add(io::columns(record));
     if (monitor.on_step)
-      monitor.on_step(record.step, step_count, step_text(c, record), record.iterations);
+      monitor.on_step(record.step, step_count, step_text(c, record), record.evaluations);
   };
   observer.wants_snapshot = [&](const Record& record) { return choice(scenario, record); };
   observer.on_snapshot = [&](const Record& record, const simulation::Snapshot& snapshot)
@@ -113,7 +113,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   results.finish(summary.final_state, io::columns(summary.last), io::summary_text(c, plan, summary, info));
 
   RunReport& told = report.told;
-  told.text = fmt::format("{} steps, {} iterations, {:.2f} s\n", summary.steps, summary.iterations, seconds);
+  told.text = fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, seconds);
   if (summary.split_increments > 0)
     told.text += fmt::format("{} increments had to be split\n", summary.split_increments);
   told.text += fmt::format("{}energy balance error {:.2e}\n{}\n", summary_text(c, summary),

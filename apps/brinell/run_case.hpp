@@ -20,10 +20,10 @@ struct RunMonitor
   std::function<void(bool replaced, int finished_steps)> on_start;
   /// @param step   counts from 0
   /// @param count  of all steps, an estimate
-  std::function<void(int step, int count, const std::string& where, int iterations)> on_step;
+  std::function<void(int step, int count, const std::string& where, int evaluations)> on_step;
   /// Something happened that is worth a line.
   std::function<void(const std::string& text)> on_remark;
-  /// Asked between two iterations. The run then ends with `Interrupted`: after the step, with a checkpoint, if that takes no
+  /// Asked between two evaluations. The run then ends with `Interrupted`: after the step, with a checkpoint, if that takes no
   /// longer than a moment; else at once.
   std::function<bool()> wants_stop;
   /// Of a series for an accuracy: the next run begins, or was taken over as it had been finished before.

@@ -57,7 +57,7 @@ plt.show()
 # Press and lift off
 # ------------------
 # The approach is imposed, in units of the one at which the first point yields: up to 25 of them, and back to nothing.
-# :math:`P_c` and :math:`\omega_c`, load and approach at first yield, are the same for both steels.
+# :math:`P_c` and :math:`\alpha_c`, load and approach at first yield, are the same for both steels.
 
 
 def indentation(material):
@@ -80,16 +80,16 @@ runs = {
 # %%
 # Load over approach
 # ------------------
-# Hertz' elastic ball would carry :math:`(\omega/\omega_c)^{3/2}`. Jackson and Green (2005) have fitted the load of a
+# Hertz' elastic ball would carry :math:`(\alpha/\alpha_c)^{3/2}`. Jackson and Green (2005) have fitted the load of a
 # perfectly plastic ball, loading only, to finite-element computations. Off the load, both balls spring back: what is
 # left at the end is the depth of the flattened spot.
 
-omega = np.linspace(0.01, 25, 300)
+alpha = np.linspace(0.01, 25, 300)
 figure, axes = plt.subplots(figsize=(6.5, 4.2), layout="constrained")
-axes.plot(omega, omega**1.5, "--", color="0.5", label="elastic (Hertz)")
+axes.plot(alpha, alpha**1.5, "--", color="0.5", label="elastic (Hertz)")
 axes.plot(
-    omega,
-    jackson_green_load(omega, young_modulus, poisson_ratio, yield_stress),
+    alpha,
+    jackson_green_load(alpha, young_modulus, poisson_ratio, yield_stress),
     ":",
     color="k",
     label="perfectly plastic (Jackson & Green)",
@@ -99,7 +99,7 @@ for name, run in runs.items():
     load = np.concatenate([[0], run.history["F_n"]]) / run.critical.load
     axes.plot(approach, load, "o-", markersize=3, label=name)
 axes.set(
-    xlabel=r"approach $\omega/\omega_c$", ylabel="load $P/P_c$", xlim=(0, 26), ylim=(0, 110)
+    xlabel=r"approach $\alpha/\alpha_c$", ylabel="load $P/P_c$", xlim=(0, 26), ylim=(0, 110)
 )
 axes.legend()
 plt.show()
@@ -111,9 +111,9 @@ plt.show()
 
 perfect, hard = runs["perfectly plastic"], runs["hardening"]
 loading = slice(0, 15)
-omega = perfect.history["approach"][loading] / perfect.critical.interference
+alpha = perfect.history["approach"][loading] / perfect.critical.interference
 load = perfect.history["F_n"][loading] / perfect.critical.load
-ratio = load / jackson_green_load(omega, young_modulus, poisson_ratio, yield_stress)
+ratio = load / jackson_green_load(alpha, young_modulus, poisson_ratio, yield_stress)
 print(f"load over that of the fit: {ratio.min():.3f} to {ratio.max():.3f}")
 
 indents = {name: run.indents[0] for name, run in runs.items()}

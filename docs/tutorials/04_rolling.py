@@ -39,7 +39,7 @@ loads = {
 
 def rolling(name, pressure):
     """Passes of the ball over a flat with one of the laws."""
-    flat = brinell.Material("210 GPa", 0.3, brinell.Perfect("1.6 GPa"), kinematic=laws[name])
+    flat = brinell.Material("210 GPa", 0.3, brinell.Perfect("1.6 GPa"), back_stresses=laws[name])
     return brinell.Rolling(
         lower=brinell.Body(brinell.Flat(), flat),
         upper=ball,

@@ -40,8 +40,8 @@ std::string monitored(const nb::object& on_step, const std::function<std::string
   PythonCalls python;
   app::RunMonitor monitor;
   if (!on_step.is_none())
-    monitor.on_step = [&](int step, int count, const std::string& where, int iterations)
-    { python.call([&] { on_step(step, count, where, iterations); }); };
+    monitor.on_step = [&](int step, int count, const std::string& where, int evaluations)
+    { python.call([&] { on_step(step, count, where, evaluations); }); };
   monitor.wants_stop = [&] { return python.wants_stop(); };
   std::string result;
   try
@@ -100,6 +100,8 @@ void bind_commands(nb::module_& m)
       .def_ro("choices", &io::Entry::choices)
       .def_prop_ro("is_list", [](const io::Entry& e) { return e.type == io::Type::numbers; })
       .def_ro("text", &io::Entry::text);
+  nb::class_<io::OldName>(m, "OldName").def_ro("old_key", &io::OldName::old_key).def_ro("key", &io::OldName::key);
+  m.def("old_names", &io::old_names, nb::rv_policy::copy);
   m.def("commands", &app::commands);
   m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);
   m.def("command_line", &command_line, "arguments"_a);
@@ -125,14 +127,6 @@ void bind_columns(nb::module_& m)
         });
 }
 
-std::vector<std::string> texts(const std::vector<io::Warning>& warnings)
-{
-  std::vector<std::string> result;
-  for (const io::Warning& warning : warnings)
-    result.push_back(warning.text);
-  return result;
-}
-
 /// Key and text of each.
 std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::Warning>& warnings)
 {
@@ -151,7 +145,7 @@ void bind_app(nb::module_& m)
   nb::class_<io::Case>(m, "Case")
       .def_ro("name", &io::Case::name)
       .def_ro("title", &io::Case::title)
-      .def_prop_ro("warnings", [](const io::Case& c) { return texts(c.warnings); })
+      .def_prop_ro("warnings", [](const io::Case& c) { return pairs(c.warnings); })
       .def_prop_ro("expected_warnings",
                    [](const io::Case& c) { return pairs(io::expected_warnings(c, io::plan_case(c))); })
       .def_prop_ro("scenario", [](const io::Case& c) { return c.values.get<std::string>("scenario"); })
@@ -176,6 +170,7 @@ void bind_app(nb::module_& m)
   m.def("machine_memory", &io::machine_memory);
   m.def("before_fork", &before_fork);
   m.def("after_fork", &after_fork);
+  m.attr("FORMAT_VERSION") = io::format_version;
   m.def("library_versions",
         []
         {

@@ -44,7 +44,7 @@ from brinell.errors import (
     IoError,
     MissingExtraError,
 )
-from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect, Swift, Table, Voce
+from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect, Swift, SwiftMicrostrain, Table, Voce
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import Indentation, Rolling, Tugging
@@ -101,6 +101,7 @@ __all__ = [
     "Sphere",
     "Stepping",
     "Swift",
+    "SwiftMicrostrain",
     "Table",
     "Tugging",
     "Vickers",

@@ -85,10 +85,10 @@ class Cylinder(Shape):
 
 @dataclass(frozen=True)
 class Cone(Shape):
-    """A cone; the angle is that between axis and flank, in degrees."""
+    """A cone; the angle is that between axis and flank, in degrees or with a unit, "1.2 rad"."""
 
     type: ClassVar[str] = "cone"
-    half_angle: float
+    half_angle: float | str
     tip_radius: Quantity = 0.0
 
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import inspect
 import tempfile
 import warnings
 import weakref
@@ -15,6 +14,7 @@ from typing import Any, Self, TypeAlias, TypeVar
 import tomli_w
 
 from brinell import _core
+from brinell._names import level_of_caller
 from brinell.errors import InputError
 from brinell.results import Run, RunWarning, open_run
 from brinell.results.run import run_of_image
@@ -24,7 +24,7 @@ with warnings.catch_warnings():  # a notebook without ipywidgets gets the bar of
     warnings.simplefilter("ignore")
     from tqdm.auto import tqdm
 
-__all__ = ["Case", "CaseWarning", "Progress", "ResolutionWarning"]
+__all__ = ["Case", "CaseWarning", "OldNameWarning", "Progress", "ResolutionWarning"]
 
 _T = TypeVar("_T")
 
@@ -34,6 +34,10 @@ Progress: TypeAlias = Callable[[int, int, str, int], None]
 
 class CaseWarning(UserWarning):
     """Something in a case that can be computed, but should be looked at."""
+
+
+class OldNameWarning(CaseWarning, FutureWarning):
+    """A key of a case has a new name; the old one is understood for a version."""
 
 
 class ResolutionWarning(UserWarning):
@@ -74,8 +78,9 @@ class Case:
         self._names_lines = names_lines
         self._core = _core.parse_case(text, self._file, list(self._overrides), names_lines)
         place = f"{self._file}: " if names_lines else ""
-        for warning in self._core.warnings:
-            warnings.warn(f"{place}{warning}", CaseWarning, stacklevel=_level_of_caller())
+        for key, text in self._core.warnings:
+            category = OldNameWarning if key == "old_name" else CaseWarning
+            warnings.warn(f"{place}{text}", category, stacklevel=level_of_caller())
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies and other processes read the case again; its warnings have been told."""
@@ -249,9 +254,10 @@ class Case:
 
     def _told(self, run: Run) -> Run:
         """Warns of what the run has found; what the case itself is warned of has been told when it was read."""
+        told = {text for _, text in self._core.warnings}
         for warning in run.warnings:
-            if warning.text not in self._core.warnings:
-                warnings.warn(warning.text, ResolutionWarning, stacklevel=_level_of_caller())
+            if warning.text not in told:
+                warnings.warn(warning.text, ResolutionWarning, stacklevel=level_of_caller())
         return run
 
     def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:
@@ -289,17 +295,6 @@ def _read_again(kind: type[Case], text: str, file: Path, overrides: tuple[str, .
     return case
 
 
-def _level_of_caller() -> int:
-    """How far above the function that calls this one the code is that is not of this package."""
-    package = str(Path(__file__).parent)
-    level = 1
-    frame = inspect.currentframe()
-    while frame is not None and frame.f_code.co_filename.startswith(package):
-        frame = frame.f_back
-        level += 1
-    return max(1, level - 1)
-
-
 def in_arguments(text: str, scenario: str = "") -> str:
     """A message about keys of the case file in the words of Python's arguments, where these differ.
 
@@ -309,7 +304,7 @@ def in_arguments(text: str, scenario: str = "") -> str:
     """
     if scenario:
         text = text.replace(f"{scenario}.", "")
-    return text.replace("hardening.kinematic_moduli", "kinematic").replace("hardening.kinematic_recall", "kinematic")
+    return text.replace("hardening.back_stresses", "back_stresses")
 
 
 def overrides_of(values: Mapping[str, Any], table: str = "") -> list[str]:

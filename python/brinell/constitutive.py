@@ -95,7 +95,7 @@ def return_mapping(
     """The plastic strain of an increment at each of many points (J2, associated flow).
 
     Args:
-        material: with a hardening law, and back stresses if it has `kinematic` terms; its profiles over depth do not
+        material: with a hardening law, and back stresses if it has some; its profiles over depth do not
             count here.
         trial: (6, ...) stress that would act if the increment left no plastic strain [Pa]; only its deviator counts.
         stress: (6, ...) before the increment [Pa]; None: zero. Backward Euler without back stress does not need it.

@@ -14,7 +14,7 @@ import itertools
 import math
 import tomllib
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import InitVar, dataclass, fields
 from functools import cached_property
 from pathlib import Path
 from typing import Any, ClassVar, Literal, TypeAlias
@@ -24,6 +24,7 @@ import tomli_w
 
 from brinell import _core
 from brinell._arrays import require_unmasked
+from brinell._names import renamed
 from brinell.bodies import Quantity
 from brinell.case import in_arguments, plain
 from brinell.errors import InputError
@@ -38,6 +39,7 @@ __all__ = [
     "Material",
     "Perfect",
     "Swift",
+    "SwiftMicrostrain",
     "Table",
     "Voce",
 ]
@@ -84,6 +86,16 @@ class Swift(Hardening):
 
 
 @dataclass(frozen=True)
+class SwiftMicrostrain(Hardening):
+    """sigma_y(e) = coefficient (offset + 1e6 e)^exponent: Swift's law with strains in millionths; coefficient in Pa."""
+
+    law: ClassVar[str] = "swift_microstrain"
+    coefficient: Quantity
+    offset: float
+    exponent: float
+
+
+@dataclass(frozen=True)
 class Hollomon(Hardening):
     """sigma_y(e) = coefficient (e_0 + e)^exponent, e_0 such that it begins at yield_stress (Hollomon 1945); in Pa."""
 
@@ -115,20 +127,33 @@ class Voce(Hardening):
 
 @dataclass(frozen=True)
 class Table(Hardening):
-    """Linear between points, constant after the last one. Of a file: `from_file`; of a function: `of`.
+    """Linear between points, constant after the last one. Of a file: `file` or `from_file`; of a function: `of`.
 
     Attributes:
         plastic_strain: equivalent plastic strains, ascending from 0 [-].
         stress: yield stresses, as many, not falling [Pa].
         monotone: a stress below an earlier one, as the scatter of a measurement has it, becomes that one.
+        file: instead of the points, as in the case file: what `from_file` reads, with `stress_unit` and `strain_unit`.
     """
 
     law: ClassVar[str] = "table"
-    plastic_strain: Sequence[float]
-    stress: Sequence[Quantity]
+    plastic_strain: Sequence[float] = ()
+    stress: Sequence[Quantity] = ()
     monotone: bool = False
+    file: InitVar[str | Path | None] = None
+    stress_unit: InitVar[str] = "Pa"
+    strain_unit: InitVar[Literal["1", "%"]] = "1"
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, file: str | Path | None, stress_unit: str, strain_unit: Literal["1", "%"]) -> None:
+        if file is not None:
+            if len(self.plastic_strain) or len(self.stress):
+                raise InputError(f"file = {str(file)!r} cannot stand together with plastic_strain and stress")
+            read = Table.from_file(file, unit=stress_unit, strain=strain_unit, monotone=self.monotone)
+            object.__setattr__(self, "plastic_strain", read.plastic_strain)
+            object.__setattr__(self, "stress", read.stress)
+            object.__setattr__(self, "monotone", False)
+        elif not len(self.plastic_strain) or not len(self.stress):
+            raise InputError("a table needs plastic_strain and stress, or a file; Table.from_file reads one, too")
         object.__setattr__(self, "plastic_strain", tuple(plain(self.plastic_strain)))
         object.__setattr__(self, "stress", tuple(plain(self.stress)))
 
@@ -192,6 +217,7 @@ def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
     return tuple(tuple(plain(entry)) for entry in values)
 
 
+@renamed(kinematic="back_stresses")
 @dataclass(frozen=True)
 class Material:
     """An elastic material, elastic-plastic if it has a hardening law.
@@ -201,7 +227,7 @@ class Material:
         poisson_ratio: nu [-], in (-1, 0.5).
         hardening: size of the yield surface; None: stays elastic. Any function sigma_y(e) is one too; it becomes
             `Table.of` it, up to a strain of 1.
-        kinematic: back stresses as pairs (modulus C [Pa], recall gamma [-]),
+        back_stresses: kinematic hardening as pairs (modulus C [Pa], recall gamma [-]),
             d alpha = 2/3 C d eps - gamma alpha d e (Armstrong, Frederick 1966; Chaboche 1986; gamma = 0: Prager 1956).
         yield_profile: (depths [m], factors on the yield stress [-]), linear between, constant beyond.
         initial_stress: (depths [m], stresses xx = yy before the first load [Pa]), tension positive.
@@ -210,7 +236,7 @@ class Material:
     young_modulus: Quantity
     poisson_ratio: float
     hardening: Hardening | Law | None = None
-    kinematic: Sequence[tuple[Quantity, float]] = ()
+    back_stresses: Sequence[tuple[Quantity, float]] = ()
     yield_profile: tuple[Sequence[Quantity], Sequence[float]] | None = None
     initial_stress: tuple[Sequence[Quantity], Sequence[Quantity]] | None = None
 
@@ -222,7 +248,7 @@ class Material:
             )
         if callable(law):
             object.__setattr__(self, "hardening", Table.of(law))
-        object.__setattr__(self, "kinematic", _tuples(self.kinematic))
+        object.__setattr__(self, "back_stresses", _tuples(self.back_stresses))
         for name in ("yield_profile", "initial_stress"):
             if (profile := getattr(self, name)) is not None:
                 object.__setattr__(self, name, _tuples(profile))
@@ -239,9 +265,9 @@ class Material:
         table = {"young_modulus": plain(self.young_modulus), "poisson_ratio": plain(self.poisson_ratio)}
         if isinstance(self.hardening, Hardening):
             table["hardening"] = self.hardening.to_case()
-        if self.kinematic:
-            moduli, recall = zip(*self.kinematic, strict=True)
-            table.setdefault("hardening", {}).update(kinematic_moduli=list(moduli), kinematic_recall=list(recall))
+        if self.back_stresses:
+            terms = [{"modulus": modulus, "recall": recall} for modulus, recall in self.back_stresses]
+            table.setdefault("hardening", {})["back_stresses"] = terms
         for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
             if (profile := getattr(self, name)) is not None:
                 table[name] = {"depth": list(profile[0]), value: list(profile[1])}

@@ -143,7 +143,7 @@ class Indentation(_Scenario):
             lower: the body that is indented.
             upper: the indenter.
             load: loads to be reached one after the other, from none: ["10 N", 0] presses and lifts off.
-            approach: instead, depths of the indenter from the touch of the undeformed bodies.
+            approach: instead, approaches of the bodies from the touch of the undeformed ones.
             pressure: instead, means over the period of a grid that is periodic along both axes.
             mean_gap: instead, means of the gap over that period: the smaller, the more they are pressed.
             normalised: whether loads or approaches are in their values at first yield, P_c and alpha_c.

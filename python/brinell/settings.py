@@ -14,6 +14,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Literal
 
+from brinell._names import renamed
 from brinell.bodies import Quantity
 
 __all__ = ["Grid", "Output", "Solver"]
@@ -54,6 +55,7 @@ class Grid(_Table):
     reference: Quantity | None = None
 
 
+@renamed(max_iterations="max_evaluations")
 @dataclass(frozen=True, kw_only=True)
 class Solver(_Table):
     """When an increment counts as solved, and how it is.
@@ -61,10 +63,10 @@ class Solver(_Table):
     Attributes:
         accuracy: largest relative error of the key numbers that is accepted, 0.01 or "1 %": a series of runs.
         yield_tolerance: largest violation of the yield condition, relative to the yield stress.
-        displacement_tolerance: largest change of the residual displacement in the last iteration, relative to the
+        displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to the
             approach at first yield.
         contact_tolerance: largest gap under pressure, relative to the largest approach.
-        max_iterations: of an increment before it is split.
+        max_evaluations: of an increment before it is split.
         anderson_depth: earlier iterates used to accelerate the iteration; 0: plain fixed point.
         integration: of the plastic strain in a step.
         mirror: whether bodies that are mirror images are solved once.
@@ -75,7 +77,7 @@ class Solver(_Table):
     yield_tolerance: float | None = None
     displacement_tolerance: float | None = None
     contact_tolerance: float | None = None
-    max_iterations: int | None = None
+    max_evaluations: int | None = None
     anderson_depth: int | None = None
     integration: Literal["path", "backward_euler"] | None = None
     mirror: bool | None = None

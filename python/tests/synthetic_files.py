@@ -24,7 +24,7 @@ from synthetic_histories import (
 
 ENERGIES = (
     "work,dissipation_lower,dissipation_upper,energy_residual,energy_elastic,max_residual_lower,max_residual_upper,"
-    "max_equivalent_plastic_strain,iterations"
+    "max_equivalent_plastic_strain,evaluations"
 )
 HEADERS = {
     "tugging": (
@@ -37,7 +37,7 @@ HEADERS = {
     "rolling": "step,pass,x,approach,F_n,F_X,contact_area,max_pressure," + ENERGIES,
 }
 """As the program writes them."""
-INTEGERS = ("step", "pass", "place", "iterations")
+INTEGERS = ("step", "pass", "place", "evaluations")
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 
 
@@ -133,7 +133,7 @@ def write_folder(
     (folder / "history.csv").write_text("\n".join([header, *lines]) + "\n", encoding="utf-8")
     look: dict[str, Any] = {"size": size, "dents": dents, "rigid_upper": rigid_upper}
     with h5py.File(folder / "result.vtkhdf", "w") as file:
-        file.attrs["format"], file.attrs["format_version"] = "brinell-result", 2
+        file.attrs["format"], file.attrs["format_version"] = "brinell-result", 3
         file.attrs["scenario"] = summary["scenario"]
         for name in names:
             integer = name in INTEGERS

@@ -47,7 +47,7 @@ def history_rows(alpha: float, passes: int, steps: int) -> list[dict[str, float]
             rows.append(
                 {
                     "step": len(rows),
-                    "pass": index,
+                    "pass": index + 1,
                     "X": x,
                     "theta": np.arctan(x / omega),
                     "interference": local,
@@ -67,7 +67,7 @@ def history_rows(alpha: float, passes: int, steps: int) -> list[dict[str, float]
                     "max_residual_lower": 0.2 * (1.0 - 1.0 / alpha) * interference * done,
                     "max_residual_upper": 0.2 * (1.0 - 1.0 / alpha) * interference * done,
                     "max_equivalent_plastic_strain": 0.004 * alpha * done,
-                    "iterations": 8 + i % 5,
+                    "evaluations": 8 + i % 5,
                 }
             )
     return rows
@@ -77,7 +77,7 @@ def summary_of(alpha: float, rows: list[dict[str, float]]) -> dict[str, Any]:
     """The part of summary.json that is read, and a little more."""
     return {
         "format": "brinell-summary",
-        "format_version": 2,
+        "format_version": 3,
         "complete": True,
         "scenario": "tugging",
         "title": "synthetic",
@@ -110,7 +110,7 @@ def common_columns(step: int, depth: float, work: float) -> dict[str, float]:
         "max_residual_lower": depth,
         "max_residual_upper": 0.0,
         "max_equivalent_plastic_strain": 0.02,
-        "iterations": 6 + step % 4,
+        "evaluations": 6 + step % 4,
     }
 
 
@@ -118,7 +118,7 @@ def general_summary(scenario: str, *, texture: str = "smooth", upper: str = "sph
     """What both scenarios have in summary.json; no first yield unless the indenter is a sphere."""
     return {
         "format": "brinell-summary",
-        "format_version": 2,
+        "format_version": 3,
         "complete": True,
         "scenario": scenario,
         "title": "",
@@ -145,8 +145,8 @@ def indentation_rows(load: float, cycles: int, places: tuple[float, ...], steps:
             rows.append(
                 common_columns(len(rows), 0.6 * deepest, load * approach)
                 | {
-                    "pass": index,
-                    "place": index // cycles,
+                    "pass": index + 1,
+                    "place": index // cycles + 1,
                     "x": places[index // cycles],
                     "approach": approach,
                     "F_n": load * share,
@@ -164,12 +164,12 @@ def indentation_rows(load: float, cycles: int, places: tuple[float, ...], steps:
 def indents_of(rows: list[dict[str, float]]) -> list[dict[str, Any]]:
     """The list in summary.json."""
     indents = []
-    for index in range(int(rows[-1]["pass"]) + 1):
+    for index in range(1, int(rows[-1]["pass"]) + 1):
         top = max((row for row in rows if row["pass"] == index), key=lambda row: row["F_n"])
         indents.append(
             {
                 "place": top["place"],
-                "cycle": sum(one["place"] == top["place"] for one in indents),
+                "cycle": sum(one["place"] == top["place"] for one in indents) + 1,
                 "x_m": top["x"],
                 "max_load_N": top["F_n"],
                 "max_approach_m": top["approach"],
@@ -177,7 +177,7 @@ def indents_of(rows: list[dict[str, float]]) -> list[dict[str, Any]]:
                 "hardness_Pa": top["mean_pressure"],
                 "loading_stiffness_N_per_m": 1.5 * top["F_n"] / top["approach"],
                 "unloading_stiffness_N_per_m": 4.0 * top["F_n"] / top["approach"],
-                "final_approach_m": None if index else 0.6 * top["approach"],
+                "final_approach_m": None if index > 1 else 0.6 * top["approach"],
                 "residual_depth_m": top["max_residual_lower"],
                 "pile_up_m": top["pile_up"],
                 "work_J": top["work"],
@@ -199,7 +199,7 @@ def rolling_rows(load: float, passes: int, load_steps: int, rolling_steps: int) 
             rows.append(
                 common_columns(len(rows), 1e-4 * (1.0 - 0.5 ** (index + 1)), 1.0 + len(rows))
                 | {
-                    "pass": index,
+                    "pass": index + 1,
                     "x": place,
                     "approach": 1e-4 * share + 1e-6 * index,
                     "F_n": load * share,
@@ -215,6 +215,7 @@ def rolling_results(passes: int) -> dict[str, Any]:
     """The lists in summary.json."""
     each = [
         {
+            "pass": n,
             "rut_depth_m": 1e-4 * (1.0 - 0.5**n),
             "shoulder_height_m": 1e-5 * (1.0 - 0.5**n),
             "max_equivalent_plastic_strain": 0.02,

@@ -102,7 +102,7 @@ def test_a_grid_beyond_all_memory_is_refused_before_anything_is_written(case: br
 
 
 def test_no_convergence_is_an_error_and_keeps_the_finished_steps(case: brinell.Case, tmp_path: Path) -> None:
-    hopeless = case.with_values({"solver.yield_tolerance": 1e-15, "solver.max_iterations": 2})
+    hopeless = case.with_values({"solver.yield_tolerance": 1e-15, "solver.max_evaluations": 2})
     with pytest.raises(brinell.ConvergenceError, match="All earlier steps are kept"):
         hopeless.run(tmp_path)
     assert (tmp_path / "history.csv").read_text(encoding="utf-8").count("\n") > 1
@@ -126,7 +126,7 @@ def test_progress_is_told_of_each_step(case: brinell.Case) -> None:
     told: list[tuple[int, int, str, int]] = []
     run = case.run(progress=lambda *step: told.append(step))
     assert [step for step, *_ in told] == list(range(run.history.steps))
-    assert [iterations for *_, iterations in told] == run.history["iterations"].tolist()
+    assert [evaluations for *_, evaluations in told] == run.history["evaluations"].tolist()
 
 
 def test_a_bar_is_shown(case: brinell.Case, capsys: pytest.CaptureFixture[str]) -> None:

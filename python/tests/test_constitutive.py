@@ -89,7 +89,7 @@ def test_order_of_the_integration_on_a_path_that_turns(
     integration: brinell.constitutive.Integration, order: int, kinematic: list[tuple[float, float]]
 ) -> None:
     """Strain goes from tension to shear: the error of the stress falls with the step as it should."""
-    material = Material(E, NU, Linear(6e8, 2e9), kinematic=kinematic)
+    material = Material(E, NU, Linear(6e8, 2e9), back_stresses=kinematic)
     total = 0.02
 
     def end(steps: int, integration: brinell.constitutive.Integration = integration) -> NDArray[np.float64]:
@@ -120,7 +120,7 @@ def test_order_of_the_integration_on_a_path_that_turns(
 
 def test_back_stresses_of_proportional_flow() -> None:
     """C/gamma (1 - exp(-gamma e)) in tension for each term (Armstrong, Frederick 1966), C e if gamma = 0."""
-    material = Material(E, NU, Perfect(6e8), kinematic=[(2e10, 100.0), (5e9, 0.0)])
+    material = Material(E, NU, Perfect(6e8), back_stresses=[(2e10, 100.0), (5e9, 0.0)])
     trial = np.array([1, -0.5, -0.5, 0, 0, 0])[:, None] * np.array([1e9, 3e9])
     result = return_mapping(material, trial)
     e = result.equivalent_plastic_strain
@@ -130,7 +130,7 @@ def test_back_stresses_of_proportional_flow() -> None:
 
 
 def test_shapes_go_through() -> None:
-    material = Material(E, NU, Linear(6e8, 2e9), kinematic=[(1e9, 0)])
+    material = Material(E, NU, Linear(6e8, 2e9), back_stresses=[(1e9, 0)])
     trial = random_stress(2, (3, 2, 4))
     result = return_mapping(material, trial)
     assert result.plastic_strain.shape == (6, 3, 2, 4)

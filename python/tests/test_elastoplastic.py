@@ -110,7 +110,7 @@ def test_load_and_approach_give_the_same_increment() -> None:
 
 
 def test_back_stresses_have_their_field() -> None:
-    material = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"), kinematic=[("20 GPa", 0.0)])
+    material = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"), back_stresses=[("20 GPa", 0.0)])
     pair = pressed(material)
     pair.advance(ball(), load=2.0)
     assert pair.lower.backstress.shape == (1, 6, *BODY.shape)

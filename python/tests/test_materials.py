@@ -16,12 +16,13 @@ import pytest
 
 import brinell
 from brinell.constitutive import yield_stress
-from brinell.materials import RIGID, Hardening, Hollomon, Linear, Ludwik, Material, Perfect, Swift, Table, Voce
+from brinell.materials import RIGID, Hardening, Hollomon, Linear, Ludwik, Material, Perfect, Swift, SwiftMicrostrain, Table, Voce
 
 LAWS: list[tuple[Hardening, Callable[[Any], Any]]] = [
     (Perfect("600 MPa"), lambda e: 600e6 + 0 * e),
     (Linear("600 MPa", "2 GPa"), lambda e: 600e6 + 2e9 * e),
     (Swift("1.2 GPa", 4e-3, 0.1), lambda e: 1.2e9 * (4e-3 + e) ** 0.1),
+    (SwiftMicrostrain("600 MPa", 20.0, 0.095), lambda e: 6e8 * (20.0 + 1e6 * e) ** 0.095),
     (Hollomon(6e8, 1.2e9, 0.2), lambda e: 1.2e9 * ((6e8 / 1.2e9) ** 5 + e) ** 0.2),
     (Ludwik(6e8, "500 MPa", 0.5), lambda e: 6e8 + 5e8 * np.sqrt(e)),
     (Voce(6e8, 2e8, 40), lambda e: 6e8 + 2e8 * (1 - np.exp(-40 * e))),
@@ -90,7 +91,7 @@ def test_a_case_has_the_values_of_its_material() -> None:
         "210 GPa",
         np.float64(0.3),
         Voce("600 MPa", 2e8, 40),
-        kinematic=[("20 GPa", 100), (1e9, 0)],
+        back_stresses=[("20 GPa", 100), (1e9, 0)],
         yield_profile=(["0 mm", "1 mm"], [1.2, 1]),
         initial_stress=([0.0], ["-100 MPa"]),
     )
@@ -103,8 +104,7 @@ def test_a_case_has_the_values_of_its_material() -> None:
         "yield_stress": 600e6,
         "saturation": 200e6,
         "rate": 40.0,
-        "kinematic_moduli": [20e9, 1e9],
-        "kinematic_recall": [100.0, 0.0],
+        "back_stresses": [{"modulus": 20e9, "recall": 100.0}, {"modulus": 1e9, "recall": 0.0}],
     }
     assert lower["yield_profile"] == {"depth": [0.0, 1e-3], "factor": [1.2, 1.0]}
     assert lower["initial_stress"] == {"depth": [0.0], "value": [-100e6]}
@@ -121,7 +121,7 @@ def test_a_case_has_the_values_of_its_material() -> None:
         (Material(2e11, 0.3, Perfect(0.0)), r"^material.hardening.yield_stress = 0.0 is out of range"),
         (Material(2e11, 0.3, Table([0, 1], [2, 1])), "must not fall"),
         (Material(2e11, 0.3, Table([0, 1], [2])), "as many stresses as plastic strains"),
-        (Material(2e11, 0.3, kinematic=[(1e9, 0)]), "applies only with"),
+        (Material(2e11, 0.3, back_stresses=[(1e9, 0)]), "applies only with"),
         (Material(2e11, 0.3, Perfect(1e9), initial_stress=([0.0], [2e9])), "where the material yields"),
     ],
 )
@@ -131,7 +131,7 @@ def test_a_material_is_checked_as_in_a_case_file(material: Material, message: st
 
 
 def test_materials_can_be_sent_to_another_process() -> None:
-    material = Material("210 GPa", 0.3, lambda e: 1e9 * (1 + e), kinematic=[(1e9, 0)])
+    material = Material("210 GPa", 0.3, lambda e: 1e9 * (1 + e), back_stresses=[(1e9, 0)])
     brinell.reference.contact_modulus(material)  # the engine has seen it
     again = pickle.loads(pickle.dumps(material))
     assert again == material
@@ -164,6 +164,11 @@ def test_a_table_of_a_measured_curve(tmp_path: Path, text: str) -> None:
     law = Table.from_file(path, unit="MPa", strain="%")
     assert law == Table([0, 0.002, 0.01], [930e6, 1010.5e6, 1200e6])  # to the last digit
     assert Table.from_file(str(path)).stress == (930.0, 1010.5, 1200.0)  # Pa
+    assert Table(file=path, stress_unit="MPa", strain_unit="%") == law
+    with pytest.raises(brinell.InputError, match="cannot stand together with plastic_strain and stress"):
+        Table([0], [930e6], file=path)
+    with pytest.raises(brinell.InputError, match=r"needs plastic_strain and stress, or a file; Table\.from_file"):
+        Table()
 
 
 def test_a_measured_curve_that_scatters(tmp_path: Path) -> None:

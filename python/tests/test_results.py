@@ -116,7 +116,7 @@ def test_a_history_is_a_table_of_pandas(make_run: MakeRun) -> None:
     for table in (history.to_pandas(), pandas.DataFrame(history)):
         assert list(table.columns) == list(history)
         assert len(table) == history.steps
-        assert table["step"].dtype == table["pass"].dtype == table["iterations"].dtype == np.int64
+        assert table["step"].dtype == table["pass"].dtype == table["evaluations"].dtype == np.int64
         assert table["F_X"].dtype == np.float64
         np.testing.assert_array_equal(table["F_X"], history["F_X"])
     assert history.to_pandas().attrs["units"]["F_X"] == "N"
@@ -149,7 +149,7 @@ def test_aligned_is_searched_in_the_first_pass_only(make_run: MakeRun) -> None:
     folder = make_run()
     with h5py.File(folder / "result.vtkhdf", "a") as file:
         file.copy("steps/000012", "steps/000037")
-        file["steps/000037"].attrs["pass"] = 1
+        file["steps/000037"].attrs["pass"] = 2
         file["steps/000037"].attrs["X"] = 0.0
         file["steps/000037"].attrs["step"] = 37
         file["steps/000012"].attrs["X"] = 0.001
@@ -186,10 +186,10 @@ def test_a_later_program_may_add_columns(make_rolling: MakeRun) -> None:
 def test_indents(make_indentation: MakeRun) -> None:
     run = open_run(make_indentation(cycles=2, places=(-0.1, 0.1)))
     assert [(one.place, one.cycle, one.x) for one in run.indents] == [
-        (0, 0, -0.1),
-        (0, 1, -0.1),
-        (1, 0, 0.1),
-        (1, 1, 0.1),
+        (1, 1, -0.1),
+        (1, 2, -0.1),
+        (2, 1, 0.1),
+        (2, 2, 0.1),
     ]
     assert all(type(one.place) is int for one in run.indents)
     one = run.indents[0]
@@ -202,6 +202,7 @@ def test_indents(make_indentation: MakeRun) -> None:
 
 def test_rolling_passes_and_profile(make_rolling: MakeRun) -> None:
     run = open_run(make_rolling(passes=2))
+    assert [one.pass_ for one in run.passes] == [1, 2]
     assert [one.rut_depth for one in run.passes] == pytest.approx([5e-5, 7.5e-5])
     assert run.passes[1].resistance == 25.0
     assert (run.passes[1].steady, run.passes[1].mean_F_X) == (True, 30.0)
@@ -250,7 +251,7 @@ def test_reprs_are_short(make_run: MakeRun, make_indentation: MakeRun) -> None:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"passes": [{}]}, r"passes\[0\]: no rut_depth that can be read"),
+        ({"passes": [{}]}, r"passes\[0\]: no pass that can be read"),
         ({"passes": 3}, "passes is not a list"),
         ({"profile": {"depth_m": "deep"}}, "profile: no depth that can be read"),
         ({"scenario": "indentation"}, "is of scenario 'indentation', but the history of 'rolling'"),
@@ -281,13 +282,13 @@ def test_aligned_of_an_indentation_is_its_first_largest_load(make_indentation: M
     run = open_run(make_indentation(cycles=2, steps=8))
     assert run.steps == [7, 15, 23, 31]
     snapshot = run.snapshot("aligned")
-    assert (snapshot.step, snapshot.pass_) == (7, 0)
+    assert (snapshot.step, snapshot.pass_) == (7, 1)
     assert snapshot.in_contact
 
 
 def test_aligned_of_rolling_is_the_middle_of_the_first_pass(make_rolling: MakeRun) -> None:
     snapshot = open_run(make_rolling()).snapshot("aligned")
-    assert (snapshot.pass_, snapshot.row["x"]) == (0, pytest.approx(0.0))
+    assert (snapshot.pass_, snapshot.row["x"]) == (1, pytest.approx(0.0))
 
 
 def test_values_of_the_case(make_indentation: MakeRun) -> None:
@@ -403,7 +404,7 @@ def test_results_of_version_1_are_told(make_run: MakeRun) -> None:
         file.attrs["format_version"] = 1
     (folder / "result.vtkhdf").rename(folder / "result.h5")
     for path in (folder, folder / "result.h5"):
-        with pytest.raises(RunError, match="format version 1, this program reads version 2"):
+        with pytest.raises(RunError, match="format version 1, this program reads version 3"):
             open_run(path)
 
 
@@ -436,7 +437,7 @@ def test_damaged_history(make_run: MakeRun, change: Callable[[str], str], messag
     [
         ("{", r"summary\.json:1: not valid JSON"),
         ("[]", "not a summary of brinell"),
-        ('{"format": "brinell-summary", "format_version": 99}', "format version 99, this program reads version 2"),
+        ('{"format": "brinell-summary", "format_version": 99}', "format version 99, this program reads version 3"),
     ],
 )
 def test_damaged_summary(make_run: MakeRun, text: str, message: str) -> None:
@@ -485,8 +486,8 @@ def test_missing_and_damaged_fields(make_run: MakeRun) -> None:
     with pytest.raises(RunError, match=r"/steps/000012 is damaged"):
         run.snapshot(12)
     with h5py.File(folder / "result.vtkhdf", "a") as file:
-        file.attrs["format_version"] = 3
-    with pytest.raises(RunError, match="format version 3"):
+        file.attrs["format_version"] = 4
+    with pytest.raises(RunError, match="format version 4"):
         run.snapshot(6)
     (folder / "result.vtkhdf").write_bytes(b"not HDF5")
     with pytest.raises(RunError, match="not a readable HDF5 file"):

@@ -117,7 +117,7 @@ def _replace_dataset(file: h5py.File, name: str, value: Any) -> None:
 
 DAMAGE: dict[str, Callable[[h5py.File], object]] = {
     "version": lambda f: f.attrs.__setitem__("format_version", "x"),
-    "versions": lambda f: f.attrs.__setitem__("format_version", [2, 2]),
+    "versions": lambda f: f.attrs.__setitem__("format_version", [3, 3]),
     "format": lambda f: f.attrs.__setitem__("format", 3.0),
     "case": lambda f: _replace_dataset(f, "case", 1.5),
     "case as a group": lambda f: (f.__delitem__("case"), f.create_group("case")),

@@ -282,8 +282,8 @@ def test_errors_name_arguments_and_no_line_of_a_file_that_is_not_there() -> None
         "largest stress so far"
     )
     assert len(error.traceback) <= 3  # this test, the scenario, its base: not the writer of TOML
-    bend = brinell.Material("210 GPa", 0.3, brinell.Perfect("1 GPa"), kinematic=[("1 mm", 0)])
-    with pytest.raises(brinell.InputError, match=r'^lower\.material\.kinematic = \["1 mm"\] has the element'):
+    bend = brinell.Material("210 GPa", 0.3, brinell.Perfect("1 GPa"), back_stresses=[("1 mm", 0)])
+    with pytest.raises(brinell.InputError, match=r'^lower\.material\.back_stresses\[0\]\.modulus = "1 mm" is a length'):
         brinell.Indentation(brinell.Body(brinell.Flat(), bend), ball, load=["3 kN", 0])
     with pytest.raises(brinell.InputError, match=r"^load = \[\] has 0 elements"):
         brinell.Indentation(soft, ball, load=[])
@@ -312,13 +312,13 @@ def test_settings_are_the_same_as_dictionaries() -> None:
     of_classes = brinell.Tugging(
         *pair,
         grid=brinell.Grid(resolution=7, extent=1.2),
-        solver=brinell.Solver(max_iterations=50, mirror=False),
+        solver=brinell.Solver(max_evaluations=50, mirror=False),
         output=brinell.Output(snapshots=[0, 3]),
     )
     of_tables = brinell.Tugging(
         *pair,
         grid={"resolution": 7, "extent": 1.2},
-        solver={"max_iterations": 50, "mirror": False},
+        solver={"max_evaluations": 50, "mirror": False},
         output={"snapshots": [0, 3]},
     )
     assert of_classes.to_toml() == of_tables.to_toml()

@@ -249,7 +249,7 @@ def test_load_over_depth_has_second_axes_over_first_yield(make_indentation: Make
     run = open_run(make_indentation())
     fig = load_depth([run])
     written = texts(fig)
-    assert any(r"$\delta/\alpha_c$" in t for t in written)
+    assert any(r"$\alpha/\alpha_c$" in t for t in written)
     assert any("$F_n/P_c$" in t for t in written)
     top, right = fig.axes[0].child_axes
     assert top.get_xlim()[1] == pytest.approx(fig.axes[0].get_xlim()[1] * 1e-3 / ALPHA_C)

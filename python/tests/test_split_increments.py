@@ -32,7 +32,7 @@ def test_a_press_with_few_iterations_is_halved_and_agrees() -> None:
         grid={"resolution": 4},
     )
     whole = press.run()
-    split = press.with_values({"solver.max_iterations": 10}).run()
+    split = press.with_values({"solver.max_evaluations": 10}).run()
     assert split_increments(whole) == 0
     assert split_increments(split) > 0
     assert "split_increments" in [warning.key for warning in split.warnings]
@@ -45,7 +45,7 @@ def test_a_slide_that_only_the_plain_iteration_solves_is_that_of_backward_euler(
     tolerance of 1e-4 of the yield stress in each of its 24 steps."""
     ball = brinell.Body(brinell.Sphere("100 um"), STEEL)
     slide = brinell.Tugging(ball, ball, interference=4, grid={"resolution": 4})
-    split = slide.with_values({"solver.max_iterations": 3}).run()
+    split = slide.with_values({"solver.max_evaluations": 3}).run()
     assert split_increments(split) > 0
     assert split.summary is not None
     half_a_cell = 0.5 * split.summary["grid"]["spacing_m"][0]

@@ -64,7 +64,7 @@ def test_the_loop_may_be_left_and_taken_up(case: Case) -> None:
 
 def test_a_step_that_fails_is_told_and_ends_the_run() -> None:
     steps = brinell.Tugging(
-        BALL, BALL, 6, grid={"resolution": 6}, solver={"yield_tolerance": 1e-15, "max_iterations": 2}
+        BALL, BALL, 6, grid={"resolution": 6}, solver={"yield_tolerance": 1e-15, "max_evaluations": 2}
     ).steps()
     with pytest.raises(ConvergenceError):
         list(steps)

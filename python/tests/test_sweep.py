@@ -118,7 +118,7 @@ def test_another_sweep_in_the_folder_is_refused(tmp_path: Path) -> None:
 
 def test_a_failed_run_is_kept_with_its_reason(tmp_path: Path) -> None:
     # The first one stays elastic, the second cannot converge in one iteration.
-    over = {"tugging.interference": [0.5, 4], "solver.max_iterations": [1]}
+    over = {"tugging.interference": [0.5, 4], "solver.max_evaluations": [1]}
     result = sweep(tmp_path, over)
     assert result.table["status"].tolist() == ["done", "failed"]
     assert result.failures["index"].tolist() == [1]
@@ -138,18 +138,18 @@ def test_a_failed_run_is_kept_with_its_reason(tmp_path: Path) -> None:
 def test_failed_runs_are_retried_with_another_solver(tmp_path: Path) -> None:
     over = {"tugging.interference": [0.5, 4]}
 
-    def again(iterations: int, resolution: int = 3, **options: bool) -> brinell.sweeps.Sweep:
-        base = Case(CASE, overrides=[f"solver.max_iterations={iterations}", f"grid.resolution={resolution}"])
+    def again(evaluations: int, resolution: int = 3, **options: bool) -> brinell.sweeps.Sweep:
+        base = Case(CASE, overrides=[f"solver.max_evaluations={evaluations}", f"grid.resolution={resolution}"])
         return brinell.sweep(base, over, output=tmp_path, workers=1, progress=False, **options)
 
     assert again(1).table["status"].tolist() == ["done", "failed"]
-    with pytest.raises(InputError, match=r"max_iterations of the case was 1, is 60.*") as refused:
+    with pytest.raises(InputError, match=r"max_evaluations of the case was 1, is 60.*") as refused:
         again(60)
     assert "retry_failed" in str(refused.value)
     before = written(tmp_path)
     result = again(60, 4, retry_failed=True)
     assert result.table["status"].tolist() == ["done", "done"]
-    assert result.table["solver.max_iterations"].tolist() == [1, 60]
+    assert result.table["solver.max_evaluations"].tolist() == [1, 60]
     assert result.table["grid.resolution"].tolist() == [3, 4]
     changed = {path.parent for path, time in written(tmp_path).items() if time != before.get(path)}
     assert changed == {run_folder(tmp_path, 1)}
@@ -185,7 +185,7 @@ def exit_code(*arguments: object) -> int:
 
 def test_command(case_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = tmp_path / "sweep"
-    over = ["--over", "tugging.interference=0.5:4:2", "--set", "solver.max_iterations=1"]
+    over = ["--over", "tugging.interference=0.5:4:2", "--set", "solver.max_evaluations=1"]
     assert exit_code(case_file, *over, "-o", output, "--workers", 1, "--quiet") == 1
     printed = capsys.readouterr()
     assert printed.out == ""

@@ -155,7 +155,7 @@ def test_a_run_that_was_stopped_goes_on_from_its_checkpoint(tmp_path: Path) -> N
 
 
 def test_an_error_is_told_as_text(tmp_path: Path) -> None:
-    case = Case(CASE, overrides=["solver.max_iterations=1", "tugging.interference=4"])
+    case = Case(CASE, overrides=["solver.max_evaluations=1", "tugging.interference=4"])
     outcome = compute(Task(0, case.to_toml(), str(tmp_path / "run"), 1), lambda: False)
     assert outcome.status == "failed"
     assert "no convergence" in outcome.reason

@@ -50,7 +50,7 @@ class Indentation
 {
 public:
   Indentation(const IndentationCase& indentation, const IndentationPlan& plan)
-      : case_(indentation), steps_(plan.steps), contact_(plan.contact), current_(x(0), 0, 0, 0.0)
+      : case_(indentation), steps_(plan.steps), contact_(plan.contact), current_(x(0), 1, 1, 0.0)
   {
   }
 
@@ -69,7 +69,7 @@ public:
     const int in_entry = in_indent % case_.steps;
     const Stepper::Distances touch = stepper.distances(here);
     if (in_indent == 0)
-      current_ = IndentReader(here.lower, indent() / case_.cycles, indent() % case_.cycles, touch.smallest);
+      current_ = IndentReader(here.lower, place(), indent() % case_.cycles + 1, touch.smallest);
     if (in_entry == 0)
       begin_entry(in_indent, touch);
     if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
@@ -85,8 +85,8 @@ public:
   void read(Stepper& stepper, const IndentationRecord& /*before*/, IndentationRecord& r)
   {
     const Centre here{x(done_), 0.0};
-    r.pass = indent();
-    r.place = indent() / case_.cycles;
+    r.pass = indent() + 1;
+    r.place = place();
     r.x = here.lower;
     r.approach = stepper.pair().approach();
     r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
@@ -121,6 +121,8 @@ private:
   [[nodiscard]] int steps_per_indent() const { return case_.steps * static_cast<int>(case_.sequence.size()); }
   /// Of the present step.
   [[nodiscard]] int indent() const { return done_ / steps_per_indent(); }
+  /// Which one it is of all places, from 1.
+  [[nodiscard]] int place() const { return indent() / case_.cycles + 1; }
   [[nodiscard]] double x(int step) const
   {
     return case_.places[static_cast<std::size_t>(step / steps_per_indent() / case_.cycles)];
@@ -158,7 +160,7 @@ private:
     throw InternalError("a drive of no kind");
   }
 
-  /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the depth grows evenly: the first
+  /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the approach grows evenly: the first
   /// step in load would be the longest by far.
   [[nodiscard]] double imposed(double share) const
   {

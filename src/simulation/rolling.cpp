@@ -65,7 +65,7 @@ public:
 
   void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)
   {
-    r.pass = pass_;
+    r.pass = pass_ + 1;
     r.x = moment(step_in_pass_ + 1).x;
     const Centre here = centre(r.x);
     const Stepper::Depths& depths = stepper.depths(here);
@@ -78,8 +78,8 @@ public:
     if (++step_in_pass_ < steps_per_pass())
       return;
     passes_.push_back(track_.end_pass(stepper.pair(), dissipation(stepper)));
+    passes_.back().pass = ++pass_;
     step_in_pass_ = 0;
-    ++pass_;
   }
 
   void summarise(RollingSummary& summary) const

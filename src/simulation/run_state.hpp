@@ -89,12 +89,12 @@ public:
     has_failed_ = true; // until the step is read: a motion that was left halfway must not go on
     const Move move = motion_.next(stepper_);
     Record record;
-    record.iterations = stepper_.advance(move.path, move.finest, move.where);
+    record.evaluations = stepper_.advance(move.path, move.finest, move.where);
     stepper_.fill(record);
     record.step = steps_++;
     record.work = last_.work;
     motion_.read(stepper_, last_, record);
-    iterations_ += record.iterations;
+    evaluations_ += record.evaluations;
     largest_work_ = std::max(largest_work_, std::abs(record.work));
     last_ = record;
     has_failed_ = false;
@@ -105,7 +105,7 @@ public:
   {
     Summary s;
     s.steps = steps_;
-    s.iterations = iterations_;
+    s.evaluations = evaluations_;
     stepper_.fill(s);
     take_totals(last_, largest_work_, s);
     s.last = last_;
@@ -121,7 +121,7 @@ public:
     archive("motion", motion_);
     archive("last", last_);
     archive("largest_work", largest_work_);
-    archive("iterations", iterations_, 0, std::numeric_limits<long>::max());
+    archive("evaluations", evaluations_, 0, std::numeric_limits<long>::max());
     archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
   }
 
@@ -159,7 +159,7 @@ private:
   Stepper stepper_;
   Record last_;
   double largest_work_ = 0.0; ///< [J]
-  long iterations_ = 0;
+  long evaluations_ = 0;
   int steps_ = 0;
   bool has_failed_ = false;
 };

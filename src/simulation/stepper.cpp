@@ -194,7 +194,7 @@ bool Stepper::attempt(const Target& target)
   for (const double share : {0.6, 1.0})
   {
     const IncrementReport report = solved(
-        target, {s.integration, s.max_iterations, s.anderson_depth, share, false, true, setup_.watch.wants_stop});
+        target, {s.integration, s.max_evaluations, s.anderson_depth, share, false, true, setup_.watch.wants_stop});
     if (report.converged)
       return true;
   }
@@ -209,7 +209,7 @@ void Stepper::descend(const Target& target)
   const bool has_energy = pair_->has_energy(target.drive.kind);
   for (const double share : {1.0, 2.0, 4.0})
   {
-    report = solved(target, {Integration::backward_euler, patience * s.max_iterations, 0, share, has_energy, true,
+    report = solved(target, {Integration::backward_euler, patience * s.max_evaluations, 0, share, has_energy, true,
                              setup_.watch.wants_stop});
     if (report.converged)
       return;
@@ -218,7 +218,8 @@ void Stepper::descend(const Target& target)
   }
   throw ConvergenceError(fmt::format(
       "{}: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), change of displacement "
-      "{:.2e} m, contact gap {:.2e} m. All earlier steps are kept. Shorter steps or a larger solver.max_iterations may "
+      "{:.2e} m, contact gap {:.2e} m. All earlier steps are kept. Shorter steps or a larger solver.max_evaluations "
+      "may "
       "help",
       where_, evaluations_, report.yield_error, s.yield_tolerance, report.displacement_error, report.gap_error));
 }

@@ -60,7 +60,7 @@ public:
   void read(Stepper& stepper, const TuggingRecord& before, TuggingRecord& r)
   {
     position_ = to_;
-    r.pass = pass_;
+    r.pass = pass_ + 1;
     record(stepper, r);
     r.work += work_between(before, r);
     add(before, r, peaks_);

@@ -46,7 +46,7 @@ void add(const TuggingRecord& before, const TuggingRecord& now, TuggingPeaks& pe
   peaks.peak_F_Z = std::max(peaks.peak_F_Z, now.F_Z);
   if (now.F_Z > 0.0)
     peaks.load_ratio_end = now.F_X / now.F_Z;
-  if (continues(before, now) && now.pass == 0 && before.X < 0.0 && now.X >= 0.0)
+  if (continues(before, now) && now.pass == 1 && before.X < 0.0 && now.X >= 0.0)
     at_alignment(before, now, peaks);
 }
 

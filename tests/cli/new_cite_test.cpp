@@ -55,7 +55,7 @@ TEST_F(Cite, ListsPapersAndTheirUse)
       << cite.out;
   EXPECT_EQ(cite.out.find("Chaboche"), std::string::npos);
   const std::string harder = R"(lower.material.hardening={law = "perfect", yield_stress = "1 GPa", )"
-                             R"(kinematic_moduli = ["1 GPa", "2 GPa"], kinematic_recall = [10, 20]})";
+                             R"(back_stresses = [{modulus = "1 GPa", recall = 10}, {modulus = "2 GPa", recall = 20}]})";
   EXPECT_NE(run({"cite", "case.toml", "--set", harder}).out.find("Chaboche, J. L. (1986)"), std::string::npos);
 }
 

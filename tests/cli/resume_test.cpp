@@ -14,7 +14,7 @@ namespace
 
 constexpr const char* bodies = R"([lower]
 shape = {type = "flat"}
-material = {young_modulus = "200 GPa", poisson_ratio = 0.3, hardening = {law = "linear", yield_stress = "1 GPa", modulus = "20 GPa", kinematic_moduli = ["20 GPa"]}}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3, hardening = {law = "linear", yield_stress = "1 GPa", modulus = "20 GPa", back_stresses = [{modulus = "20 GPa"}]}}
 [upper]
 shape = {type = "sphere", radius = "1 mm"}
 material = {young_modulus = "200 GPa", poisson_ratio = 0.3}

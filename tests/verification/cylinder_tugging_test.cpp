@@ -152,15 +152,15 @@ TEST(CylinderTugging, BelowFirstYieldIsTheElasticPassOfHertz)
   // As far as the edge of contact is resolved: in the first and last steps by few cells.
   const double share = slow_build ? 3e-3 : 1e-3;
   const char* origin = "exact: Hertz, Johnson (1985), Eqs. 4.43-4.45";
-  test::expect_close("omega* = 0.97: largest error of F_X / its peak", of_F_X / peak.F_X, 0.0, share, origin);
-  test::expect_close("omega* = 0.97: largest error of F_Z / its peak",
+  test::expect_close("alpha* = 0.97: largest error of F_X / its peak", of_F_X / peak.F_X, 0.0, share, origin);
+  test::expect_close("alpha* = 0.97: largest error of F_Z / its peak",
                      of_F_Z / reference::elastic_tugging_forces(exact, 0.0).F_Z, 0.0, share, origin);
-  test::expect_close("omega* = 0.97: work to alignment / U(alpha)",
+  test::expect_close("alpha* = 0.97: work to alignment / U(alpha)",
                      run.summary.work_to_alignment /
                          reference::elastic_tugging_work(exact, -reference::half_sliding_distance(exact), 0.0),
                      1.0, share, origin);
   // Nothing but the trapezoidal rule stands between the work and zero; by symmetry it has no error.
-  test::expect_close("omega* = 0.97: net work / U(alpha)", run.summary.last.work / run.summary.work_to_alignment, 0.0,
+  test::expect_close("alpha* = 0.97: net work / U(alpha)", run.summary.last.work / run.summary.work_to_alignment, 0.0,
                      1e-4, "exact: elastic bodies give back all work");
 }
 
@@ -188,14 +188,14 @@ TEST(CylinderTugging, TrendsOverTheInterference)
   constexpr double cells = 10.0;
   const char* closes = "energy: work = dissipated + stored";
   const Measured first = measured(1.0, cells), second = measured(2.0, cells), fourth = measured(4.0, cells);
-  test::expect_close("omega* = 1: peak F_Z / P_c", first.F_Z_peak, 1.0, 5e-4, green);
-  test::expect_close("omega* = 1: net work / U_c", first.net, 0.0, 1e-4, "exact: nothing has yielded");
-  test::expect_close("omega* = 2: energy balance error", second.balance, 0.0, 5e-3, closes);
-  test::expect_close("omega* = 4: energy balance error", fourth.balance, 0.0, 5e-3, closes);
+  test::expect_close("alpha* = 1: peak F_Z / P_c", first.F_Z_peak, 1.0, 5e-4, green);
+  test::expect_close("alpha* = 1: net work / U_c", first.net, 0.0, 1e-4, "exact: nothing has yielded");
+  test::expect_close("alpha* = 2: energy balance error", second.balance, 0.0, 5e-3, closes);
+  test::expect_close("alpha* = 4: energy balance error", fourth.balance, 0.0, 5e-3, closes);
   // Finite elements (Vijaywargiya & Green 2007): with plastic flow the ratio of the forces does not vanish at alignment.
   const char* trend = "literature: Vijaywargiya & Green (2007), trend";
-  test::expect_within("omega* = 2: F_X / F_Z at X = 0", second.load_ratio, 1e-3, 5e-3, trend);
-  test::expect_within("omega* = 4: the same, over that of omega* = 2", fourth.load_ratio / second.load_ratio, 2.0, 8.0,
+  test::expect_within("alpha* = 2: F_X / F_Z at X = 0", second.load_ratio, 1e-3, 5e-3, trend);
+  test::expect_within("alpha* = 4: the same, over that of alpha* = 2", fourth.load_ratio / second.load_ratio, 2.0, 8.0,
                       trend);
   // The contact carries less than the elastic one, and pushes less on the way out than it resists on the way in.
   const auto elastic_peak = [&](double ratio)
@@ -205,14 +205,14 @@ TEST(CylinderTugging, TrendsOverTheInterference)
     const reference::ElasticTugging e{1.0, 1.0, contact_modulus(elastic, elastic), t.interference, yield.line};
     return reference::elastic_tugging_forces(e, 0.0).F_Z / yield.critical.load;
   };
-  test::expect_within("omega* = 2: peak F_Z / elastic", second.F_Z_peak / elastic_peak(2.0), 0.85, 1.0, "below Hertz");
-  test::expect_within("omega* = 4: peak F_Z / elastic", fourth.F_Z_peak / elastic_peak(4.0), 0.6,
+  test::expect_within("alpha* = 2: peak F_Z / elastic", second.F_Z_peak / elastic_peak(2.0), 0.85, 1.0, "below Hertz");
+  test::expect_within("alpha* = 4: peak F_Z / elastic", fourth.F_Z_peak / elastic_peak(4.0), 0.6,
                       second.F_Z_peak / elastic_peak(2.0), "below Hertz, and more so");
-  test::expect_within("omega* = 2: -min F_X / max F_X", -second.F_X_min / second.F_X_peak, 0.0, 0.95, trend);
-  test::expect_within("omega* = 4: -min F_X / max F_X", -fourth.F_X_min / fourth.F_X_peak, 0.0,
+  test::expect_within("alpha* = 2: -min F_X / max F_X", -second.F_X_min / second.F_X_peak, 0.0, 0.95, trend);
+  test::expect_within("alpha* = 4: -min F_X / max F_X", -fourth.F_X_min / fourth.F_X_peak, 0.0,
                       -second.F_X_min / second.F_X_peak, trend);
-  test::expect_close("omega* = 4: largest dent / omega", fourth.dent / 4.0, 0.1623, 0.003, "recorded: 14 cells");
-  test::expect_close("omega* = 4: net work / U_c", fourth.net, 19.2, 0.6, "recorded: 14 cells");
+  test::expect_close("alpha* = 4: largest dent / alpha", fourth.dent / 4.0, 0.1623, 0.003, "recorded: 14 cells");
+  test::expect_close("alpha* = 4: net work / U_c", fourth.net, 19.2, 0.6, "recorded: 14 cells");
 }
 
 TEST(CylinderTugging, SwappedBodiesMirrorThePassInUnitsOfTheWeakerOne)

@@ -105,7 +105,7 @@ TEST(RepeatedPasses, LoseLessAndKeepTheWholeTrack)
     const auto n = static_cast<std::size_t>(pass);
     const TuggingRecord* last = nullptr;
     for (const TuggingRecord& r : run.history)
-      if (r.pass == pass)
+      if (r.pass == pass + 1)
       {
         last = &r;
         peak[n] = std::max(peak[n], r.F_X);

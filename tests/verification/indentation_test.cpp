@@ -49,7 +49,7 @@ TEST(Indentation, LoadingTo25AgreesWithFiniteElements)
     const bool loading = r.step < static_cast<int>(deep_run().history.size()) / 2;
     if (!loading || std::abs(std::remainder(ratio, 5.0)) > 1e-6 || ratio < 5.0)
       continue;
-    const std::string label = "omega* = " + std::to_string(std::lround(ratio)) + ": P / P_c against ";
+    const std::string label = "alpha* = " + std::to_string(std::lround(ratio)) + ": P / P_c against ";
     const double jackson_green = reference::jackson_green_load(ratio, sphere);
     const double kogut_etsion = reference::kogut_etsion_load(ratio);
     test::expect_close(label + "Jackson & Green", r.F_n / critical().load, jackson_green, 0.05 * jackson_green,
@@ -70,9 +70,9 @@ TEST(Indentation, UnloadingAgreesWithFiniteElements)
   const double jackson = 1.02 * (1.0 - std::pow((w + 5.9) / 6.9, -0.54));
   const simulation::Indent& indent = deep_run().summary.indents.front();
   const double residual = indent.final_approach / indent.max_approach;
-  test::expect_within("residual over largest interference at omega* = 25", residual, 0.98 * etsion, 1.02 * jackson,
+  test::expect_within("residual over largest interference at alpha* = 25", residual, 0.98 * etsion, 1.02 * jackson,
                       "literature: Etsion, Kligerman & Kadin (2005), 0.530; Jackson, Chusoipin & Green (2005), 0.566");
-  // Shape of the unloading curve, P / P_max = ((omega - omega_res) / (omega_max - omega_res))^n.
+  // Shape of the unloading curve, P / P_max = ((alpha - alpha_res) / (alpha_max - alpha_res))^n.
   const double exponent = 1.5 * std::pow(w, -0.0331);
   for (const IndentationRecord& r : deep_run().history)
   {
@@ -105,7 +105,7 @@ TEST(Indentation, ConvergesWithTheMesh)
     // The edge's error, (dx/a)^1.5 times a factor below one, as for elastic spheres.
     const double allowed = 0.25 * std::pow(cells[i], -1.5);
     const std::string label = ", " + std::to_string(std::lround(cells[i])) + " cells per radius";
-    test::expect_close("load at omega* = 25" + label, loads[i] / loads.back(), 1.0, allowed, "finest of this series");
+    test::expect_close("load at alpha* = 25" + label, loads[i] / loads.back(), 1.0, allowed, "finest of this series");
     test::expect_close("residual interference" + label, residuals[i] / residuals.back(), 1.0, allowed,
                        "finest of this series");
   }
@@ -301,7 +301,7 @@ TEST(Indentation, OneLargeStepConverges)
   { return std::abs(run.summary.indents[0].max_load / small.summary.indents[0].max_load - 1.0); };
   test::expect_within("error of the load, four steps / one step", error(medium) / error(large), 0.0, 0.25,
                       "theory: order 2 in the step, 1/16; at least 1");
-  test::expect_within("evaluations of the two steps", static_cast<double>(large.summary.iterations), 2.0, 120.0,
+  test::expect_within("evaluations of the two steps", static_cast<double>(large.summary.evaluations), 2.0, 120.0,
                       "bound: one attempt each at most");
   EXPECT_EQ(large.summary.split_increments, 0);
 }
@@ -322,7 +322,7 @@ TEST(Indentation, UnitsDoNotMatter)
     c.solver.yield_tolerance = 1e-12;
     c.solver.displacement_tolerance = 1e-12;
     c.solver.contact_tolerance = 1e-14;
-    c.solver.max_iterations = 300;
+    c.solver.max_evaluations = 300;
     return computed(c).summary;
   };
   const simulation::IndentationSummary metre = scaled(1.0);

@@ -134,7 +134,7 @@ TEST(NormalLoading, LoadAgreesWithFiniteElements)
   {
     const double jackson_green = reference::jackson_green_load(ratio, sphere);
     const double kogut_etsion = reference::kogut_etsion_load(ratio);
-    std::string label = "omega* = " + std::to_string(std::lround(ratio)) + ": P / P_c against ";
+    std::string label = "alpha* = " + std::to_string(std::lround(ratio)) + ": P / P_c against ";
     test::expect_close(label + "Jackson & Green", load, jackson_green, band * jackson_green,
                        "literature: finite elements, Jackson & Green (2005)");
     test::expect_close(label + "Kogut & Etsion", load, kogut_etsion, band * kogut_etsion,
@@ -152,7 +152,7 @@ TEST(NormalLoading, LoadConvergesWithTheMesh)
   for (std::size_t i = 0; i + 1 < grids.size(); ++i)
     // The error of the contact's edge, as for elastic spheres: (dx/a)^1.5 times a factor below one, irregular because
     // the edge jumps from cell to cell.
-    test::expect_close("omega* = 9: P / P_c with " + std::to_string(std::lround(grids[i])) + " cells per radius",
+    test::expect_close("alpha* = 9: P / P_c with " + std::to_string(std::lround(grids[i])) + " cells per radius",
                        loads[i], finest, 0.25 * std::pow(grids[i], -1.5) * finest, "finest grid of this series");
 }
 

@@ -248,7 +248,7 @@ double yield_excess(const simulation::BodySnapshot& body, const Material& materi
 struct Outcome
 {
   int converged = 0, split = 0, grown = 0, compared = 0;
-  double iterations = 0.0, steps = 0.0, largest_excess = 0.0;
+  double evaluations = 0.0, steps = 0.0, largest_excess = 0.0;
   std::vector<double> balance; ///< errors of the energy balance with the path integration
 
   template <typename Scenario>
@@ -264,7 +264,7 @@ struct Outcome
     ++converged;
     grown += s.grid_changes.empty() ? 0 : 1;
     split += s.split_increments;
-    iterations += static_cast<double>(s.iterations);
+    evaluations += static_cast<double>(s.evaluations);
     steps += s.steps;
     for (const auto& r : result.history)
     {
@@ -328,7 +328,7 @@ struct Outcome
   void expect_sound(const std::string& scenario, double count)
   {
     test::expect_within(scenario + ": share of cases that converge", converged / count, 1.0, 1.0, "bound: all");
-    test::expect_within(scenario + ": evaluations per step, mean", iterations / steps, 1.0, 20.0,
+    test::expect_within(scenario + ": evaluations per step, mean", evaluations / steps, 1.0, 20.0,
                         "bound: a third of those allowed");
     test::expect_within(scenario + ": increments that had to be split", split, 0.0, 0.02 * steps,
                         "bound: one in fifty");

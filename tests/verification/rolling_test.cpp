@@ -233,7 +233,7 @@ TEST(Rolling, UnitsDoNotMatter)
     c.solver.yield_tolerance = 1e-12; // the number of iterations must not hang on rounding
     c.solver.displacement_tolerance = 1e-12;
     c.solver.contact_tolerance = 1e-14;
-    c.solver.max_iterations = 300;
+    c.solver.max_evaluations = 300;
     return computed(c).summary;
   };
   const auto metre = scaled(1.0);

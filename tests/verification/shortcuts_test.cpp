@@ -74,7 +74,7 @@ void take(const Run& run, Outcome& o)
   o.plastic_strain = run.summary.max_equivalent_plastic_strain;
   o.dissipation = run.summary.dissipation_lower + run.summary.dissipation_upper;
   o.residual = std::max(run.summary.max_residual_lower, run.summary.max_residual_upper);
-  o.evaluations = run.summary.iterations;
+  o.evaluations = run.summary.evaluations;
   for (const auto& record : run.history)
     o.force = std::max(o.force, record.F_n);
 }

@@ -14,7 +14,7 @@ struct Settings
   double yield_tolerance = 1e-4;        ///< largest violation of the yield condition, relative to the yield stress
   double displacement_tolerance = 1e-5; ///< largest change of residual displacement, relative to Scales::displacement
   double contact_tolerance = 1e-7;      ///< complementarity of the contact: gap relative to Scales::gap
-  int max_iterations = 60;              ///< evaluations per increment before it is split
+  int max_evaluations = 60;             ///< evaluations per increment before it is split
   int anderson_depth = 6;               ///< 0: plain fixed point
   Integration integration = Integration::path;
   /// Of two bodies that keep mirrored or equal fields, solve one: docs/theory/elastoplastic.md.

@@ -85,6 +85,7 @@ struct Entry
   Range range{};
   bool percent = false; ///< a pure number that may also be given as "1 %"
   std::vector<std::string> choices{};
+  bool degrees = false;            ///< an angle in degrees, that may also be given as "1.2 rad"
   bool per_axis = false;           ///< a choice that may also be given as a list, along x and along y
   bool required = false;           ///< where the condition holds
   std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset
@@ -110,6 +111,23 @@ struct Entry
 
 /// Entry of a key, or nullptr; also of one in a list of tables.
 [[nodiscard]] const Entry* find_entry(std::string_view key);
+
+/// A key that had another name before. That goes on working for a version, with a warning.
+struct OldName
+{
+  std::string_view old_key;
+  /// "solver.max_evaluations"; "a.b[].c" if the old key held a list, whose numbers are members c of the tables a.b now.
+  std::string_view key;
+};
+
+/// All of them. Nothing else has to be said of a new name, but in docs/user-guide.md.
+[[nodiscard]] const std::vector<OldName>& old_names();
+
+/// What stands under an old name; nullptr if it is none.
+[[nodiscard]] const OldName* find_old_name(std::string_view key);
+
+/// What to write instead, for messages.
+[[nodiscard]] std::string new_name_text(const OldName& name);
 
 /// Whether some entry lies in the table `key`.
 [[nodiscard]] bool is_table(std::string_view key);

@@ -6,6 +6,9 @@
 namespace brinell::io
 {
 
+/// Of the files of a run: docs/reference/results-format.md. It changes with the names and the meaning of what they hold.
+inline constexpr int format_version = 3;
+
 /// What computed a result.
 struct Versions
 {

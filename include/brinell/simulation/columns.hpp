@@ -49,8 +49,9 @@ namespace common
 {
 
 using Row = Column<StepRecord>;
-inline constexpr Row step{"step", "1", &StepRecord::step, "step, counts from 0 over all passes"};
-inline constexpr Row pass{"pass", "1", &StepRecord::pass, "pass, counts from 0"};
+inline constexpr Row step{"step", "1", &StepRecord::step,
+                          "step, counts from 0 over all passes: the row of the history"};
+inline constexpr Row pass{"pass", "1", &StepRecord::pass, "pass, counts from 1"};
 inline constexpr Row contact_area{"contact_area", "m^2", &StepRecord::contact_area, "contact area"};
 inline constexpr Row max_pressure{"max_pressure", "Pa", &StepRecord::max_pressure, "largest contact pressure"};
 inline constexpr Row F_n{"F_n", "N", &StepRecord::F_n, "force normal to the plane of contact"};
@@ -66,7 +67,7 @@ inline constexpr std::array<Row, 9> ending{{
     {"max_residual_upper", "m", &StepRecord::max_residual_upper, "largest residual displacement of the upper surface"},
     {"max_equivalent_plastic_strain", "1", &StepRecord::max_equivalent_plastic_strain,
      "largest equivalent plastic strain of both bodies"},
-    {"iterations", "1", &StepRecord::iterations, "evaluations of the elastic-plastic operator in this step"},
+    {"evaluations", "1", &StepRecord::evaluations, "evaluations of the elastic-plastic operator in this step"},
 }};
 
 /// The columns of a row: those that begin it, and the ending.
@@ -103,7 +104,7 @@ template <>
 inline constexpr auto columns<IndentationRecord> = common::row<IndentationRecord>({
     common::step,
     common::pass,
-    {"place", "1", &IndentationRecord::place, "index into the places of the indentation"},
+    {"place", "1", &IndentationRecord::place, "which of the places of the indentation, counts from 1"},
     {"x", "m", &IndentationRecord::x, "where the contact is on the lower body"},
     {"approach", "m", &IndentationRecord::approach, "approach of the bodies from first touch of the undeformed ones"},
     common::F_n,
@@ -158,7 +159,8 @@ inline constexpr std::array<Column<Indent>, 16> columns<Indent>{{
 }};
 
 template <>
-inline constexpr std::array<Column<RollingPass>, 12> columns<RollingPass>{{
+inline constexpr std::array<Column<RollingPass>, 13> columns<RollingPass>{{
+    {"pass", "1", &RollingPass::pass},
     {"rut_depth", "m", &RollingPass::rut_depth},
     {"shoulder_height", "m", &RollingPass::shoulder_height},
     {"max_equivalent_plastic_strain", "1", &RollingPass::max_equivalent_plastic_strain},

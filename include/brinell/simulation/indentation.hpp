@@ -40,9 +40,9 @@ struct IndentationPlan : Plan
 /// One row of the history.
 struct IndentationRecord : StepRecord
 {
-  int place = 0;               ///< which of the places
+  int place = 0;               ///< which of the places, counts from 1
   double x = 0.0;              ///< where it is [m]
-  double approach = 0.0;       ///< depth of the indenter from first touch of the undeformed bodies [m]
+  double approach = 0.0;       ///< of the bodies from first touch of the undeformed ones [m]
   double contact_radius = 0.0; ///< of the circle with the contact area [m]
   int contact_cells = 0;       ///< cells under pressure
   double mean_pressure = 0.0;  ///< load over projected contact area [Pa]
@@ -60,7 +60,7 @@ struct IndentationRecord : StepRecord
 /// One loading and unloading at one place: read at the largest load, and where the contact opens.
 struct Indent
 {
-  int place = 0, cycle = 0;
+  int place = 0, cycle = 0;  ///< which of the places, counts from 1, and which of its cycles; both count from 1
   double x = 0.0;            ///< [m]
   double max_load = 0.0;     ///< [N]
   double max_approach = 0.0; ///< at that load [m]

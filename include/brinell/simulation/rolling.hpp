@@ -54,6 +54,7 @@ struct RollingRecord : StepRecord
 /// What a pass has left, under the middle of the track.
 struct RollingPass
 {
+  int pass = 0;                               ///< counts from 1
   double rut_depth = 0.0;                     ///< residual displacement of the lower body at x = y = 0 [m]
   double shoulder_height = 0.0;               ///< largest height of its residual surface in the section x = 0 [m]
   double max_equivalent_plastic_strain = 0.0; ///< of both bodies

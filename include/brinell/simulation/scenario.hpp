@@ -135,12 +135,12 @@ struct RunningTotals
 /// What every row of a history tells. Files have its numbers by the names and units in simulation/columns.hpp.
 struct StepRecord : RunningTotals
 {
-  int step = 0;              ///< counts from 0
-  int pass = 0;              ///< counts from 0
+  int step = 0;              ///< counts from 0: the row of the history
+  int pass = 0;              ///< counts from 1
   double contact_area = 0.0; ///< [m^2]
   double max_pressure = 0.0; ///< [Pa]
   double F_n = 0.0;          ///< sum of the pressure [N]
-  int iterations = 0;        ///< evaluations of the elastic-plastic operator in this step
+  int evaluations = 0;       ///< evaluations of the elastic-plastic operator in this step
 };
 
 /// A grid was enlarged, because pressure or plastic strain had reached its edge.
@@ -195,7 +195,7 @@ struct Snapshot
 struct RunTotals : RunningTotals
 {
   int steps = 0;
-  long iterations = 0;
+  long evaluations = 0;
   int split_increments = 0;             ///< steps that did not converge whole: split, or solved by plain descent
   double energy_balance_error = 0.0;    ///< (work - dissipation - stored energy) / largest work reached
   std::vector<GridChange> grid_changes; ///< in the course of the run

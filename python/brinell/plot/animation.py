@@ -50,7 +50,7 @@ def animate(
     *,
     field: str = "von_mises_stress",
     plane: Plane | str | tuple[str, float] = "y=0",
-    pass_: int = 0,
+    pass_: int = 1,
     bodies: Bodies = "both",
     follow: Follow | None = None,
     cells: bool = False,
@@ -64,7 +64,7 @@ def animate(
         run: needs at least two stored states in the pass: `[output] snapshots = "all"` of the case stores all.
         field: one of `brinell.plot.QUANTITIES`.
         plane: normal to x or y; see `planes.plane_of`. A place along x counts from where `follow` says.
-        pass_: which pass; counts from 0.
+        pass_: which pass; counts from 1.
         bodies: "both", "lower" or "upper".
         follow: "contact": x counts from the centre of contact, which stays in the middle; "body", for a single one: x
             is that of the body. By default "contact" for two bodies, and "body" for one.
@@ -94,13 +94,16 @@ def _stored_in(run: Run, pass_: int) -> list[int]:
 
     Raises:
         RunError: fewer than two.
+        InputError: no pass has that number.
     """
+    if pass_ < 1:
+        raise InputError(f"pass_ = {pass_}; allowed: 1 or more, passes count from 1")
     of_pass = set(run.history["step"][run.history["pass"] == pass_].astype(int).tolist())
     steps = [step for step in run.steps if step in of_pass]
     if len(steps) < 2:
         stored = f"{len(steps)} stored {'state' if len(steps) == 1 else 'states'}"
         raise RunError(
-            f"{run.path}: {stored} in pass {pass_ + 1}, an animation needs two or more; "
+            f"{run.path}: {stored} in pass {pass_}, an animation needs two or more; "
             'store more with [output] snapshots = "all" in the case'
         )
     return steps

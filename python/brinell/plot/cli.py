@@ -196,7 +196,7 @@ plot.add_command(
 )
 plot.add_command(
     _several(
-        "Load over depth, imprint, contact pressure and, over a period, contact fraction of indentations.",
+        "Load over approach, imprint, contact pressure and, over a period, contact fraction of indentations.",
         indents.FIGURES,
     ),
     "indentation",
@@ -314,7 +314,7 @@ def _animate(
     path = output or folder_of(run) / "figures" / f"{field}.gif"
     moving.writer_of(path)
     animation = moving.animate(
-        opened, field=field, plane=plane, pass_=pass_ - 1, bodies=bodies, follow=follow, cells=cells
+        opened, field=field, plane=plane, pass_=pass_, bodies=bodies, follow=follow, cells=cells
     )
     click.echo(moving.save_animation(animation, path, frames_per_second=fps))
 

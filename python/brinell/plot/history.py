@@ -122,7 +122,7 @@ def _approach(ax: Axes, course: _Course) -> None:
     depth = course.scales.displacement(course.largest("approach"))
     course.draw(ax, "approach", depth, "approach", _LOWER)
     ax.set_title("approach")
-    ax.set_ylabel(depth.label("", r"\delta"))
+    ax.set_ylabel(depth.label("", r"\alpha"))
     if all(np.all(one["approach"] >= 0.0) for one in course.passes):
         ax.set_ylim(bottom=0.0)
 
@@ -162,7 +162,7 @@ def _residual_depth(ax: Axes, course: _Course) -> None:
 
 def _cost(ax: Axes, course: _Course) -> None:
     for x, one in zip(course.x, course.passes, strict=True):
-        ax.plot(x, one["iterations"], linestyle="none", marker="o", color=style.LOWER)
+        ax.plot(x, one["evaluations"], linestyle="none", marker="o", color=style.LOWER)
     ax.set_title("cost")
     ax.set_ylabel("evaluations per step")
     ax.yaxis.set_major_locator(MaxNLocator(integer=True))

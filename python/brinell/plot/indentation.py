@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Indentations: load over depth, the imprint that is left, and the contact pressure, of one run or several.
+"""Indentations: load over approach, the imprint that is left, and the contact pressure, of one run or several.
 
-SI with prefixes throughout. Depths of the indenter count from first touch of the undeformed bodies; heights of the
+SI with prefixes throughout. Approaches count from first touch of the undeformed bodies; heights of the
 imprint are out of the lower body: pile-up positive.
 """
 
@@ -32,7 +32,7 @@ _CELLS: Look = {"marker": "o", "markersize": 2.5}  # shows how fine the grid is
 
 @dataclass(frozen=True, eq=False)
 class _Line:
-    """Load over depth, SI."""
+    """Load over approach, SI."""
 
     depth: FloatArray
     load: FloatArray
@@ -103,7 +103,7 @@ def _hertz_line(runs: Sequence[Run], load: float) -> _Line | None:
 
 @style.figure
 def load_depth(runs: Sequence[Run]) -> Figure:
-    """Load over depth of the indenter, loading and unloading of all cycles; elastic spheres or cylinders dashed.
+    """Load over approach, loading and unloading of all cycles; elastic spheres or cylinders dashed.
 
     Where first yield exists and is the same for all runs, second axes give both over its values.
     """
@@ -119,11 +119,11 @@ def load_depth(runs: Sequence[Run]) -> Figure:
     ax.set_ylim(bottom=0.0)
     if all(np.all(line.depth >= 0.0) for line in lines):
         ax.set_xlim(left=0.0)
-    ax.set_xlabel(depth.label("depth of the indenter", r"\delta"))
+    ax.set_xlabel(depth.label("approach", r"\alpha"))
     ax.set_ylabel(load.label("load", "F_n"))
     common = common_scales(runs)
     if common:
-        twin_axis(ax, "x", depth, common.displacement(0.0), r"\delta")
+        twin_axis(ax, "x", depth, common.displacement(0.0), r"\alpha")
         twin_axis(ax, "y", load, common.force(0.0), "F_n")
     handles = list({line.look["label"]: line.look for line in lines}.values())
     if len(handles) > 1:  # above the curves, which begin at the lower left

@@ -189,7 +189,7 @@ def along_track(runs: Sequence[Run]) -> Figure:
     imposed = all(entry.run.case("rolling", "approach") is not None for entry in shown)
     quantities = [
         *(_OF_SLIDING if _all_slide(shown) and not imposed else [("F_X", "resistance", "F_X", "N")]),
-        ("F_n", "load", "F_n", "N") if imposed else ("approach", "approach", r"\delta", "m"),
+        ("F_n", "load", "F_n", "N") if imposed else ("approach", "approach", r"\alpha", "m"),
     ]
     length = si(largest(one["x"] for one, _ in lines), "m")
     fig = style.new_figure(6.6, 2.7 * len(quantities))

@@ -30,7 +30,7 @@ class Named:
 
 
 _INDENTATION = {
-    "load-depth": "Load over the depth of the indenter, all cycles; dashed, elastic spheres, if that is what touches.",
+    "load-depth": "Load over the approach, all cycles; dashed, elastic spheres, if that is what touches.",
     "imprint": "Residual surface of the lower body in two planes through the first place; below, its pile-up enlarged.",
     "contact-pressure": "Contact pressure in two planes at the largest load whose fields are stored.",
     "contact-fraction": "Real contact area over the nominal one, and mean gap, over the mean pressure on the period.",

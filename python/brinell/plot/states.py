@@ -82,7 +82,7 @@ def _course_of_tugging(run: Run, snapshot: Snapshot) -> list[str]:
 def _drive(snapshot: Snapshot) -> list[str]:
     """Pass, place and load of an indentation or a rolling."""
     return [
-        f"pass {snapshot.pass_ + 1}",
+        f"pass {snapshot.pass_}",
         f"$x$ = {_length(snapshot.row['x'])}",
         f"$F_n$ = {style.quantity(snapshot.row['F_n'], 'N') if snapshot.in_contact else 0}",
     ]

@@ -52,7 +52,6 @@ UNITS: Mapping[str, str] = {
             "coefficient",
             "saturation",
             "stress",
-            "kinematic_moduli",
             "value",
             "hertz_pressure",
             "pressure",
@@ -97,6 +96,9 @@ def _flattened(content: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, s
     for key, value in content.items():
         if isinstance(value, Mapping):
             yield from _flattened(value, f"{prefix}{key}.")
+        elif isinstance(value, list) and value and all(isinstance(one, Mapping) for one in value):
+            for index, one in enumerate(value):
+                yield from _flattened(one, f"{prefix}{key}[{index}].")
         else:
             unit = _NORMALISED.get(key) if normalised else None
             yield f"{prefix}{key}", _written(value, unit or UNITS.get(key, ""))

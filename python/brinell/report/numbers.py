@@ -77,7 +77,7 @@ def _of_tugging(run: Run) -> Iterator[Number]:
 def _of_indentation(run: Run) -> Iterator[Number]:
     history = run.history
     yield _force(run, "Largest load", float(history["F_n"].max()))
-    yield _depth(run, "Largest depth of the indenter", float(history["approach"].max()))
+    yield _depth(run, "Largest approach", float(history["approach"].max()))
     if run.complete:
         first = run.indents[0]
         yield Number("Hardness, first indent", text.quantity(first.hardness, "Pa"))
@@ -119,7 +119,7 @@ def cost_of(run: Run) -> list[Number]:
     grid, cost = summary.get("grid", {}), summary.get("run", {})
     found = [
         Number("steps", str(run.history.steps)),
-        Number("evaluations", str(int(np.sum(run.history["iterations"])))),
+        Number("evaluations", str(int(np.sum(run.history["evaluations"])))),
     ]
     if "wall_time_s" in cost:
         threads = cost.get("threads")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads what ``brinell run`` wrote: one folder, or its file ``result.vtkhdf`` alone.
 
-The format is docs/reference/results-format.md, version 2. All numbers are SI, angles in radians, depths into the body,
+The format is docs/reference/results-format.md, version 3. All numbers are SI (`theta` in radians), depths into the body,
 stresses positive in tension, pressure in compression. Everything that is wrong with a result is one `RunError` that
 says where and what.
 

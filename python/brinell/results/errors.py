@@ -6,11 +6,12 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Iterator, Sequence
 
+from brinell import _core
 from brinell.errors import InputError
 
 __all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "tells_damage"]
 
-FORMAT_VERSION = 2
+FORMAT_VERSION: int = _core.FORMAT_VERSION
 """Version of the results format that this package reads."""
 
 

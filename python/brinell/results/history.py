@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell._names import tell_old_name
 from brinell._reprs import column_table
 from brinell.errors import MissingExtraError
 from brinell.results.errors import RunError, listed
+from brinell.results.old_format import OLD_COLUMNS, columns_of_today, has_old_columns
 from brinell.results.scenarios import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, Scenario, scenario_of
 
 if TYPE_CHECKING:
@@ -49,6 +51,9 @@ class History(dict[str, Column]):
         )
 
     def __missing__(self, name: str) -> Column:
+        if name in OLD_COLUMNS:
+            tell_old_name(f"the column {name}", OLD_COLUMNS[name])
+            return self[OLD_COLUMNS[name]]
         raise KeyError(f"no column {name!r}; {self._alternatives(str(name))}")
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -128,14 +133,15 @@ def read_history(folder: Path) -> History:
     lines = text[: text.rfind("\n") + 1].splitlines()
     names = lines[0].split(",") if lines else []
     try:
-        scenario_of(names)
+        scenario_of([OLD_COLUMNS.get(name, name) for name in names])
     except RunError as error:
         raise RunError(f"{path}:1: {error}") from error
     rows = [_row(cells, names, f"{path}:{line}") for line, cells in enumerate(csv.reader(lines[1:]), start=2)]
     if not rows:
         raise RunError(f"{path}: no finished step")
     table = np.array(rows, dtype=np.float64)
-    return History({name: table[:, i] for i, name in enumerate(names)})
+    columns = {name: table[:, i] for i, name in enumerate(names)}
+    return History(columns_of_today(columns) if has_old_columns(names) else columns)
 
 
 def _row(cells: Sequence[str], names: Sequence[str], where: str) -> list[float]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, tells_damage
 from brinell.results.history import History
+from brinell.results.old_format import OLD_VERSION, columns_of_today
 from brinell.results.scenarios import Scenario, distance_from_middle
 from brinell.results.snapshots import Snapshot, row_of, snapshot_of
 
@@ -72,6 +73,7 @@ class ResultFile:
 
     def __init__(self, path: Source):
         self.path = path
+        self._is_old = False
         if isinstance(path, MemoryFile):
             self._file = path.opened
             return
@@ -92,8 +94,9 @@ class ResultFile:
         kind, version = (self._file.attrs.get(name) for name in ("format", "format_version"))
         if not isinstance(kind, str) or kind != "brinell-result":
             raise RunError(f"{self.path}: not a result of brinell")
-        if np.ndim(version) != 0 or version != FORMAT_VERSION:
+        if np.ndim(version) != 0 or version not in (OLD_VERSION, FORMAT_VERSION):
             raise RunError(f"{self.path}: format version {version}, this program reads version {FORMAT_VERSION}")
+        self._is_old = bool(version == OLD_VERSION)
 
     def __enter__(self) -> ResultFile:
         return self
@@ -120,7 +123,7 @@ class ResultFile:
         if not columns:
             raise RunError(f"{self.path}: no finished step")
         try:
-            return History(columns)
+            return History(columns_of_today(columns) if self._is_old else columns)
         except RunError as error:
             raise RunError(f"{self.path}: /history: {error}") from error
 
@@ -148,7 +151,13 @@ class ResultFile:
         name = self._group_name(which, scenario)
         group = self.group(name)
         with tells_damage(self.path, f"/{name}"):
-            return snapshot_of(group, _Components(self.path, name, owner), scenario, is_final=which == "final")
+            components = _Components(self.path, name, owner)
+            return snapshot_of(group, self._row(group), components, scenario, is_final=which == "final")
+
+    def _row(self, group: h5py.Group) -> dict[str, float]:
+        """A step's row of the history."""
+        row = row_of(group)
+        return columns_of_today(row) if self._is_old else row
 
     def group(self, name: str) -> h5py.Group:
         """A step; while the run has not finished it is a link to a file in snapshots/."""
@@ -181,5 +190,5 @@ class ResultFile:
         if not names:
             raise RunError(f"{self.path}: no stored step; [output] of the case chooses them")
         with tells_damage(self.path, "/steps"):
-            rows = {name: row_of(self.group(name)) for name in names}
+            rows = {name: self._row(self.group(name)) for name in names}
             return min(names, key=lambda name: (rows[name]["pass"], distance_from_middle(scenario, rows[name])))

@@ -20,6 +20,7 @@ from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.fields import field_names, labelled_field
 from brinell.results.history import History, read_history
 from brinell.results.labelled import Labelled
+from brinell.results.old_format import OLD_VERSION, summary_of_today
 from brinell.results.result_file import FILE_NAME, MemoryFile, ResultFile, Source
 from brinell.results.scenarios import Indent, RollingPass, Scenario, TrackProfile, parsed
 from brinell.results.snapshots import Snapshot
@@ -428,8 +429,10 @@ def _checked_summary(text: str, path: Path, scenario: Scenario) -> dict[str, Any
         raise RunError(f"{place}: not a summary of brinell") from error
     if not isinstance(summary, dict) or summary.get("format") != "brinell-summary":
         raise RunError(f"{place}: not a summary of brinell")
-    if summary.get("format_version") != FORMAT_VERSION:
-        version = summary.get("format_version")
+    version = summary.get("format_version")
+    if version == OLD_VERSION:
+        summary = summary_of_today(summary, FORMAT_VERSION)
+    elif version != FORMAT_VERSION:
         raise RunError(f"{place}: format version {version}, this program reads version {FORMAT_VERSION}")
     if summary.get("scenario") != scenario:
         raise RunError(f"{place}: is of scenario {summary.get('scenario')!r}, but the history of {scenario!r}")

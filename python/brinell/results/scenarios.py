@@ -105,15 +105,15 @@ class Indent:
     """One loading and unloading at one place: read at the largest load, and where the contact opens."""
 
     place: int
-    """Index into the places of the case."""
+    """Which of the places of the case; counts from 1."""
     cycle: int
-    """Of the loads at this place; counts from 0."""
+    """Of the loads at this place; counts from 1."""
     x: float
     """Where the indenter's apex is on the lower body [m]."""
     max_load: float
     """[N]."""
     max_approach: float
-    """Depth of the indenter at that load, from first touch of the undeformed bodies [m]."""
+    """Approach at that load, from first touch of the undeformed bodies [m]."""
     contact_area: float
     """Projected, at that load [m^2]."""
     hardness: float
@@ -142,6 +142,8 @@ class Indent:
 class RollingPass:
     """What one pass has left, under the middle of the track."""
 
+    pass_: int
+    """Which one; counts from 1."""
     rut_depth: float
     """Residual displacement of the lower body at x = y = 0, into the body positive [m]."""
     shoulder_height: float
@@ -200,13 +202,14 @@ def parsed(kind: type[_T], entry: Any, where: str) -> _T:
     """
     values = {}
     for one in fields(kind):
-        if one.default is not MISSING and not any(one.name + unit in entry for unit in _UNITS):
+        name = one.name.rstrip("_")  # of `pass_`, which is no name in Python
+        if one.default is not MISSING and not any(name + unit in entry for unit in _UNITS):
             continue  # a result of an older version
         try:
-            key = next(one.name + unit for unit in _UNITS if one.name + unit in entry)
+            key = next(name + unit for unit in _UNITS if name + unit in entry)
             values[one.name] = _READERS[str(one.type)](entry[key])
         except (StopIteration, OverflowError, TypeError, ValueError) as error:
-            raise RunError(f"{where}: no {one.name} that can be read") from error
+            raise RunError(f"{where}: no {name} that can be read") from error
     return kind(**values)
 
 

@@ -157,16 +157,16 @@ class Snapshot:
 
     def __repr__(self) -> str:
         which = "final state" if self.is_final else f"step {self.step}"
-        return f"<Snapshot {self.scenario} {which}, pass {self.pass_ + 1}>"
+        return f"<Snapshot {self.scenario} {which}, pass {self.pass_}>"
 
     @property
     def step(self) -> int:
-        """Number of the step."""
+        """Number of the step, from 0: its row of the history."""
         return int(self.row["step"])
 
     @property
     def pass_(self) -> int:
-        """Counts from 0."""
+        """Counts from 1."""
         return int(self.row["pass"])
 
     @property
@@ -192,11 +192,14 @@ ReadComponent = Callable[[str, str, str], FloatArray]
 """Of a body ("lower"), a tensor ("stress") and a component ("xx")."""
 
 
-def snapshot_of(group: h5py.Group, read: ReadComponent, scenario: Scenario, *, is_final: bool) -> Snapshot:
+def snapshot_of(
+    group: h5py.Group, row: Mapping[str, float], read: ReadComponent, scenario: Scenario, *, is_final: bool
+) -> Snapshot:
     """The fields in a group of the file.
 
     Args:
         group: of the state.
+        row: of the history, of its step.
         read: gives components of tensors later, when the file is closed.
         scenario: of the run.
         is_final: whether it is the state after the last step.
@@ -206,7 +209,7 @@ def snapshot_of(group: h5py.Group, read: ReadComponent, scenario: Scenario, *, i
     """
     return Snapshot(
         scenario=scenario,
-        row=row_of(group),
+        row=row,
         is_final=is_final,
         contact=_contact(group["contact"]),
         lower=_body(group["lower"], partial(read, "lower")),

@@ -132,7 +132,7 @@ def _tell_warning(
     file: TextIO | None = None,
     line: str | None = None,
 ) -> None:
-    prefix = "brinell: warning" if issubclass(category, CaseWarning) else category.__name__
+    prefix = "brinell: warning" if issubclass(category, CaseWarning | FutureWarning) else category.__name__
     click.echo(f"{prefix}: {message}", err=True)
 
 

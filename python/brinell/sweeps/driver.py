@@ -17,13 +17,15 @@ import pandas as pd
 from tqdm.auto import tqdm
 
 from brinell import _core
+from brinell._names import tell_old_name
 from brinell.case import Case, CaseWarning
 from brinell.errors import InputError
 from brinell.results import Run, open_run
+from brinell.results.old_format import table_of_today
 from brinell.sweeps.axes import Axis, Choices, axis_of
 from brinell.sweeps.designs import Design, Point, points_of
 from brinell.sweeps.folder import FORMAT_VERSION, Ledger, locked, read_record, run_folder, start_folder
-from brinell.sweeps.lists import table_of, with_whole_lists
+from brinell.sweeps.lists import key_of_today, table_of, with_whole_lists
 from brinell.sweeps.point import Outcome, Task
 from brinell.sweeps.pools import DaskPool, LocalPool, Lost, Pool
 
@@ -87,7 +89,8 @@ def open_sweep(path: str | Path) -> Sweep:
     path = Path(path)
     if read_record(path) is None or not (path / "table.parquet").is_file():
         raise InputError(f"{path}: no sweep, or none of which a run has ended")
-    return Sweep(path, pd.read_parquet(path / "table.parquet"))
+    table = pd.read_parquet(path / "table.parquet")
+    return Sweep(path, pd.DataFrame(table_of_today(dict(table.items()))))
 
 
 def sweep(
@@ -174,12 +177,18 @@ def sweep(
 
 
 def _axes(over: Mapping[str, Any]) -> dict[str, Axis]:
-    axes = {}
-    for key, given in over.items():
+    axes: dict[str, Axis] = {}
+    for name, given in over.items():
         try:
-            axes[key] = axis_of(given)
+            axis = axis_of(given)
         except InputError as error:
-            raise InputError(f"{key}: {error}") from error
+            raise InputError(f"{name}: {error}") from error
+        key = key_of_today(name)
+        if key in axes:
+            raise InputError(f"{name} is an old name of {key}, which is an axis, too; keep one of them")
+        if key != name:
+            tell_old_name(name, key)
+        axes[key] = axis
     return axes
 
 
@@ -199,8 +208,8 @@ def _case_texts(base: Case, points: list[Point]) -> list[str]:
             except InputError as error:
                 values = ", ".join(f"{key} = {value}" for key, value in point.items())
                 raise InputError(f"run {index} ({values}): {error}") from error
-    for text in dict.fromkeys(str(warning.message) for warning in caught):
-        warnings.warn(text, CaseWarning, stacklevel=3)
+    for text, category in dict.fromkeys((str(warning.message), warning.category) for warning in caught):
+        warnings.warn(text, category, stacklevel=3)
     return texts
 
 

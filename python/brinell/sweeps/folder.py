@@ -19,8 +19,9 @@ from typing import Any
 import pandas as pd
 
 from brinell.errors import InputError, IoError
+from brinell.results.old_format import case_of_today
 from brinell.sweeps.designs import Point
-from brinell.sweeps.lists import entry_of
+from brinell.sweeps.lists import entry_of, key_of_today
 from brinell.sweeps.point import HARMLESS, Outcome, finished_summary
 
 __all__ = [
@@ -103,7 +104,7 @@ def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool, retry_f
     of_case = _case_differences(earlier["case"], now["case"])
     changed = {key for key in of_case if retry_failed and _is_numerical(key)}
     differences = [told for key, told in of_case.items() if key not in changed]
-    differences += _axis_differences(earlier["axes"], now["axes"])
+    differences += _axis_differences({key_of_today(key): axis for key, axis in earlier["axes"].items()}, now["axes"])
     differences += [
         f"{key} was {earlier[key]}, is {now[key]}" for key in ("design", "samples", "seed") if earlier[key] != now[key]
     ]
@@ -144,7 +145,8 @@ def read_record(path: Path) -> dict[str, Any] | None:
 
 def _case_differences(earlier: str, now: str) -> dict[str, str]:
     """Dotted key and what is told of it."""
-    before, after = flattened(tomllib.loads(earlier), lists=True), flattened(tomllib.loads(now), lists=True)
+    before = flattened(case_of_today(tomllib.loads(earlier)), lists=True)
+    after = flattened(tomllib.loads(now), lists=True)
     keys = [key for key in {**before, **after} if before.get(key) != after.get(key) and key not in HARMLESS]
     return {key: f"{key} of the case was {_short(before.get(key))}, is {_short(after.get(key))}" for key in keys}
 
@@ -305,10 +307,14 @@ def _at(case: Mapping[str, Any], key: str, otherwise: object) -> Any:
         whole = _at(case, of_list[0], [])
         return whole[of_list[1]] if len(whole) > of_list[1] else otherwise
     entry: Any = case
-    for name in key.split("."):
-        if not isinstance(entry, Mapping) or name not in entry:
+    for part in key.replace("[", ".[").split("."):
+        if part.startswith("[") and isinstance(entry, list):
+            index = int(part[1:-1])
+            entry = entry[index] if index < len(entry) else None
+        elif isinstance(entry, Mapping) and part in entry:
+            entry = entry[part]
+        else:
             return otherwise  # a file, say, whose content stands in the case
-        entry = entry[name]
     return entry
 
 

@@ -263,19 +263,21 @@ std::vector<double> numbers(const CaseReader& reader, const std::string& key)
   return reader.has(key) ? reader.get<std::vector<double>>(key) : std::vector<double>{};
 }
 
-std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseReader& reader, const std::string& table)
+/// One term per table of the list; a table without a modulus is a problem, none at all is none.
+std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseReader& reader, const std::string& list)
 {
-  const std::vector<double> moduli = numbers(reader, table + "kinematic_moduli");
-  std::vector<double> recall = numbers(reader, table + "kinematic_recall");
-  if (recall.empty())
-    recall.assign(moduli.size(), 0.0);
-  if (recall.size() != moduli.size())
-    throw InputError(fmt::format("needs one number in {0}kinematic_recall for each of {0}kinematic_moduli; there are "
-                                 "{1} and {2}",
-                                 table, recall.size(), moduli.size()));
   std::vector<constitutive::KinematicTerm> terms;
-  for (std::size_t i = 0; i < moduli.size(); ++i)
-    terms.push_back({moduli[i], recall[i]});
+  for (const std::string& table : reader.raw.tables_of(list))
+  {
+    const bool has_recall = reader.has(table + ".recall");
+    if (reader.has(table + ".modulus"))
+      terms.push_back(
+          {reader.get<double>(table + ".modulus"), has_recall ? reader.get<double>(table + ".recall") : 0.0});
+    else if (has_recall || reader.raw.lists.contains(list))
+      reader.problems.add(
+          reader.place(has_recall ? table + ".recall" : table + ".modulus"),
+          fmt::format("{}.modulus is missing; allowed: {}", table, allowed_values(*find_entry(table + ".modulus"))));
+  }
   return terms;
 }
 
@@ -328,8 +330,7 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
     }
   };
   attempt(law, law, [&] { result.hardening = hardening_law(reader, hardening); });
-  attempt(hardening + "kinematic_recall", hardening + "kinematic_moduli",
-          [&] { result.kinematic = kinematic_terms(reader, hardening); });
+  result.kinematic = kinematic_terms(reader, hardening + "back_stresses");
   attempt(table + "yield_profile.factor", table + "yield_profile.depth",
           [&] { result.yield_factor = profile(reader, table + "yield_profile.", "factor"); });
   attempt(table + "initial_stress.value", table + "initial_stress.depth",

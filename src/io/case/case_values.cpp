@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 namespace brinell::io
@@ -56,6 +57,20 @@ double from_percent(const std::string& text, const Raw& raw, const Entry& entry)
   return is_percent ? x / 100.0 : x;
 }
 
+/// "70.3 deg", "70.3°" or "1.2 rad" in degrees.
+double from_angle(const std::string& text, const Raw& raw, const Entry& entry)
+{
+  double x = 0.0;
+  const char* end = text.data() + text.size();
+  auto [rest, error] = std::from_chars(text.data(), end, x);
+  while (rest != end && *rest == ' ')
+    ++rest;
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  if (error != std::errc{} || (unit != "deg" && unit != "\u00b0" && unit != "rad"))
+    throw wrong_type(raw, entry, true);
+  return unit == "rad" ? x * 180.0 / std::numbers::pi : x;
+}
+
 double number(const Raw& raw, const Entry& entry, bool pure)
 {
   double x = 0.0;
@@ -65,6 +80,8 @@ double number(const Raw& raw, const Entry& entry, bool pure)
     x = *d;
   else if (const auto* share = std::get_if<std::string>(&raw.value); share && entry.percent)
     x = from_percent(*share, raw, entry);
+  else if (const auto* angle = std::get_if<std::string>(&raw.value); angle && entry.degrees)
+    x = from_angle(*angle, raw, entry);
   else if (const auto* s = std::get_if<std::string>(&raw.value); s && entry.dimension != dimension::none)
     x = from_quantity(*s, entry, pure);
   else

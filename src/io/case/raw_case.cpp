@@ -3,6 +3,7 @@
 
 #include "brinell/io/schema.hpp"
 #include "io/files.hpp"
+#include "old_names.hpp"
 #include "suggestion.hpp"
 #include "value_text.hpp"
 
@@ -49,6 +50,7 @@ struct Target
   RawCase& raw_case;
   Problems& problems;
   std::string override_place; ///< empty for the file itself
+  std::vector<GivenByOldName> by_old_names{};
 
   [[nodiscard]] std::string place(const toml::source_region& region) const
   {
@@ -91,6 +93,8 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
     const std::string place = target.place(key.source());
     if (key.str().find('[') != key.str().npos) // in quotes: the number of a table is not for a file to write
       target.problems.add(place, fmt::format("unknown key {}; {}", path, suggestion(path)));
+    else if (const OldName* old = find_old_name(path))
+      target.by_old_names.push_back({old, {raw_value(node), place, !target.override_place.empty()}});
     else if (find_entry(path))
       target.raw_case.values.insert_or_assign(path, Given{raw_value(node), place, !target.override_place.empty()});
     else if (is_table(path) && node.is_table())
@@ -237,12 +241,14 @@ void apply_override(const std::string& text, RawCase& raw_case, Problems& proble
   {
     forget_table(raw_case, key);
     flatten(*node.as_table(), key + ".", target);
+    take_old_names(std::move(target.by_old_names), raw_case, problems);
     return;
   }
   toml::table wrapped; // the same checks as for a key of the file, whose last part alone is a key here
   const auto dot = key.rfind('.');
   wrapped.insert(dot == key.npos ? key : key.substr(dot + 1), node);
   flatten(wrapped, dot == key.npos ? "" : key.substr(0, dot + 1), target);
+  take_old_names(std::move(target.by_old_names), raw_case, problems);
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file)
@@ -352,9 +358,11 @@ RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
   raw_case.folder = file.parent_path();
   Target target{raw_case, problems, ""};
   flatten(parse_toml(text, file.string()), "", target);
+  take_old_names(std::move(target.by_old_names), raw_case, problems);
   for (const std::string& item : overrides)
     apply_override(item, raw_case, problems);
   check_lists(raw_case, problems);
+  check_old_lists(raw_case, problems);
   return raw_case;
 }
 

@@ -38,6 +38,7 @@ struct Given
   Raw raw;
   std::string place; ///< "file:line" or "--set key=value"; empty as in RawCase::file
   bool from_command_line = false;
+  std::string_view old_name{}; ///< by which it was given; empty if by its own
 };
 
 /// The keys of a case file that the schema knows, with the overrides applied. Those of a list of tables are numbered from 0:
@@ -50,6 +51,9 @@ struct RawCase
   std::map<std::string, std::string, std::less<>> tables; ///< places of the tables, for keys that are missing in them
 
   std::map<std::string, int, std::less<>> lists; ///< tables that stand several times, and how often
+
+  std::map<std::string, int, std::less<>> by_old_name; ///< old keys that were given, with the lengths of their lists
+  std::vector<simulation::Warning> warnings;           ///< of old names
 
   [[nodiscard]] const Given* find(std::string_view key) const;
   /// The table itself, or each one of its list.

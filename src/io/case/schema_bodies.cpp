@@ -76,6 +76,7 @@ Entries shape_entries(const std::string& table)
           parameter(type, shape_options(),
                     {.key = "half_angle",
                      .range = inside(0.0, 90.0),
+                     .degrees = true,
                      .text = "Angle between axis and flank of the cone, in degrees.",
                      .hint = "a blunt cone keeps strains small, as 70.3 of the same area as a Vickers pyramid"}),
           parameter(type, shape_options(),
@@ -340,19 +341,34 @@ Entries hardening_entries(const std::string& table, const Condition& yields)
            .fallback = false,
            .text = "Whether a stress below an earlier one, as the scatter of a measurement has it, becomes that one.",
            .when = of_table},
-          {.key = "kinematic_moduli",
-           .type = Type::numbers,
+      });
+}
+
+/// Kinematic hardening of one body, beside any law: a list of tables, one per back stress.
+Entries back_stress_entries(const std::string& list, const Condition& yields)
+{
+  Entries entries = in_table(
+      list + ".", yields,
+      {
+          {.key = "modulus",
+           .type = Type::number,
            .dimension = dimension::pressure,
            .range = at_least(0.0),
            .unset = "no back stress",
-           .text = "Kinematic hardening beside any law: moduli C of the back stresses, d alpha = 2/3 C d eps - recall "
-                   "alpha d e (Armstrong and Frederick; several: Chaboche)."},
-          {.key = "kinematic_recall",
-           .type = Type::numbers,
+           .text =
+               "Kinematic hardening beside any law: modulus C of a back stress, d alpha = 2/3 C d eps - recall "
+               "alpha d e (Armstrong and Frederick). Several of them (Chaboche) are a list of tables: back_stresses "
+               "= [{modulus = \"90 GPa\", recall = 600}, {modulus = \"10 GPa\", recall = 50}]; --set then names "
+               "one as back_stresses[0].modulus."},
+          {.key = "recall",
+           .type = Type::number,
            .range = at_least(0.0),
-           .unset = "zeros: linear (Prager)",
-           .text = "Recall of each back stress; it saturates at C / recall in uniaxial tension."},
+           .unset = "0: linear (Prager)",
+           .text = "Recall of the back stress, which saturates at C / recall in uniaxial tension."},
       });
+  for (Entry& entry : entries)
+    entry.list = list;
+  return entries;
 }
 
 /// What changes with depth in one body.
@@ -395,7 +411,8 @@ std::vector<Entry> body_entries(const std::string& body)
   const Condition yields{material + "hardening.law", names_of(law_options())};
   std::vector<Entry> entries;
   for (auto part : {shape_entries(body + ".shape."), texture_entries(body + ".texture."), material_entries(material),
-                    hardening_entries(material + "hardening.", yields), depth_entries(material, yields)})
+                    hardening_entries(material + "hardening.", yields),
+                    back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields)})
     entries.insert(entries.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return entries;
 }

@@ -2,6 +2,7 @@
 #include "brinell/io/schema.hpp"
 #include "value_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +23,7 @@ Json number_schema(const Entry& entry, const char* type)
     number[entry.range.min_allowed ? "minimum" : "exclusiveMinimum"] = entry.range.min;
   if (std::isfinite(entry.range.max))
     number[entry.range.max_allowed ? "maximum" : "exclusiveMaximum"] = entry.range.max;
-  if (entry.dimension == dimension::none && !entry.percent)
+  if (entry.dimension == dimension::none && !entry.percent && !entry.degrees)
     return number;
   return {{"anyOf", Json::array({number, {{"type", "string"}}})}};
 }
@@ -66,6 +67,16 @@ Json table()
   return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
 }
 
+/// Tables of which there may be several, as one table or as a list.
+std::vector<std::string> lists_of_tables()
+{
+  std::vector<std::string> lists;
+  for (const Entry& entry : case_schema())
+    if (!entry.list.empty() && (lists.empty() || lists.back() != entry.list))
+      lists.push_back(entry.list);
+  return lists;
+}
+
 } // namespace
 
 std::string schema_json()
@@ -85,6 +96,18 @@ std::string schema_json()
       key.remove_prefix(dot + 1);
     }
     (*parent)["properties"][std::string(key)] = entry_schema(entry);
+  }
+  for (const std::string& list : lists_of_tables())
+  {
+    Json* place = &root;
+    std::string_view rest = list;
+    for (std::string_view name; !rest.empty(); rest.remove_prefix(std::min(rest.size(), name.size() + 1)))
+    {
+      name = rest.substr(0, rest.find('.'));
+      place = &(*place)["properties"][std::string(name)];
+    }
+    const Json one = *place;
+    *place = {{"anyOf", Json::array({one, {{"type", "array"}, {"items", one}}})}};
   }
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "A case of brinell"}};
   schema.update(root);

@@ -91,6 +91,9 @@ A case is a [TOML](https://toml.io) file. Dotted keys and tables mean the same: 
 Units are products of m, g, s, K, N, Pa, bar, J, W with the prefixes p n u (or µ) c m k M G T, `*` or a space between,
 `/` before each one that divides. A quantity of the wrong dimension is an error.
 
+**Old names.** Keys that had another name before are understood for a version, with a warning: see [names that have
+changed](../user-guide.md#names-that-have-changed).
+
 **Errors.** Unknown keys, missing keys, wrong types and impossible values are errors, reported together with file and line.
 
 **Command line.** `--set key=value` replaces or adds a key, as in `--set tugging.interference=4 --set lower.shape.radius="2 mm"`.
@@ -134,6 +137,7 @@ std::string allowed_values(const Entry& entry)
     return with_range("integer", entry.range);
   case Type::number:
     return with_range(pure ? "number" : dimension_name(entry.dimension), entry.range) + unit_note(entry.dimension) +
+           (entry.degrees ? ", in degrees or with a unit as in \"1.2 rad\"" : "") +
            (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
   case Type::vector3:
     return with_range(fmt::format("three {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range) +
@@ -149,6 +153,8 @@ std::string allowed_values(const Entry& entry)
 
 std::string schema_text(std::string_view part)
 {
+  if (const OldName* old = find_old_name(part))
+    throw InputError(fmt::format("{} is now called {}", part, new_name_text(*old)));
   if (!part.empty() && !find_entry(part) && !is_table(part))
     throw InputError(fmt::format("there is no key {}; {}", part, suggestion(part)));
   std::string text;

@@ -85,7 +85,7 @@ std::vector<Entry> indentation_entries()
        .dimension = dimension::length,
        .range = at_least(0.0),
        .unset = "indentation.load",
-       .text = "The same, imposed as depth of the indenter from the touch of the undeformed bodies.",
+       .text = "The same, imposed as approach of the bodies from the touch of the undeformed ones.",
        .excludes = "indentation.load",
        .pure_if = "indentation.normalised"},
       {.key = "indentation.pressure",

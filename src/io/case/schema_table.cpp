@@ -4,6 +4,9 @@
 #include "brinell/simulation/tugging.hpp"
 #include "schema_parts.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace brinell::io
 {
 
@@ -106,12 +109,12 @@ std::vector<Entry> solver_entries()
       entry("yield_tolerance", &Settings::yield_tolerance, inside(0.0, 0.1),
             "Largest violation of the yield condition, relative to the yield stress."),
       entry("displacement_tolerance", &Settings::displacement_tolerance, inside(0.0, 0.1),
-            "Largest change of the residual displacement in the last iteration, relative to the approach at first "
+            "Largest change of the residual displacement in the last evaluation, relative to the approach at first "
             "yield."),
       entry("contact_tolerance", &Settings::contact_tolerance, inside(0.0, 0.1),
             "Complementarity of the contact: largest gap under pressure, relative to the largest approach."),
-      entry("max_iterations", &Settings::max_iterations, between(1, 100000),
-            "Iterations of an increment before it is split."),
+      entry("max_evaluations", &Settings::max_evaluations, between(1, 100000),
+            "Evaluations of an increment before it is split."),
       entry("anderson_depth", &Settings::anderson_depth, between(0, 50),
             "Earlier iterates used to accelerate the iteration; 0: plain fixed point."),
       entry("integration", &Settings::integration, {},
@@ -197,6 +200,33 @@ const Entry* find_entry(std::string_view key)
     if (entry.key == key)
       return &entry;
   return nullptr;
+}
+
+const std::vector<OldName>& old_names()
+{
+  static const std::vector<OldName> names{
+      {"solver.max_iterations", "solver.max_evaluations"},
+      {"lower.material.hardening.kinematic_moduli", "lower.material.hardening.back_stresses[].modulus"},
+      {"lower.material.hardening.kinematic_recall", "lower.material.hardening.back_stresses[].recall"},
+      {"upper.material.hardening.kinematic_moduli", "upper.material.hardening.back_stresses[].modulus"},
+      {"upper.material.hardening.kinematic_recall", "upper.material.hardening.back_stresses[].recall"},
+  };
+  return names;
+}
+
+const OldName* find_old_name(std::string_view key)
+{
+  const auto found =
+      std::find_if(old_names().begin(), old_names().end(), [&](const OldName& name) { return name.old_key == key; });
+  return found == old_names().end() ? nullptr : &*found;
+}
+
+std::string new_name_text(const OldName& name)
+{
+  const auto list = name.key.find("[]");
+  return list == name.key.npos
+             ? std::string(name.key)
+             : fmt::format("{}, a list of tables with the key {}", name.key.substr(0, list), name.key.substr(list + 3));
 }
 
 std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario)

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 /// Parts of a summary that hold results.
 constexpr const char* result_parts[] = {"load_ratio", "forces", "energy", "residual", "indents", "passes"};
 /// What in them is no result: which one it is, where, and the energies' own error.
-constexpr const char* no_results[] = {"place", "cycle", "x_m", "balance_error"};
+constexpr const char* no_results[] = {"place", "cycle", "pass", "x_m", "balance_error"};
 
 void collect(const Json& json, const std::string& name, Numbers& numbers)
 {

@@ -31,7 +31,7 @@ struct Known
 /// The summary goes first.
 constexpr Known known_files[] = {
     {.name = "summary.json", .within = "brinell-summary"},
-    {.name = "history.csv", .begin = "step,pass,", .within = ",iterations"},
+    {.name = "history.csv", .begin = "step,pass,", .within = ",energy_residual,"},
     {.name = "result.vtkhdf", .begin = "\x89HDF", .within = result_mark},
     {.name = "resolved.toml", .begin = "scenario = ", .end = "\ncheckpoint_interval = "},
     {.name = checkpoint_file, .end = checkpoint_mark},

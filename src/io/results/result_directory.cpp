@@ -156,9 +156,12 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
     throw nothing_to_resume(folder);
   const std::string text = input_text(folder / "resolved.toml", std::numeric_limits<std::size_t>::max());
   if (without_extent(text) != without_extent(resolved_text(c.values)))
+  {
+    static_cast<void>(read_checkpoint(folder / checkpoint_file)); // of another program, whose keys may have other names
     throw InputError(fmt::format("{}: the run that was stopped there is of another case: compare resolved.toml there "
                                  "with what brinell check prints; without --resume it is replaced",
                                  folder.string()));
+  }
   return read_checkpoint(folder / checkpoint_file);
 }
 

@@ -27,7 +27,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int format_version = 2;
 constexpr const char* file_name = "result.vtkhdf";
 constexpr const char *piece_group = "state", *final_group = "/final";
 constexpr std::size_t most_shown = 30; ///< states in /VTKHDF of an unfinished file, which is written anew for each

@@ -182,7 +182,7 @@ Json head_json(const Case& c)
 {
   Json json;
   json["format"] = "brinell-summary";
-  json["format_version"] = 2;
+  json["format_version"] = format_version;
   json["complete"] = true;
   json["scenario"] = c.values.get<std::string>("scenario");
   json["title"] = c.title;
@@ -232,7 +232,7 @@ std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo
   const Json grid = grid_json(s);
   json["grid"].update(grid);
   json["run"] = {{"steps", s.steps},
-                 {"iterations", s.iterations},
+                 {"evaluations", s.evaluations},
                  {"split_increments", s.split_increments},
                  {"threads", info.threads},
                  {"wall_time_s", info.wall_time}};

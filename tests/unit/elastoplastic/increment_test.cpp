@@ -202,7 +202,7 @@ TEST(IncrementTest, FailedIncrementLeavesEverythingAsItWas)
     options.upper_plastic = both;
     options.spare_columns = 4;
     options.hardening_modulus = 20e9;
-    options.settings.max_iterations = 400;
+    options.settings.max_evaluations = 400;
     SpherePress press(options), other(options);
     ASSERT_TRUE(press.press(3.0).converged && other.press(3.0).converged);
     int questions_left = 0;
@@ -255,7 +255,7 @@ TEST(IncrementTest, ElasticBodyStaysElastic)
 {
   PressOptions options;
   options.upper_plastic = false;
-  options.settings.max_iterations = 200; // a sharp contrast, in two large steps
+  options.settings.max_evaluations = 200; // a sharp contrast, in two large steps
   SpherePress press(options);
   ASSERT_TRUE(press.press(3.0).converged && press.press(6.0).converged);
   EXPECT_GT(largest(press.contact().lower().state().equivalent), 1e-3);

@@ -55,7 +55,7 @@ public:
   {
     Strategy strategy;
     strategy.integration = integration;
-    strategy.max_evaluations = options_.settings.max_iterations;
+    strategy.max_evaluations = options_.settings.max_evaluations;
     strategy.anderson_depth = options_.settings.anderson_depth;
     return press(interference, strategy, offset);
   }
@@ -113,7 +113,7 @@ inline Settings tight_settings()
   s.yield_tolerance = 1e-9;
   s.displacement_tolerance = 1e-9;
   s.contact_tolerance = 1e-12;
-  s.max_iterations = 400;
+  s.max_evaluations = 400;
   return s;
 }
 

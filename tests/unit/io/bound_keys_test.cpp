@@ -20,14 +20,14 @@ TEST(BoundKeys, FillTheSolver)
 {
   const auto solver =
       scenario<simulation::RollingCase>("rolling", {"solver.yield_tolerance=0.01", "solver.displacement_tolerance=0.02",
-                                                    "solver.contact_tolerance=0.03", "solver.max_iterations=4",
+                                                    "solver.contact_tolerance=0.03", "solver.max_evaluations=4",
                                                     "solver.anderson_depth=5", "solver.integration=backward_euler",
                                                     "solver.mirror=false", "solver.shortcuts=false"})
           .solver;
   EXPECT_EQ(solver.yield_tolerance, 0.01);
   EXPECT_EQ(solver.displacement_tolerance, 0.02);
   EXPECT_EQ(solver.contact_tolerance, 0.03);
-  EXPECT_EQ(solver.max_iterations, 4);
+  EXPECT_EQ(solver.max_evaluations, 4);
   EXPECT_EQ(solver.anderson_depth, 5);
   EXPECT_EQ(solver.integration, elastoplastic::Integration::backward_euler);
   EXPECT_FALSE(solver.mirror || solver.shortcuts);

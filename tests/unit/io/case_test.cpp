@@ -33,7 +33,7 @@ TEST(Case, FillsInTheDefaultsOfTheEngine)
   const simulation::TuggingCase defaults;
   EXPECT_EQ(sample::tugging(c).passes, defaults.passes);
   EXPECT_EQ(sample::tugging(c).kinematics, defaults.kinematics);
-  EXPECT_EQ(sample::tugging(c).solver.max_iterations, defaults.solver.max_iterations);
+  EXPECT_EQ(sample::tugging(c).solver.max_evaluations, defaults.solver.max_evaluations);
   EXPECT_EQ(sample::tugging(c).solver.yield_tolerance, defaults.solver.yield_tolerance);
   EXPECT_EQ(sample::tugging(c).solver.integration, defaults.solver.integration);
   EXPECT_FALSE(sample::tugging(c).shift.has_value());

@@ -96,12 +96,12 @@ TEST(Citations, FollowTheBackStresses)
 {
   const auto with = [](const std::string& kinematic)
   { return keys(rolling({law + R"({law = "perfect", yield_stress = "1 GPa", )" + kinematic + "}"})); };
-  const auto prager = with(R"(kinematic_moduli = ["10 GPa"])");
+  const auto prager = with(R"(back_stresses = [{modulus = "10 GPa"}])");
   EXPECT_TRUE(prager.contains("prager1956") && !prager.contains("armstrong1966") && !prager.contains("chaboche1986"));
-  const auto armstrong = with(R"(kinematic_moduli = ["10 GPa"], kinematic_recall = [50])");
+  const auto armstrong = with(R"(back_stresses = {modulus = "10 GPa", recall = 50})");
   EXPECT_TRUE(!armstrong.contains("prager1956") && armstrong.contains("armstrong1966") &&
               !armstrong.contains("chaboche1986"));
-  const auto several = with(R"(kinematic_moduli = ["10 GPa", "1 GPa"], kinematic_recall = [50, 0])");
+  const auto several = with(R"(back_stresses = [{modulus = "10 GPa", recall = 50}, {modulus = "1 GPa"}])");
   EXPECT_TRUE(several.contains("prager1956") && several.contains("armstrong1966") && several.contains("chaboche1986"));
 }
 

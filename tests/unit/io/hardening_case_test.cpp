@@ -69,16 +69,18 @@ TEST(HardeningCase, BackStressesStandBesideAnyLaw)
   const auto terms = [](const std::string& keys)
   { return sample::tugging(sample::parsed({law(keys)})).lower.material.kinematic; };
   EXPECT_TRUE(terms(R"("perfect", yield_stress="900 MPa")").empty());
-  EXPECT_EQ(terms(R"("perfect", yield_stress="900 MPa", kinematic_moduli=["90 GPa", 1e9], kinematic_recall=[600, 0])"),
-            (std::vector<constitutive::KinematicTerm>{{90e9, 600.0}, {1e9, 0.0}}));
-  EXPECT_EQ(terms(R"("voce", yield_stress="900 MPa", saturation=1e8, rate=3, kinematic_moduli=["20 GPa"])"),
+  EXPECT_EQ(
+      terms(R"("perfect", yield_stress="900 MPa", back_stresses=[{modulus="90 GPa", recall=600}, {modulus=1e9}])"),
+      (std::vector<constitutive::KinematicTerm>{{90e9, 600.0}, {1e9, 0.0}}));
+  EXPECT_EQ(terms(R"("voce", yield_stress="900 MPa", saturation=1e8, rate=3, back_stresses={modulus="20 GPa"})"),
             (std::vector<constitutive::KinematicTerm>{{20e9, 0.0}}));
-  expect_message(R"("perfect", yield_stress="900 MPa", kinematic_moduli=["90 GPa"], kinematic_recall=[600, 0])",
-                 {"kinematic_recall", "2 and 1"});
-  expect_message(R"("perfect", yield_stress="900 MPa", kinematic_recall=[600])", {"kinematic_moduli", "1 and 0"});
-  expect_message(R"("perfect", yield_stress="900 MPa", kinematic_moduli=[1e9], kinematic_recall=[600, 0])",
-                 {"kinematic_recall: needs one number"});
-  expect_message(R"("none", kinematic_moduli=[1e9])", {"kinematic_moduli", "applies only with"});
+  expect_message(R"("perfect", yield_stress="900 MPa", back_stresses=[{modulus=1e9}, {recall=600}])",
+                 {"back_stresses[1].modulus is missing; allowed: pressure >= 0"});
+  expect_message(R"("perfect", yield_stress="900 MPa", back_stresses={recall=600})",
+                 {"back_stresses.modulus is missing"});
+  expect_message(R"("perfect", yield_stress="900 MPa", back_stresses=[{modulus="1 mm"}])",
+                 {"back_stresses[0].modulus = \"1 mm\" is a length"});
+  expect_message(R"("none", back_stresses=[{modulus=1e9}])", {"back_stresses[0].modulus", "applies only with"});
 }
 
 TEST(HardeningCase, ProfilesOverDepthAreReadAndChecked)

@@ -20,7 +20,7 @@ TEST(History, HeaderIsTheSpecifiedOne)
             "F_Z,F_X_macro,F_Z_macro,work,dissipation_lower,"
             "dissipation_upper,energy_residual,energy_elastic,max_residual_lower,"
             "max_residual_upper,max_equivalent_plastic_strain,"
-            "iterations");
+            "evaluations");
 }
 
 TEST(History, NumbersReadBackTheSame)

@@ -158,7 +158,7 @@ TEST(Results, SummaryIsNormalised)
   const sample::TemporaryFolder folder;
   write_complete(folder.path(), sample::parsed());
   const auto json = nlohmann::json::parse(sample::file_text(folder.path() / "summary.json"));
-  EXPECT_EQ(json["format_version"], 2);
+  EXPECT_EQ(json["format_version"], 3);
   EXPECT_EQ(json["complete"], true);
   EXPECT_DOUBLE_EQ(json["normalised"]["peak_F_X"], 0.25);
   EXPECT_DOUBLE_EQ(json["normalised"]["X_over_R_at_peak_F_X"], -0.45); // radii 1 and 2: R = 2/3

@@ -80,7 +80,7 @@ inline simulation::TuggingRecord record(int step)
   r.step = step;
   r.X = 0.1 * step - 0.3;
   r.F_X = 1.0 / 3.0;
-  r.iterations = 7;
+  r.evaluations = 7;
   return r;
 }
 

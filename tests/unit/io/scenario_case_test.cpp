@@ -179,6 +179,12 @@ TEST(ScenarioCase, ShapesAndTextures)
   EXPECT_EQ(shaped("{type=\"cylinder\", radius=1e-3, length=2e-3}"), simulation::Shape(simulation::Roller{1e-3, 2e-3}));
   EXPECT_NEAR(std::get<simulation::Cone>(shaped("{type=\"cone\", half_angle=60, tip_radius=1e-6}")).half_angle,
               std::acos(0.5), 1e-12);
+  for (const char* angle : {"60 deg", "60°", "1.0471975511965976 rad"})
+    EXPECT_NEAR(
+        std::get<simulation::Cone>(shaped("{type=\"cone\", half_angle=\"" + std::string(angle) + "\"}")).half_angle,
+        std::acos(0.5), 1e-12);
+  EXPECT_THROW(static_cast<void>(shaped("{type=\"cone\", half_angle=\"60 m\"}")), InputError);
+  EXPECT_THROW(static_cast<void>(shaped("{type=\"cone\", half_angle=\"2 rad\"}")), InputError); // above 90 degrees
   EXPECT_EQ(std::get<simulation::Pyramid>(shaped("{type=\"berkovich\"}")).faces, 3);
   const auto bump = read<RollingCase>(rolling("load = 5\ndistance = 1e-4\n"),
                                       {"lower.texture={type=\"bump\", height=\"1 um\", radius=\"40 um\", x=2e-5}"})

@@ -103,6 +103,11 @@ TEST(Schema, OfEditorsHasEveryKey)
       ASSERT_FALSE(at->at("additionalProperties").get<bool>());
       ASSERT_TRUE(at->at("properties").contains(part));
       at = &at->at("properties").at(part);
+      if (at->contains("anyOf") && at->at("anyOf").at(0).contains("properties")) // one table, or a list of them
+      {
+        EXPECT_EQ(at->at("anyOf").at(1).at("items"), at->at("anyOf").at(0));
+        at = &at->at("anyOf").at(0);
+      }
     }
     EXPECT_NE(at->at("description").get<std::string>().find(entry.text), std::string::npos);
     const auto choices = at->value("enum", std::vector<std::string>{});

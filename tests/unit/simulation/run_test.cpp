@@ -85,7 +85,7 @@ protected:
   static void expect_same(const typename Case::Summary& a, const typename Case::Summary& b)
   {
     EXPECT_EQ(a.steps, b.steps);
-    EXPECT_EQ(a.iterations, b.iterations);
+    EXPECT_EQ(a.evaluations, b.evaluations);
     EXPECT_EQ(a.work, b.work);
     EXPECT_EQ(a.energy_balance_error, b.energy_balance_error);
     EXPECT_EQ(a.last.F_n, b.last.F_n);

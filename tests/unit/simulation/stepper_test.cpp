@@ -21,14 +21,14 @@ namespace
 constexpr double alpha_c = 2.214290e-4;   // m, first yield of two spheres of 1 m with the constants below
 constexpr double yield_stress = 0.9115e9; // Pa
 
-elastoplastic::Settings settings(int max_iterations)
+elastoplastic::Settings settings(int max_evaluations)
 {
   elastoplastic::Settings s;
   // The convex problem, which has one answer whichever way it is solved; `path` depends on the stiffness in use.
   s.integration = elastoplastic::Integration::backward_euler;
   s.yield_tolerance = 1e-6;
   s.displacement_tolerance = 1e-7;
-  s.max_iterations = max_iterations;
+  s.max_evaluations = max_evaluations;
   return s;
 }
 
@@ -135,16 +135,16 @@ TEST(StepperTest, AnIncrementThatFailsWholeIsHalvedAndEndsWhereShorterOnesEnd)
 {
   struct Limit
   {
-    int anderson_depth, max_iterations;
+    int anderson_depth, max_evaluations;
   };
   for (const Limit limit : {Limit{0, 30}, {6, 14}})
   {
     SCOPED_TRACE(limit.anderson_depth);
-    elastoplastic::Settings few = settings(limit.max_iterations);
+    elastoplastic::Settings few = settings(limit.max_evaluations);
     few.anderson_depth = limit.anderson_depth;
     Press split(few);
     const int evaluations = split.go(most, 1.0 / 64);
-    EXPECT_GT(evaluations, 2 * limit.max_iterations); // what the whole increment may take
+    EXPECT_GT(evaluations, 2 * limit.max_evaluations); // what the whole increment may take
     EXPECT_EQ(split.stepper().split_increments(), 1);
     EXPECT_GT(split.pieces().size(), 1U);
     EXPECT_EQ(split.stepper().pair().approach(), most * alpha_c); // it went all the way
@@ -182,9 +182,9 @@ TEST(StepperTest, APieceThatCannotBeHalvedIsSolvedByThePlainFixedPoint)
 TEST(StepperTest, TheSplitPathErrsNoMoreThanTheWholeOne)
 {
   // Pieces are shorter increments: what comes out lies nearer to the run with many of them than one increment does.
-  const auto pressed = [](int steps, int max_iterations)
+  const auto pressed = [](int steps, int max_evaluations)
   {
-    Press press(settings(max_iterations));
+    Press press(settings(max_evaluations));
     for (int step = 1; step <= steps; ++step)
       press.go(most * step / steps, 1.0 / 64);
     return press.state().dissipation;

@@ -46,7 +46,7 @@ TEST(SummaryTest, WorkIsTheIntegralOfTheForce)
   int number = 0;
   for (const double X : places)
   {
-    s.add(step(number++, 0, X, 1.0 - X, 10.0));
+    s.add(step(number++, 1, X, 1.0 - X, 10.0));
     const double work = (X - 0.5 * X * X) - (-2.0 - 2.0);
     EXPECT_NEAR(s.last.work, work, rounding);
   }
@@ -57,8 +57,8 @@ TEST(SummaryTest, WorkIsTheIntegralOfTheForce)
 TEST(SummaryTest, AlignmentBetweenTwoStepsIsInterpolated)
 {
   History s;
-  s.add(step(0, 0, -0.3, 8.0, 20.0));
-  s.add(step(1, 0, 0.1, 4.0, 16.0));
+  s.add(step(0, 1, -0.3, 8.0, 20.0));
+  s.add(step(1, 1, 0.1, 4.0, 16.0));
   const TuggingPeaks& r = s.peaks;
   EXPECT_NEAR(r.F_X_aligned, 5.0, rounding);
   EXPECT_NEAR(r.F_Z_aligned, 17.0, rounding);
@@ -69,12 +69,12 @@ TEST(SummaryTest, AlignmentBetweenTwoStepsIsInterpolated)
 TEST(SummaryTest, PeaksAndTheLastTouch)
 {
   History s;
-  s.add(step(0, 0, -2.0, 0.0, 0.0));
-  s.add(step(1, 0, -1.0, 5.0, 9.0));
-  s.add(step(2, 0, 0.0, 1.0, 11.0));
-  s.add(step(3, 0, 1.0, -3.0, 10.0));
-  s.add(step(4, 0, 2.0, -0.1, 2.0));
-  s.add(step(5, 0, 3.0, 0.0, 0.0));
+  s.add(step(0, 1, -2.0, 0.0, 0.0));
+  s.add(step(1, 1, -1.0, 5.0, 9.0));
+  s.add(step(2, 1, 0.0, 1.0, 11.0));
+  s.add(step(3, 1, 1.0, -3.0, 10.0));
+  s.add(step(4, 1, 2.0, -0.1, 2.0));
+  s.add(step(5, 1, 3.0, 0.0, 0.0));
   const TuggingPeaks& r = s.peaks;
   EXPECT_EQ(r.peak_F_X, 5.0);
   EXPECT_EQ(r.X_at_peak_F_X, -1.0);
@@ -88,9 +88,9 @@ TEST(SummaryTest, TheWayBackBetweenPassesIsNoWork)
 {
   History s;
   int number = 0;
-  for (const int pass : {0, 1})
+  for (const int pass : {1, 2})
     for (const double X : {-1.0, 0.0, 1.0})
-      s.add(step(number++, pass, X, 2.0 + pass, 1.0));
+      s.add(step(number++, pass, X, 1.0 + pass, 1.0));
   EXPECT_NEAR(s.last.work, 2.0 * 2.0 + 2.0 * 3.0, rounding);
   EXPECT_NEAR(s.peaks.work_to_alignment, 2.0, rounding); // of the first pass
   EXPECT_EQ(s.peaks.F_X_aligned, 2.0);
@@ -114,8 +114,8 @@ TEST(SummaryTest, EnergyBalanceIsRelativeToTheLargestWork)
 TEST(SummaryTest, NothingHappened)
 {
   History s;
-  s.add(step(0, 0, -1.0, 0.0, 0.0));
-  s.add(step(1, 0, 1.0, 0.0, 0.0));
+  s.add(step(0, 1, -1.0, 0.0, 0.0));
+  s.add(step(1, 1, 1.0, 0.0, 0.0));
   EXPECT_EQ(s.peaks.load_ratio_aligned, 0.0);
   EXPECT_EQ(s.peaks.load_ratio_end, 0.0);
 }

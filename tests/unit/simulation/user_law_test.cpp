@@ -40,7 +40,7 @@ std::vector<IndentationRecord> pressed(const HardeningLaw& law, bool plain = fal
   c.steps = 4;
   c.resolution = 3.0;
   if (plain) // the fixed point of the convex problem, which is watched by the energy: the integral of the law counts
-    c.solver.max_iterations = 2;
+    c.solver.max_evaluations = 2;
   Run<IndentationCase> run(c);
   std::vector<IndentationRecord> history;
   while (!run.is_done())

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Names that have changed: the old ones are understood for a version, with a `FutureWarning`.
+
+Keys of the case file are renamed in the engine (`_core.old_names`); this is for arguments, attributes and columns. The
+table for users is in docs/user-guide.md, "Names that have changed".
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+from brinell.errors import InputError
+
+__all__ = ["level_of_caller", "renamed", "tell_old_name"]
+
+_T = TypeVar("_T")
+
+
+def tell_old_name(old: str, new: str) -> None:
+    """Warns the code outside this package that it uses an old name."""
+    text = f"{old} is now called {new}: the old name is understood in this version still, not in the next one"
+    warnings.warn(text, FutureWarning, stacklevel=level_of_caller())
+
+
+def renamed(**names: str) -> Callable[[type[_T]], type[_T]]:
+    """Lets a class understand old names of its arguments, and of the attributes that hold them.
+
+    Args:
+        names: the new name by the old one.
+    """
+
+    def decorate(kind: type[_T]) -> type[_T]:
+        original: Callable[..., None] = vars(kind)["__init__"]
+
+        @functools.wraps(original)
+        def __init__(self: _T, *args: Any, **given: Any) -> None:
+            for old, new in names.items():
+                if old in given and new in given:
+                    raise InputError(f"{old} is an old name of {new}, which is given, too; keep {new}")
+                if old in given:
+                    tell_old_name(old, new)
+                    given[new] = given.pop(old)
+            original(self, *args, **given)
+
+        kind.__init__ = __init__  # type: ignore[method-assign,assignment]
+        for old, new in names.items():
+            setattr(kind, old, property(functools.partial(_attribute, old, new)))
+        return kind
+
+    return decorate
+
+
+def _attribute(old: str, new: str, owner: object) -> Any:
+    tell_old_name(old, new)
+    return getattr(owner, new)
+
+
+def level_of_caller() -> int:
+    """How far above the function that calls this one the code is that is not of this package."""
+    package = str(Path(__file__).parent)
+    level = 1
+    frame = inspect.currentframe()
+    while frame is not None and frame.f_code.co_filename.startswith(package):
+        frame = frame.f_back
+        level += 1
+    return max(1, level - 1)
