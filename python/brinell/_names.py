@@ -38,7 +38,7 @@ def renamed(**names: str) -> Callable[[type[_T]], type[_T]]:
         original: Callable[..., None] = vars(kind)["__init__"]
 
         @functools.wraps(original)
-        def __init__(self: _T, *args: Any, **given: Any) -> None:
+        def initialise(self: _T, *args: Any, **given: Any) -> None:
             for old, new in names.items():
                 if old in given and new in given:
                     raise InputError(f"{old} is an old name of {new}, which is given, too; keep {new}")
@@ -47,7 +47,7 @@ def renamed(**names: str) -> Callable[[type[_T]], type[_T]]:
                     given[new] = given.pop(old)
             original(self, *args, **given)
 
-        kind.__init__ = __init__  # type: ignore[method-assign,assignment]
+        kind.__init__ = initialise  # type: ignore[method-assign,assignment]
         for old, new in names.items():
             setattr(kind, old, property(functools.partial(_attribute, old, new)))
         return kind

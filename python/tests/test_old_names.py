@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names that have changed: the old ones still work, with a warning; results of the old format open under the new ones."""
+"""Names that have changed: old ones still work, with a warning; results of the old format open under the new names."""
 
 import json
 import shutil
@@ -34,7 +34,7 @@ def test_an_old_key_works_with_a_warning(real_case: str) -> None:
         case = brinell.Case(real_case, overrides=["solver.max_iterations=50"])
     assert "max_evaluations = 50" in case.to_toml()
     assert "max_iterations" not in case.to_toml()
-    assert [warning.key for warning in case.warnings][0] == "old_name"
+    assert case.warnings[0].key == "old_name"
     assert issubclass(OldNameWarning, FutureWarning)
     assert issubclass(OldNameWarning, brinell.case.CaseWarning)
     with pytest.warns(OldNameWarning, match=told):
@@ -172,7 +172,7 @@ def test_an_old_result_opens_under_the_new_names(
     assert "iterations" in (again / "history.csv").read_text()
     for new, old in ((folder, again), (folder / "result.vtkhdf", again / "result.vtkhdf")):
         expected, run = (open_run(path, allow_unfinished=True) for path in (new, old))
-        assert list(run.history) == list(expected.history)
+        assert sorted(run.history) == sorted(expected.history)  # in the order of the file
         for name, column in expected.history.items():
             np.testing.assert_array_equal(run.history[name], column)
         assert run.snapshot("aligned").row == expected.snapshot("aligned").row
@@ -180,9 +180,9 @@ def test_an_old_result_opens_under_the_new_names(
         if finished:
             assert run.snapshot("final").pass_ == expected.snapshot("final").pass_ > 1
         if finished and scenario == "indentation":
-            assert run.indents == expected.indents
+            assert repr(run.indents) == repr(expected.indents)  # with NaN
         if finished and scenario == "rolling":
-            assert run.passes == expected.passes
+            assert repr(run.passes) == repr(expected.passes)
 
 
 def test_the_case_of_an_old_result_has_the_keys_of_today(real_case: str, tmp_path: Path) -> None:
@@ -223,3 +223,23 @@ def test_the_table_of_an_old_sweep_has_the_columns_of_today() -> None:
     assert list(table) == ["solver.max_evaluations", "run.evaluations", "indents.0.cycle"]
     assert table["indents.0.cycle"].tolist() == [1]
     assert table_of_today(table) == table
+
+
+def test_passes_places_and_cycles_count_from_1_in_a_run() -> None:
+    case = brinell.Indentation(
+        brinell.Body(brinell.Flat(), brinell.Material("200 GPa", 0.3, brinell.Perfect("1 GPa"))),
+        brinell.Body(brinell.Sphere("1 mm"), brinell.RIGID),
+        load=["20 N", 0],
+        steps=2,
+        cycles=2,
+        places=["0 um", "200 um"],
+        grid={"resolution": 3},
+    )
+    run = case.run(in_memory=True)
+    history = run.history
+    np.testing.assert_array_equal(history["step"], np.arange(16))
+    np.testing.assert_array_equal(history["pass"], np.repeat([1, 2, 3, 4], 4))
+    np.testing.assert_array_equal(history["place"], np.repeat([1, 2], 8))
+    assert [(one.place, one.cycle, one.x) for one in run.indents] == [(1, 1, 0), (1, 2, 0), (2, 1, 2e-4), (2, 2, 2e-4)]
+    assert np.all(history["evaluations"] >= 1)
+    assert np.sum(history["evaluations"]) == run.summary["run"]["evaluations"]  # type: ignore[index]

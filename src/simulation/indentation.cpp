@@ -160,8 +160,8 @@ private:
     throw InternalError("a drive of no kind");
   }
 
-  /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the approach grows evenly: the first
-  /// step in load would be the longest by far.
+  /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the approach grows evenly: the
+  /// first step in load would be the longest by far.
   [[nodiscard]] double imposed(double share) const
   {
     if (kind() != Drive::Kind::load)

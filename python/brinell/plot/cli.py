@@ -313,9 +313,7 @@ def _animate(
     opened = open_run(run, allow_unfinished=True)
     path = output or folder_of(run) / "figures" / f"{field}.gif"
     moving.writer_of(path)
-    animation = moving.animate(
-        opened, field=field, plane=plane, pass_=pass_, bodies=bodies, follow=follow, cells=cells
-    )
+    animation = moving.animate(opened, field=field, plane=plane, pass_=pass_, bodies=bodies, follow=follow, cells=cells)
     click.echo(moving.save_animation(animation, path, frames_per_second=fps))
 
 

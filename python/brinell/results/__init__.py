@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads what ``brinell run`` wrote: one folder, or its file ``result.vtkhdf`` alone.
 
-The format is docs/reference/results-format.md, version 3. All numbers are SI (`theta` in radians), depths into the body,
-stresses positive in tension, pressure in compression. Everything that is wrong with a result is one `RunError` that
-says where and what.
+The format is docs/reference/results-format.md, version 3. All numbers are SI (`theta` in radians), depths into the
+body, stresses positive in tension, pressure in compression. Everything that is wrong with a result is one `RunError`
+that says where and what.
 
     run = brinell.open("results/alpha9")                     # run.scenario: "tugging"
     run.history["F_X"] / run.critical.load

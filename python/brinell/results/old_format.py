@@ -7,7 +7,7 @@ Version 2 called the evaluations of a step `iterations`, and counted passes, pla
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from typing import Any, TypeVar
+from typing import Any
 
 from brinell import _core
 
@@ -30,20 +30,15 @@ OLD_COLUMNS: Mapping[str, str] = {"iterations": "evaluations"}
 _FROM_0 = ("pass", "place", "cycle")
 """What counts from 1 today."""
 
-_T = TypeVar("_T")
-
 
 def has_old_columns(names: Collection[str]) -> bool:
     """Whether a history.csv, which tells no version, is of the old format."""
     return any(old in names and new not in names for old, new in OLD_COLUMNS.items())
 
 
-def columns_of_today(columns: Mapping[str, _T]) -> dict[str, _T]:
+def columns_of_today(columns: Mapping[str, Any]) -> dict[str, Any]:
     """Columns of a history, or a row of it, or an indent."""
-    return {
-        OLD_COLUMNS.get(name, name): value + 1 if name in _FROM_0 else value  # type: ignore[operator]
-        for name, value in columns.items()
-    }
+    return {OLD_COLUMNS.get(name, name): value + 1 if name in _FROM_0 else value for name, value in columns.items()}
 
 
 def summary_of_today(summary: Mapping[str, Any], version: int) -> dict[str, Any]:
@@ -67,14 +62,14 @@ def summary_of_today(summary: Mapping[str, Any], version: int) -> dict[str, Any]
     return converted
 
 
-def table_of_today(columns: Mapping[str, _T]) -> dict[str, _T]:
+def table_of_today(columns: Mapping[str, Any]) -> dict[str, Any]:
     """Columns of the table of a sweep; those of one that was written today stay as they are."""
     if "run.iterations" not in columns:
         return dict(columns)
     found = {}
     for name, column in columns.items():
         counts = name.startswith("indents.") and name.rpartition(".")[2] in _FROM_0
-        found[_KEYS.get(name, name)] = column + 1 if counts else column  # type: ignore[operator]
+        found[_KEYS.get(name, name)] = column + 1 if counts else column
     return found
 
 
@@ -95,11 +90,10 @@ def case_of_today(case: Mapping[str, Any]) -> dict[str, Any]:
     if isinstance(solver := case.get("solver"), Mapping):
         converted["solver"] = {_KEYS.get(f"solver.{key}", key).removeprefix("solver."): solver[key] for key in solver}
     for name in ("lower", "upper"):
-        body = case.get(name)
-        material = body.get("material") if isinstance(body, Mapping) else None
-        hardening = material.get("hardening") if isinstance(material, Mapping) else None
-        if isinstance(hardening, Mapping):
-            converted[name] = {**body, "material": {**material, "hardening": _hardening_of_today(hardening)}}
+        if isinstance(body := case.get(name), Mapping) and isinstance(material := body.get("material"), Mapping):
+            hardening = material.get("hardening")
+            if isinstance(hardening, Mapping):
+                converted[name] = {**body, "material": {**material, "hardening": _hardening_of_today(hardening)}}
     return converted
 
 

@@ -430,10 +430,8 @@ def _checked_summary(text: str, path: Path, scenario: Scenario) -> dict[str, Any
     if not isinstance(summary, dict) or summary.get("format") != "brinell-summary":
         raise RunError(f"{place}: not a summary of brinell")
     version = summary.get("format_version")
-    if version == OLD_VERSION:
-        summary = summary_of_today(summary, FORMAT_VERSION)
-    elif version != FORMAT_VERSION:
+    if version not in (OLD_VERSION, FORMAT_VERSION):
         raise RunError(f"{place}: format version {version}, this program reads version {FORMAT_VERSION}")
     if summary.get("scenario") != scenario:
         raise RunError(f"{place}: is of scenario {summary.get('scenario')!r}, but the history of {scenario!r}")
-    return summary
+    return summary_of_today(summary, FORMAT_VERSION) if version == OLD_VERSION else summary
