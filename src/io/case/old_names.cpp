@@ -102,7 +102,7 @@ private:
 
 } // namespace
 
-void take_old_names(std::vector<GivenByOldName> given, RawCase& raw_case, Problems& problems)
+void take_old_names(const std::vector<GivenByOldName>& given, RawCase& raw_case, Problems& problems)
 {
   for (const GivenByOldName& item : given)
   {

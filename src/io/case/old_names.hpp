@@ -16,7 +16,7 @@ struct GivenByOldName
 
 /// Puts what was given by old names under the new ones, as if it had been written so.
 /// @param given  of one layer, of which `raw_case` has the rest already: both names in one layer are a problem
-void take_old_names(std::vector<GivenByOldName> given, RawCase& raw_case, Problems& problems);
+void take_old_names(const std::vector<GivenByOldName>& given, RawCase& raw_case, Problems& problems);
 
 /// Lists by old names, of which each holds one member of a list of tables, must be of one length.
 void check_old_lists(const RawCase& raw_case, Problems& problems);

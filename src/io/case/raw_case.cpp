@@ -241,14 +241,14 @@ void apply_override(const std::string& text, RawCase& raw_case, Problems& proble
   {
     forget_table(raw_case, key);
     flatten(*node.as_table(), key + ".", target);
-    take_old_names(std::move(target.by_old_names), raw_case, problems);
+    take_old_names(target.by_old_names, raw_case, problems);
     return;
   }
   toml::table wrapped; // the same checks as for a key of the file, whose last part alone is a key here
   const auto dot = key.rfind('.');
   wrapped.insert(dot == key.npos ? key : key.substr(dot + 1), node);
   flatten(wrapped, dot == key.npos ? "" : key.substr(0, dot + 1), target);
-  take_old_names(std::move(target.by_old_names), raw_case, problems);
+  take_old_names(target.by_old_names, raw_case, problems);
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file)
@@ -358,7 +358,7 @@ RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
   raw_case.folder = file.parent_path();
   Target target{raw_case, problems, ""};
   flatten(parse_toml(text, file.string()), "", target);
-  take_old_names(std::move(target.by_old_names), raw_case, problems);
+  take_old_names(target.by_old_names, raw_case, problems);
   for (const std::string& item : overrides)
     apply_override(item, raw_case, problems);
   check_lists(raw_case, problems);
