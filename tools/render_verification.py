@@ -6,7 +6,8 @@
     tools/render_verification.py build/release/verification.json docs/verification.md   # between the two marks there
 
 The tests write the JSON file (tests/support/record.hpp). In the page, the text between the lines BEGIN and END below is
-replaced; the rest is kept.
+replaced; the rest is kept. Each suite has a section. Tests that have left no number, and numbers of tests that are no more,
+are told; the page is not written then, since it is to show the tests as they are.
 """
 
 import json
@@ -14,16 +15,41 @@ import re
 import sys
 from pathlib import Path
 
+TESTS = Path(__file__).resolve().parents[1] / "tests" / "verification"
 BEGIN = "<!-- measured: begin (tools/render_verification.py) -->"
 END = "<!-- measured: end -->"
 UNBOUNDED = 1e9  # what the tests write for no upper bound
 
 
+def in_source(suite: str, test: str) -> tuple[str, str]:
+    """Names of suite and test in the source; parametrised ones are Prefix/Suite and Test/parameter in the record."""
+    return suite.split("/")[-1], test.split("/")[0]
+
+
 def words(name: str) -> str:
-    """'PaperTugging' -> 'Paper tugging'; parametrised suites lose their prefix and keep the parameter."""
-    parts = [re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", part) for part in name.split("/")]
-    text = parts[-1] if len(parts) == 1 else parts[1]
+    """'PaperTugging' -> 'Paper tugging'."""
+    text = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)
     return text[:1] + re.sub(r"\b[A-Z](?=[a-z])", lambda m: m.group().lower(), text[1:])
+
+
+def tests_of(folder: Path) -> dict[tuple[str, str], bool]:
+    """Suite and name of each test in the sources of a folder, and whether it records a number itself."""
+    test = re.compile(r"^TEST(?:_[FP])?\((\w+),\s*(\w+)\)\n(.*?)^}", re.MULTILINE | re.DOTALL)
+    return {
+        (suite, name): re.search(r"\bexpect_(close|within)\(", body) is not None
+        for source in sorted(folder.glob("*_test.cpp"))
+        for suite, name, body in test.findall(source.read_text(encoding="utf-8"))
+    }
+
+
+def differences(record: dict, tests: dict[tuple[str, str], bool]) -> list[str]:
+    """What the record has not of the tests, or has of others."""
+    recorded = {in_source(suite, test) for suite, of_suite in record.items() for test in of_suite}
+    missing = [f"{s}.{t} has left no number: run it" for (s, t), records in tests.items()
+               if records and (s, t) not in recorded]
+    others = [f"{s}.{t} is in the record, but is no test: delete the record and run the tests again"
+              for s, t in sorted(recorded - tests.keys())]
+    return missing + others
 
 
 def number(value: float) -> str:
@@ -47,7 +73,8 @@ def rendered(record: dict) -> str:
     suites: dict[str, dict[str, dict]] = {}
     for suite, tests in record.items():
         for test, entries in tests.items():
-            suites.setdefault(words(suite), {}).setdefault(words(test.split("/")[0]), {}).update(entries)
+            section, table = map(words, in_source(suite, test))
+            suites.setdefault(section, {}).setdefault(table, {}).update(entries)
     lines = []
     for suite, tests in sorted(suites.items()):
         lines += [f"### {suite}", ""]
@@ -66,7 +93,14 @@ def main() -> int:
     if len(sys.argv) not in (2, 3):
         print(__doc__, file=sys.stderr)
         return 2
-    tables = rendered(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
+    record = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    tables = rendered(record)
+    unlike = differences(record, tests_of(TESTS))
+    for line in unlike:
+        print(line, file=sys.stderr)
+    if unlike and len(sys.argv) == 3:
+        print(f"{sys.argv[2]} is left as it is", file=sys.stderr)
+        return 1
     if len(sys.argv) == 2:
         print(tables)
         return 0

@@ -17,7 +17,7 @@ from brinell import _core
 from brinell._names import level_of_caller
 from brinell.errors import InputError
 from brinell.results import Run, RunWarning, open_run
-from brinell.results.run import run_of_image
+from brinell.results.opening import run_of_image
 from brinell.stepping import Stepping
 
 with warnings.catch_warnings():  # a notebook without ipywidgets gets the bar of a terminal, without a word

@@ -83,8 +83,10 @@ int padded_length(int cells, double cell, Boundary boundary, double period)
 {
   if (boundary == Boundary::periodic)
     return cells;
-  // A wave of this period has decayed to e^{-2 pi clearance} at the next copy, less than the image correction leaves.
-  constexpr double clearance = 1.0;
+  // The copies beside the grid are that many periods of the other axis away. There the longest wave along it, of strain up to
+  // the edges of the grid, has decayed as (1 + k d) e^{-kd} to below 1e-4 of 2 mu max|eps|, which is what the image correction
+  // leaves of strain without waves. One period would leave up to 6e-3.
+  constexpr double clearance = 1.75;
   const int clear = cells + static_cast<int>(std::ceil(clearance * period / cell));
   return fast_length(std::max(2 * cells - 1, clear));
 }

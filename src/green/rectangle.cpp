@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "green/boussinesq.hpp"
+#include "green/scaled_asinh.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,12 +12,6 @@ namespace brinell::green
 {
 namespace
 {
-
-/// a asinh(b/|a|), continued by zero to a = 0.
-double scaled_asinh(double a, double b)
-{
-  return a == 0.0 ? 0.0 : a * std::asinh(b / std::abs(a));
-}
 
 SymTensor pressure_corner(double X, double Y, double z, double nu)
 {

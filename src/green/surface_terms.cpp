@@ -2,6 +2,7 @@
 #include "brinell/green/surface_terms.hpp"
 
 #include "brinell/green/strip.hpp"
+#include "green/scaled_asinh.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -12,12 +13,6 @@ namespace
 {
 
 constexpr double pi = std::numbers::pi;
-
-/// a asinh(b/|a|), continued by zero to a = 0.
-double scaled_asinh(double a, double b)
-{
-  return a == 0.0 ? 0.0 : a * std::asinh(b / std::abs(a));
-}
 
 /// Y ln R + X atan(Y/X), continued to the axes.
 double tilt(double X, double Y)

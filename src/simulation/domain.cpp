@@ -2,6 +2,7 @@
 #include "domain.hpp"
 
 #include "footprint.hpp"
+#include "surface_distance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace brinell::simulation
 {
@@ -153,8 +155,8 @@ SurfaceGrid sampled_period(const Domain& domain)
 
 std::vector<double> sampled_depths(const Texture& texture, const SurfaceGrid& grid)
 {
-  const int middle = (grid.nx - 1) / 2;
-  return cell_depths(texture, grid, -middle * grid.dx, grid.y(0));
+  const CellPlaces at = places_in_run(grid);
+  return cell_depths(texture, grid, at.x, at.y);
 }
 
 void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
@@ -190,21 +192,20 @@ std::optional<std::string> reason_against_approach(const ShapedBody& lower, cons
   if (!domain.is_periodic())
     return std::nullopt;
   constexpr double rounding = 1.0 + 1e-9;
-  const SurfaceGrid g = sampled_period(domain);
-  const std::vector<double> of_lower = sampled_depths(lower.texture, g), of_upper = sampled_depths(upper.texture, g);
-  double mean = 0.0;
-  for (int j = 0; j < g.ny; ++j)
-    for (int i = 0; i < g.nx; ++i)
-      mean += (height(lower.shape, g.x(i), g.y(j)) + height(upper.shape, g.x(i), g.y(j)) + of_lower[g.index(i, j)] +
-               of_upper[g.index(i, j)]) /
-              static_cast<double>(g.size());
-  if (approach <= std::max(0.0, mean) * rounding && mean > 0.0)
+  const SurfaceGrid grid = sampled_period(domain);
+  const std::vector<double> distance = surface_distance(lower, upper, grid, places_in_run(grid), cell_depths);
+  const auto size = static_cast<double>(grid.size());
+  const double mean = std::accumulate(distance.begin(), distance.end(), 0.0) / size;
+  const double magnitude =
+      std::sqrt(std::inner_product(distance.begin(), distance.end(), distance.begin(), 0.0) / size);
+  const double most = mean > 1e-12 * magnitude ? mean : 0.0; // textures about the mean plane leave rounding
+  if (most > 0.0 && approach <= most * rounding)
     return std::nullopt;
   return fmt::format(
       "cannot be reached: with both axes periodic it counts from the mean planes, and at {:.3g} m all of "
-      "the surfaces touches; allowed: less than that, or a load or mean pressure instead "
+      "the surfaces touches; allowed: {}a load or mean pressure instead "
       "(indentation.load, indentation.pressure, indentation.mean_gap)",
-      mean);
+      most, most > 0.0 ? "less than that, or " : "");
 }
 
 void require_finite_depth(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain)

@@ -24,7 +24,7 @@ struct Footprint
   double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
 };
 
-/// @throws InputError with reason_against_contact or reason_against_approach; KeyError: see require_within_reference.
+/// @throws InputError with reason_against_contact; KeyError: see require_within_reference.
 [[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
                                   const Domain& domain);
 

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "domain.hpp"
+#include "surface_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +20,13 @@ namespace
 using contact::Drive;
 using Field = std::vector<double>;
 
-/// Depths of both textures together, with cell (0, 0) moved by (dx, dy).
-Field of_both(const IndentationCase& c, const SurfaceGrid& grid, decltype(depths)* read, double dx = 0.0,
-              double dy = 0.0)
+/// Depths of both textures together in the centres of the cells, moved by (dx, dy).
+Field of_both(const IndentationCase& c, const SurfaceGrid& grid, double dx = 0.0, double dy = 0.0)
 {
-  // The contact grid takes the columns of the lower body, that of its middle next to the place.
-  const double middle = std::round(c.places.front() / grid.dx) * grid.dx;
-  const int before = (grid.nx - 1) / 2; // columns
-  const double left = -before * grid.dx + dx;
-  const double front = grid.y(0) + dy;
-  Field sum = read(c.lower.texture, grid, middle + left, front);
-  const Field upper = read(c.upper.texture, grid, middle + left - c.places.front(), front);
-  std::transform(sum.begin(), sum.end(), upper.begin(), sum.begin(), std::plus<>());
-  return sum;
+  CellPlaces at = places_in_run(grid, c.places.front());
+  at.x += dx;
+  at.y += dy;
+  return texture_distance(c.lower, c.upper, grid, at, depths);
 }
 
 double mean(const Field& field)
@@ -43,15 +38,7 @@ double mean(const Field& field)
 
 double touching_gap(const IndentationCase& c, const SurfaceGrid& grid)
 {
-  Field distance = of_both(c, grid, cell_depths);
-  const int before = (grid.nx - 1) / 2; // columns
-  const double shift = std::round(c.places.front() / grid.dx) * grid.dx - c.places.front();
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-    {
-      const double x = (i - before) * grid.dx + shift;
-      distance[grid.index(i, j)] += height(c.lower.shape, x, grid.y(j)) + height(c.upper.shape, x, grid.y(j));
-    }
+  const Field distance = surface_distance(c.lower, c.upper, grid, places_in_run(grid, c.places.front()), cell_depths);
   return mean(distance) - *std::min_element(distance.begin(), distance.end());
 }
 
@@ -59,13 +46,13 @@ Roughness roughness(const IndentationCase& c, const SurfaceGrid& grid)
 {
   const auto mean_square = [](const Field& field)
   { return std::inner_product(field.begin(), field.end(), field.begin(), 0.0) / static_cast<double>(field.size()); };
-  Roughness result = roughness_of(of_both(c, grid, depths), grid);
+  Roughness result = roughness_of(of_both(c, grid), grid);
   // Textures are functions of the place: differences over a hair of a cell are their slopes.
   constexpr double hair = 1e-4;
   const auto mean_square_slope = [&](double dx, double dy)
   {
-    Field ahead = of_both(c, grid, depths, dx, dy);
-    const Field behind = of_both(c, grid, depths, -dx, -dy);
+    Field ahead = of_both(c, grid, dx, dy);
+    const Field behind = of_both(c, grid, -dx, -dy);
     std::transform(ahead.begin(), ahead.end(), behind.begin(), ahead.begin(), std::minus<>());
     return mean_square(ahead) / (4.0 * (dx * dx + dy * dy));
   };

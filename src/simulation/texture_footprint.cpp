@@ -3,6 +3,7 @@
 
 #include "domain.hpp"
 #include "roughness.hpp"
+#include "surface_distance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,19 +65,6 @@ CoarseAxis coarse_axis(const Domain::Axis& axis, double smooth_half)
   return {axis.cells > 0 ? std::min(axis.cells, most) : most, 0.5 * axis.size, Boundary::periodic};
 }
 
-/// Distance of the textured surfaces at the cells of a grid around a place x. Heights at its points, not means over its cells:
-/// roughness bears where it is high.
-std::vector<double> distance_at(const ShapedBody& lower, const ShapedBody& upper, const SurfaceGrid& grid, double x)
-{
-  std::vector<double> distance = depths(lower.texture, grid, x + grid.x(0), grid.y(0));
-  const std::vector<double> of_upper = depths(upper.texture, grid, x + grid.x(0), grid.y(0));
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      distance[grid.index(i, j)] += of_upper[grid.index(i, j)] + height(lower.shape, grid.x(i), grid.y(j)) +
-                                    height(upper.shape, grid.x(i), grid.y(j));
-  return distance;
-}
-
 /// Columns and rows from the middle of a grid to the farthest cell under pressure.
 std::array<int, 2> cells_reached(const SurfaceGrid& grid, std::span<const double> pressure)
 {
@@ -101,7 +89,9 @@ std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& u
   {
     const SurfaceGrid grid{axes[0].cells,  axes[1].cells,    axes[0].cell(),
                            axes[1].cell(), axes[0].boundary, axes[1].boundary};
-    const std::vector<double> distance = distance_at(lower, upper, grid, x);
+    // Heights at points, not means over cells: roughness bears where it is high.
+    const std::vector<double> distance =
+        surface_distance(lower, upper, grid, {.x = grid.x(0), .y = grid.y(0), .lower = x, .upper = x}, depths);
     const halfspace::SurfaceCompliance compliance(grid, modulus, reference);
     contact::ElasticContact solver(compliance);
     std::vector<double> pressure(grid.size(), 0.0);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 /// Fields on a surface grid.
@@ -22,6 +23,29 @@ template <typename Function>
     for (int i = 0; i < g.nx; ++i)
       field[g.index(i, j)] = f(i, j);
   return field;
+}
+
+[[nodiscard]] inline double sum(const Field& field)
+{
+  return std::accumulate(field.begin(), field.end(), 0.0);
+}
+[[nodiscard]] inline double mean(const Field& field)
+{
+  return sum(field) / static_cast<double>(field.size());
+}
+/// Largest magnitude.
+[[nodiscard]] inline double largest(const Field& field)
+{
+  double value = 0.0;
+  for (const double f : field)
+    value = std::max(value, std::abs(f));
+  return value;
+}
+
+/// r^2/(2 R) - approach around the middle of the grid.
+[[nodiscard]] inline Field paraboloid(const SurfaceGrid& g, double approach, double radius = 1.0)
+{
+  return sampled(g, [&](int i, int j) { return 0.5 * (g.x(i) * g.x(i) + g.y(j) * g.y(j)) / radius - approach; });
 }
 
 /// Mean over cells of sqrt(1 - r^2), the cell in the middle of the grid at the origin; in one row, of sqrt(1 - x^2).

@@ -5,6 +5,7 @@
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -100,5 +101,20 @@ private:
     half_space.full_stress(load, strain, work, deviator, trace);
   }
 };
+
+/// Of two fields on grids that are alike but for their rows: the largest difference of a component between the cells of the
+/// smaller one and those of the other that lie `rows` rows further along y.
+inline double largest_difference(const VolumeGrid& small, const StressField& here, const VolumeGrid& large,
+                                 const StressField& there, int rows)
+{
+  double difference = 0.0;
+  for (int k = 0; k < small.nz; ++k)
+    for (int j = 0; j < small.surface.ny; ++j)
+      for (int i = 0; i < small.surface.nx; ++i)
+        for (std::size_t c = 0; c < 6; ++c)
+          difference = std::max(difference,
+                                std::abs(here.at(small.index(i, j, k))[c] - there.at(large.index(i, j + rows, k))[c]));
+  return difference;
+}
 
 } // namespace brinell::test

@@ -76,11 +76,6 @@ private:
 /// within one period: then it is there again in each of them.
 [[nodiscard]] std::optional<std::string> reason_against_texture(const Texture& texture, const Domain& domain);
 
-/// Why bodies that are periodic along both axes cannot approach so far [m]; empty if they can. Approaches are counted from the
-/// mean planes then, and at the mean distance of the surfaces all of them touches.
-[[nodiscard]] std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper,
-                                                                 double approach, const Domain& domain);
-
 /// The distance from a line load at which its displacement is counted as zero: as given; or 2 R/e of two cylinders, with which
 /// their approach is Green's (2005), of the axis of a cylinder of the radius R and a rigid flat (Johnson 1985, section 5.6);
 /// or the period. 0 unless just one axis is periodic [m].

@@ -13,15 +13,16 @@ that says where and what.
     brinell.open("results/vickers").indents[0].hardness      # "indentation"
     brinell.open("results/raceway").passes[-1].rut_depth     # "rolling"; also .profile.residual_xx over .profile.depth
 
-Modules: `run` (the result and its summary), `history`, `result_file` (result.vtkhdf), `snapshots` (the fields of a
-state), `fields` and `labelled` (a field over all states), `scenarios` (what differs between them).
+Modules: `opening`, `run` (the result and its summary), `history`, `result_file` (result.vtkhdf), `snapshots` (the
+fields of a state), `fields` and `labelled` (a field over all states), `scenarios` (what differs between them).
 """
 
 from brinell.results.accuracy import Accuracy, RunWarning
 from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.history import History
 from brinell.results.labelled import Labelled
-from brinell.results.run import CriticalValues, Run, open_run
+from brinell.results.opening import open_run
+from brinell.results.run import CriticalValues, Run
 from brinell.results.scenarios import HISTORY_COLUMNS, Indent, RollingPass, Scenario, TrackProfile
 from brinell.results.snapshots import COMPONENTS, BodyFields, ContactFields, Snapshot
 

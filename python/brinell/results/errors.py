@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from brinell import _core
 from brinell.errors import InputError
 
-__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "tells_damage"]
+__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "summary_place", "tells_damage", "unfinished"]
 
 FORMAT_VERSION: int = _core.FORMAT_VERSION
 """Version of the results format that this package reads."""
@@ -43,3 +44,16 @@ def tells_damage(path: object, part: str = "it") -> Iterator[None]:
 def listed(names: Sequence[object]) -> str:
     """Names for a message, separated by commas; "none" if there is none."""
     return ", ".join(map(str, names)) if names else "none"
+
+
+def summary_place(path: Path) -> str:
+    """Of the summary of a folder, or of a file alone, in messages."""
+    return f"{path}: /summary" if path.is_file() else str(path / "summary.json")
+
+
+def unfinished(path: Path, steps: int) -> RunError:
+    """What a run without summary is refused with."""
+    return RunError(
+        f"{path}: no {'/summary' if path.is_file() else 'summary.json'}, the run has not finished ({steps} steps); "
+        "allow_unfinished=True opens it as far as it is"
+    )

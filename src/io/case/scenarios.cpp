@@ -285,12 +285,6 @@ std::vector<Drive> sequence(const CaseReader& reader, const Case& c, const Inden
     return drives;
   if (std::none_of(drives.begin(), drives.end(), [](const Drive& d) { return d.value > 0.0; }))
     reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
-  const auto largest =
-      std::max_element(drives.begin(), drives.end(), [](const Drive& a, const Drive& b) { return a.value < b.value; });
-  if (kind == Drive::Kind::approach && largest->value > 0.0)
-    if (const auto reason = simulation::reason_against_approach(indentation.lower, indentation.upper, largest->value,
-                                                                indentation.domain))
-      reader.add(key, *reason);
   const bool repeats = indentation.cycles > 1 || indentation.places.size() > 1;
   if (repeats && drives.back().value != 0.0)
     reader.add(key, "must end with 0 if there are several cycles or places");

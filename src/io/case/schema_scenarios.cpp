@@ -70,8 +70,7 @@ std::vector<Entry> indentation_entries()
        .type = Type::boolean,
        .fallback = false,
        .text = "Whether load and approach are given in their values at first yield, P_c and alpha_c; needs round "
-               "bodies, or "
-               "cylinders in plane strain, of which one can yield."},
+               "bodies, or cylinders in plane strain, of which one can yield."},
       {.key = "indentation.load",
        .type = Type::numbers,
        .dimension = dimension::force,

@@ -2,8 +2,9 @@
 // The elastic stiffness of a contact, and mean gaps that are imposed.
 #include "brinell/contact/contact_stiffness.hpp"
 
-#include "brinell/contact/elastic_contact.hpp"
 #include "brinell/foundation/error.hpp"
+#include "contact_solution.hpp"
+#include "grid_fields.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -24,25 +24,15 @@ namespace
 
 constexpr double pi = std::numbers::pi;
 
-struct Solution
-{
-  Report report;
-  std::vector<double> pressure, gap;
-};
+using Solution = test::ContactSolution;
+using test::mean;
 
-Solution solved(const halfspace::SurfaceCompliance& compliance, const std::vector<double>& distance, const Drive& drive,
-                double tolerance)
+Solution converged(const halfspace::SurfaceCompliance& compliance, const std::vector<double>& distance,
+                   const Drive& drive, double tolerance)
 {
-  ElasticContact contact(compliance);
-  Solution s{{}, std::vector<double>(distance.size()), std::vector<double>(distance.size())};
-  s.report = contact.solve(distance, drive, tolerance, 2000, s.pressure, s.gap);
+  Solution s = test::solved(compliance, distance, drive, tolerance);
   EXPECT_TRUE(s.report.converged);
   return s;
-}
-
-double mean(const std::vector<double>& field)
-{
-  return std::accumulate(field.begin(), field.end(), 0.0) / static_cast<double>(field.size());
 }
 
 SurfaceGrid square(int n, double length, Boundary boundary)
@@ -78,8 +68,8 @@ TEST(ContactStiffness, IsTheSlopeOfTheLoadWhileNoCellChanges)
   {
     const double load = share * 3.0 * 4.0;
     constexpr double change = 1e-5;
-    const Solution one = solved(compliance, distance, {Drive::Kind::load, load}, 1e-13);
-    const Solution two = solved(compliance, distance, {Drive::Kind::load, load * (1.0 + change)}, 1e-13);
+    const Solution one = converged(compliance, distance, {Drive::Kind::load, load}, 1e-13);
+    const Solution two = converged(compliance, distance, {Drive::Kind::load, load * (1.0 + change)}, 1e-13);
     const double slope = change * load / (two.report.approach - one.report.approach);
     for (std::size_t i = 0; i < g.size(); ++i)
       ASSERT_EQ(one.pressure[i] > 0.0, two.pressure[i] > 0.0);
@@ -154,12 +144,12 @@ TEST(MeanGap, IsImposedByTheApproachThatLeavesIt)
   const double touch = mean(distance) - *std::min_element(distance.begin(), distance.end());
   for (const double share : {0.9, 0.5, 0.1, 0.01, 1e-3})
   {
-    const Solution s = solved(compliance, distance, {Drive::Kind::mean_gap, share * touch}, 1e-10);
+    const Solution s = converged(compliance, distance, {Drive::Kind::mean_gap, share * touch}, 1e-10);
     EXPECT_NEAR(mean(s.gap), share * touch, 1e-14); // displacements have the mean zero: rounding
-    const Solution same = solved(compliance, distance, {Drive::Kind::approach, s.report.approach}, 1e-10);
+    const Solution same = converged(compliance, distance, {Drive::Kind::approach, s.report.approach}, 1e-10);
     EXPECT_NEAR(mean(same.pressure), mean(s.pressure), 1e-12 * mean(s.pressure));
   }
-  const Solution apart = solved(compliance, distance, {Drive::Kind::mean_gap, 1.1 * touch}, 1e-10);
+  const Solution apart = converged(compliance, distance, {Drive::Kind::mean_gap, 1.1 * touch}, 1e-10);
   EXPECT_EQ(mean(apart.pressure), 0.0);
 }
 
@@ -171,7 +161,7 @@ TEST(MeanGap, IsRefusedIfNegativeOrWithoutAPeriod)
     const halfspace::SurfaceCompliance compliance(g, 1.0);
     try
     {
-      (void)solved(compliance, rough(g), {Drive::Kind::mean_gap, boundary == Boundary::open ? 0.1 : -0.1}, 1e-10);
+      (void)converged(compliance, rough(g), {Drive::Kind::mean_gap, boundary == Boundary::open ? 0.1 : -0.1}, 1e-10);
       FAIL() << "accepted";
     }
     catch (const InputError& e)

@@ -4,6 +4,7 @@
 
 #include "gauss.hpp"
 #include "oracle_table.hpp"
+#include "tensors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,19 +20,12 @@ namespace
 {
 
 using std::numbers::pi;
+using test::component_names;
+using test::unit_tensor;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Cuboid, image and freeing pressure, each a sum over eight corners of terms of size pi: stress per E.
 constexpr double rounding = 64.0 * epsilon;
-
-constexpr std::array component_names{"xx", "yy", "zz", "yz", "xz", "xy"};
-
-SymTensor unit_strain(std::size_t component)
-{
-  SymTensor strain{};
-  strain[component] = 1.0;
-  return strain;
-}
 
 struct OracleCase
 {
@@ -96,7 +90,7 @@ TEST(CuboidHalfSpaceTest, SurfaceIsFreeOfTraction)
         for (const auto& [x, y] : {std::array{0.1, -0.2}, std::array{0.9, 0.3}, std::array{-2.0, 1.5}})
         {
           const SymTensor s =
-              cuboid_stress_half_space(x, y, 0.0, zc, 1.0, 0.8, 0.6, unit_strain(component), Elastic{1.0, nu});
+              cuboid_stress_half_space(x, y, 0.0, zc, 1.0, 0.8, 0.6, unit_tensor(component), Elastic{1.0, nu});
           for (const std::size_t c : {2U, 3U, 4U})
             EXPECT_NEAR(s[c], 0.0, rounding) << component_names[component] << ' ' << component_names[c] << ' ' << zc;
         }
@@ -108,7 +102,7 @@ TEST(CuboidHalfSpaceTest, SurfaceTouchingCuboidIsTheLimitFromBelow)
   for (std::size_t component = 0; component < 6; ++component)
   {
     const auto stress = [&](double z) {
-      return cuboid_stress_half_space(0.2, -0.1, z, 0.3, 1.0, 0.8, 0.6, unit_strain(component), Elastic{1.0, 0.3});
+      return cuboid_stress_half_space(0.2, -0.1, z, 0.3, 1.0, 0.8, 0.6, unit_tensor(component), Elastic{1.0, 0.3});
     };
     const SymTensor on = stress(0.0), below = stress(1e-10);
     for (std::size_t c = 0; c < 6; ++c)
@@ -125,8 +119,8 @@ TEST(CuboidHalfSpaceTest, DeepCuboidIsInFullSpace)
     const auto difference = [&](double zc)
     {
       const SymTensor half =
-          cuboid_stress_half_space(0.2, 0.1, zc + 0.7, zc, 1.0, 0.8, 0.6, unit_strain(component), elastic);
-      const SymTensor full = cuboid_stress(0.2, 0.1, 0.7, 1.0, 0.8, 0.6, unit_strain(component), elastic);
+          cuboid_stress_half_space(0.2, 0.1, zc + 0.7, zc, 1.0, 0.8, 0.6, unit_tensor(component), elastic);
+      const SymTensor full = cuboid_stress(0.2, 0.1, 0.7, 1.0, 0.8, 0.6, unit_tensor(component), elastic);
       double largest = 0.0;
       for (std::size_t c = 0; c < 6; ++c)
         largest = std::max(largest, std::abs(half[c] - full[c]));
@@ -163,23 +157,15 @@ TEST(CuboidHalfSpaceTest, EightHalfSizeCuboidsMakeOne)
 
 TEST(CuboidHalfSpaceTest, DivergenceVanishesInSecondOrder)
 {
-  const std::array<std::array<std::size_t, 3>, 3> rows{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
   for (std::size_t component = 0; component < 6; ++component)
   {
     const auto divergence = [&](double h)
     {
-      const auto stress = [&](double x, double y, double z) {
-        return cuboid_stress_half_space(x, y, z, 0.9, 1.0, 0.8, 0.6, unit_strain(component), Elastic{1.0, 0.3});
-      };
-      const double x = 0.4, y = 0.25, z = 0.3;
-      const SymTensor east = stress(x + h, y, z), west = stress(x - h, y, z);
-      const SymTensor north = stress(x, y + h, z), south = stress(x, y - h, z);
-      const SymTensor down = stress(x, y, z + h), up = stress(x, y, z - h);
-      double squares = 0.0;
-      for (const auto& r : rows)
-        squares +=
-            std::pow((east[r[0]] - west[r[0]] + north[r[1]] - south[r[1]] + down[r[2]] - up[r[2]]) / (2.0 * h), 2);
-      return std::sqrt(squares);
+      return test::divergence(
+          0.4, 0.25, 0.3, h,
+          [&](double x, double y, double z) {
+            return cuboid_stress_half_space(x, y, z, 0.9, 1.0, 0.8, 0.6, unit_tensor(component), Elastic{1.0, 0.3});
+          });
     };
     EXPECT_NEAR(std::log2(divergence(1e-2) / divergence(5e-3)), 2.0, 0.05) << component_names[component];
   }
@@ -198,16 +184,16 @@ TEST(CuboidHalfSpaceTest, TwoCuboidsAreReciprocal)
                              [&](double x, double y, double z)
                              {
                                return double_contraction(cuboid_stress_half_space(x - bx, y - by, z, bz, 0.6, 0.4, 0.8,
-                                                                                  unit_strain(j), elastic),
-                                                         unit_strain(i));
+                                                                                  unit_tensor(j), elastic),
+                                                         unit_tensor(i));
                              });
       const double over_b =
           test::box_integral(12, bx - 0.3, bx + 0.3, by - 0.2, by + 0.2, bz - 0.4, bz + 0.4,
                              [&](double x, double y, double z)
                              {
                                return double_contraction(cuboid_stress_half_space(x - ax, y - ay, z, az, 1.0, 0.8, 0.6,
-                                                                                  unit_strain(i), elastic),
-                                                         unit_strain(j));
+                                                                                  unit_tensor(i), elastic),
+                                                         unit_tensor(j));
                              });
       EXPECT_NEAR(over_a, over_b, 1e-10) << component_names[i] << ' ' << component_names[j];
     }
@@ -226,11 +212,11 @@ TEST(CuboidHalfSpaceTest, SurfaceDisplacementIsBettisIntegral)
       for (std::size_t j = 0; j < 16; ++j)
         over_rectangle +=
             u.weight[i] * v.weight[j] *
-            cuboid_surface_displacement(u.point[i], v.point[j], zc, 1.0, 0.8, 1.0, unit_strain(component), nu);
+            cuboid_surface_displacement(u.point[i], v.point[j], zc, 1.0, 0.8, 1.0, unit_tensor(component), nu);
     const double over_cuboid = test::box_integral(
         16, -0.5, 0.5, -0.4, 0.4, zc - 0.5, zc + 0.5,
         [&](double x, double y, double z)
-        { return double_contraction(rectangle_stress(x - 0.4, y + 0.1, z, 0.6, 0.8, nu), unit_strain(component)); });
+        { return double_contraction(rectangle_stress(x - 0.4, y + 0.1, z, 0.6, 0.8, nu), unit_tensor(component)); });
     EXPECT_NEAR(over_rectangle, over_cuboid, 1e-10) << component_names[component];
   }
 }
@@ -267,7 +253,7 @@ double force_across_plane(std::size_t axis, double level, std::size_t component)
       const double u = r * std::cos(angle.point[j]), v = r * std::sin(angle.point[j]);
       const double weight = radius.weight[i] * angle.weight[j] * r / ((1.0 - t) * (1.0 - t));
       const double x = axis == 2 ? u : level, y = axis == 2 ? v : u, z = axis == 2 ? level : v;
-      sum += weight * cuboid_stress_half_space(x, y, z, 1.0, 1.0, 0.8, 0.6, unit_strain(component), {1.0, 0.3})[axis];
+      sum += weight * cuboid_stress_half_space(x, y, z, 1.0, 1.0, 0.8, 0.6, unit_tensor(component), {1.0, 0.3})[axis];
     }
   return sum;
 }

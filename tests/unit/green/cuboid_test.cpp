@@ -3,6 +3,7 @@
 
 #include "gauss.hpp"
 #include "oracle_table.hpp"
+#include "tensors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,19 +19,12 @@ namespace
 {
 
 using std::numbers::pi;
+using test::component_names;
+using test::unit_tensor;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Eight corner terms of size pi, times E/(8 pi (1 - nu^2)), with about ten operations each: stress per E.
 constexpr double rounding = 16.0 * epsilon;
-
-constexpr std::array component_names{"xx", "yy", "zz", "yz", "xz", "xy"};
-
-SymTensor unit_strain(std::size_t component)
-{
-  SymTensor strain{};
-  strain[component] = 1.0;
-  return strain;
-}
 
 TEST(CuboidTest, StressEqualsIntegratedPointForces)
 {
@@ -134,8 +128,8 @@ TEST(CuboidTest, IsFiniteAndContinuousOnTheLineOfAnEdge)
   for (std::size_t c = 0; c < 6; ++c)
     for (const double z : {-1.3, 0.9})
     {
-      const SymTensor on = cuboid_stress(0.5, -0.5, z, 1.0, 1.0, 1.0, unit_strain(c), elastic);
-      const SymTensor near = cuboid_stress(0.5 + 1e-9, -0.5 + 2e-9, z, 1.0, 1.0, 1.0, unit_strain(c), elastic);
+      const SymTensor on = cuboid_stress(0.5, -0.5, z, 1.0, 1.0, 1.0, unit_tensor(c), elastic);
+      const SymTensor near = cuboid_stress(0.5 + 1e-9, -0.5 + 2e-9, z, 1.0, 1.0, 1.0, unit_tensor(c), elastic);
       for (std::size_t i = 0; i < 6; ++i)
         EXPECT_NEAR(on[i], near[i], 1e-8) << component_names[c] << ' ' << component_names[i];
     }
@@ -143,24 +137,14 @@ TEST(CuboidTest, IsFiniteAndContinuousOnTheLineOfAnEdge)
 
 TEST(CuboidTest, DivergenceVanishesInSecondOrder)
 {
-  const std::array<std::array<std::size_t, 3>, 3> rows{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
   for (std::size_t component = 0; component < 6; ++component)
   {
     const auto divergence = [&](double h)
     {
-      const auto stress = [&](double x, double y, double z) {
-        return cuboid_stress(x, y, z, 1.0, 0.8, 0.6, unit_strain(component), Elastic{1.0, 0.3});
-      };
-      const double x = 0.9, y = 0.35, z = -0.55;
-      const SymTensor east = stress(x + h, y, z), west = stress(x - h, y, z);
-      const SymTensor north = stress(x, y + h, z), south = stress(x, y - h, z);
-      const SymTensor down = stress(x, y, z + h), up = stress(x, y, z - h);
-      std::array<double, 3> result{};
-      for (std::size_t i = 0; i < 3; ++i)
-        result[i] = (east[rows[i][0]] - west[rows[i][0]] + north[rows[i][1]] - south[rows[i][1]] + down[rows[i][2]] -
-                     up[rows[i][2]]) /
-                    (2.0 * h);
-      return std::sqrt(result[0] * result[0] + result[1] * result[1] + result[2] * result[2]);
+      return test::divergence(0.9, 0.35, -0.55, h,
+                              [&](double x, double y, double z) {
+                                return cuboid_stress(x, y, z, 1.0, 0.8, 0.6, unit_tensor(component), Elastic{1.0, 0.3});
+                              });
     };
     EXPECT_NEAR(std::log2(divergence(1e-2) / divergence(5e-3)), 2.0, 0.05) << component_names[component];
   }
@@ -179,13 +163,13 @@ TEST(CuboidTest, TwoCuboidsAreReciprocal)
           12, -0.5, 0.5, -0.4, 0.4, -0.3, 0.3,
           [&](double x, double y, double z)
           {
-            return double_contraction(cuboid_stress(x - bx, y - by, z - bz, 0.6, 0.4, 0.8, unit_strain(j), elastic),
-                                      unit_strain(i));
+            return double_contraction(cuboid_stress(x - bx, y - by, z - bz, 0.6, 0.4, 0.8, unit_tensor(j), elastic),
+                                      unit_tensor(i));
           });
       const double over_b = test::box_integral(
           12, bx - 0.3, bx + 0.3, by - 0.2, by + 0.2, bz - 0.4, bz + 0.4,
           [&](double x, double y, double z) {
-            return double_contraction(cuboid_stress(x, y, z, 1.0, 0.8, 0.6, unit_strain(i), elastic), unit_strain(j));
+            return double_contraction(cuboid_stress(x, y, z, 1.0, 0.8, 0.6, unit_tensor(i), elastic), unit_tensor(j));
           });
       EXPECT_NEAR(over_a, over_b, 1e-10) << component_names[i] << ' ' << component_names[j];
     }

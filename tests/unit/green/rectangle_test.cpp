@@ -3,9 +3,11 @@
 
 #include "gauss.hpp"
 #include "oracle_table.hpp"
+#include "tensors.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -17,13 +19,12 @@ namespace
 {
 
 using std::numbers::pi;
+using test::component_names;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Four corner terms, each at most pi/2/(2 pi) times a few operations: rounding is some eps of the unit pressure,
 // however small the stress itself is.
 constexpr double rounding = 8.0 * epsilon;
-
-constexpr std::array component_names{"xx", "yy", "zz", "yz", "xz", "xy"};
 
 TEST(RectangleTest, StressEqualsIntegratedPointLoad)
 {
@@ -130,17 +131,8 @@ TEST(RectangleTest, DivergenceVanishesInSecondOrder)
 {
   const auto divergence = [](double h)
   {
-    const auto stress = [](double x, double y, double z) { return rectangle_stress(x, y, z, 1.0, 0.8, 0.3); };
-    const double x = 0.42, y = 0.33, z = 0.3;
-    const SymTensor east = stress(x + h, y, z), west = stress(x - h, y, z);
-    const SymTensor north = stress(x, y + h, z), south = stress(x, y - h, z);
-    const SymTensor down = stress(x, y, z + h), up = stress(x, y, z - h);
-    const std::array<std::array<std::size_t, 3>, 3> rows{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
-    double largest = 0.0;
-    for (const auto& r : rows)
-      largest = std::max(
-          largest, std::abs(east[r[0]] - west[r[0]] + north[r[1]] - south[r[1]] + down[r[2]] - up[r[2]]) / (2.0 * h));
-    return largest;
+    return test::divergence(0.42, 0.33, 0.3, h,
+                            [](double x, double y, double z) { return rectangle_stress(x, y, z, 1.0, 0.8, 0.3); });
   };
   const double order = std::log2(divergence(2e-2) / divergence(1e-2));
   EXPECT_NEAR(order, 2.0, 0.05) << "central differences, h^4 terms of some (h/z)^2 = 1e-3";

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/green/rectangle.hpp"
 #include "brinell/green/strip.hpp"
+
 #include "gauss.hpp"
+#include "tensors.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -78,18 +81,9 @@ TEST(ShearedRectangleTest, DivergenceVanishesInSecondOrder)
 {
   const auto divergence = [](double h)
   {
-    const auto stress = [](double x, double y, double z)
-    { return rectangle_stress(x, y, z, 1.0, 0.8, 0.3, Traction::shear_x); };
-    const double x = 0.42, y = 0.33, z = 0.3;
-    const SymTensor east = stress(x + h, y, z), west = stress(x - h, y, z);
-    const SymTensor north = stress(x, y + h, z), south = stress(x, y - h, z);
-    const SymTensor down = stress(x, y, z + h), up = stress(x, y, z - h);
-    constexpr std::array<std::array<std::size_t, 3>, 3> rows{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
-    double largest = 0.0;
-    for (const auto& r : rows)
-      largest = std::max(
-          largest, std::abs(east[r[0]] - west[r[0]] + north[r[1]] - south[r[1]] + down[r[2]] - up[r[2]]) / (2.0 * h));
-    return largest;
+    return test::divergence(0.42, 0.33, 0.3, h,
+                            [](double x, double y, double z)
+                            { return rectangle_stress(x, y, z, 1.0, 0.8, 0.3, Traction::shear_x); });
   };
   const double order = std::log2(divergence(2e-2) / divergence(1e-2));
   EXPECT_NEAR(order, 2.0, 0.05) << "central differences, h^4 terms of some (h/z)^2 = 1e-3";

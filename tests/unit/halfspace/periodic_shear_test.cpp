@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/halfspace/half_space.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "gauss.hpp"
 #include "grid_fields.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
+#include "tensors.hpp"
 #include "volume_fields.hpp"
 
 #include <gtest/gtest.h>
@@ -17,10 +19,12 @@ namespace brinell::halfspace
 namespace
 {
 
+using test::add;
 using test::Field;
 using test::hertz;
 using test::sampled;
 using test::StressField;
+
 constexpr double pi = std::numbers::pi;
 const Elastic elastic{1.3, 0.28};
 const double nu = elastic.poisson_ratio;
@@ -28,14 +32,8 @@ const double nu = elastic.poisson_ratio;
 constexpr auto open = Boundary::open;
 constexpr auto periodic = Boundary::periodic;
 
-constexpr std::array<double, 3> gauss_point{-0.38729833462074168852, 0.0, 0.38729833462074168852};
-constexpr std::array<double, 3> gauss_weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-
-void add(const SymTensor& part, double factor, SymTensor& sum)
-{
-  for (std::size_t c = 0; c < 6; ++c)
-    sum[c] += factor * part[c];
-}
+/// Over the layer of a cell, from its middle in units of its thickness.
+const test::Gauss layer_rule(3, -0.5, 0.5);
 
 // --- one periodic axis --------------------------------------------------------------------------------------------
 
@@ -56,15 +54,15 @@ TEST(SlidingCylinderTest, StressIsMcEwens)
       for (int k = cells / 4; k < 2 * cells; ++k)
       {
         SymTensor expected{};
-        for (std::size_t q = 0; q < gauss_point.size(); ++q)
+        for (std::size_t q = 0; q < layer_rule.point.size(); ++q)
         {
-          const double x = i * h, z = (k + 0.5 + gauss_point[q]) * h;
+          const double x = i * h, z = (k + 0.5 + layer_rule.point[q]) * h;
           const double a = 1.0 - x * x + z * z, root = std::sqrt(a * a + 4.0 * x * x * z * z);
           const double m2 = 0.5 * (root + a), n2 = 0.5 * (root - a);
           const SymTensor p = reference::line_contact_stress(x, z, 1.0, 1.0, nu);
           const double xx = std::copysign(std::sqrt(n2), x) * (2.0 - (z * z - m2) / (m2 + n2)) - 2.0 * x;
           const double zz = p[4], xz = p[0];
-          add({xx, nu * (xx + zz), zz, 0.0, xz, 0.0}, gauss_weight[q], expected);
+          add({xx, nu * (xx + zz), zz, 0.0, xz, 0.0}, layer_rule.weight[q], expected);
         }
         const SymTensor found = stress.at(g.index(middle + i, 0, k));
         for (std::size_t c = 0; c < 6; ++c)
@@ -93,14 +91,7 @@ TEST(OnePeriodicAxisShearTest, IsTheMiddleOfARowOfCopies)
     { return sampled(row.surface, [&](int i, int j) { return q[grid.surface.index(i, j % grid.surface.ny)]; }); };
     const Field copied_x = copied(q_x), copied_y = copied(q_y);
     const auto found = StressField::of(HalfSpace(row, elastic), {.shear_x = copied_x, .shear_y = copied_y});
-    double error = 0.0;
-    for (int k = 0; k < grid.nz; ++k)
-      for (int j = 0; j < grid.surface.ny; ++j)
-        for (int i = 0; i < grid.surface.nx; ++i)
-          for (std::size_t c = 0; c < 6; ++c)
-            error = std::max(error, std::abs(exact.at(grid.index(i, j, k))[c] -
-                                             found.at(row.index(i, j + count * grid.surface.ny, k))[c]));
-    errors.push_back(error);
+    errors.push_back(test::largest_difference(grid, exact, row, found, count * grid.surface.ny));
   }
   EXPECT_GT(test::Orders("row of copies of a shear, copies doubled", errors).last, 1.8);
   EXPECT_LT(errors.back(), 2e-3);

@@ -3,8 +3,10 @@
 
 #include "brinell/green/rectangle.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "gauss.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
+#include "tensors.hpp"
 #include "volume_fields.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +44,7 @@ TEST_P(PressureStressTest, EqualsTheSumOfRectanglesMeanOverALayer)
   const double nu = 0.3;
   const std::vector<double> pressure = test::random_field(s.size(), 1);
   const StressField fast(HalfSpace(g, {1.0, nu}), pressure, {});
-  const double root = std::sqrt(0.15); // Gauss-Legendre, three points
+  const test::Gauss layer(3, -0.5, 0.5);
   for (int k = 0; k < g.nz; ++k)
     for (int j = 0; j < s.ny; ++j)
       for (int i = 0; i < s.nx; ++i)
@@ -50,13 +52,10 @@ TEST_P(PressureStressTest, EqualsTheSumOfRectanglesMeanOverALayer)
         SymTensor sum{};
         for (int m = 0; m < s.ny; ++m)
           for (int l = 0; l < s.nx; ++l)
-            for (const auto& [point, weight] : {std::array{-root, 5.0 / 18.0}, {0.0, 8.0 / 18.0}, {root, 5.0 / 18.0}})
-            {
-              const SymTensor part =
-                  green::rectangle_stress((i - l) * s.dx, (j - m) * s.dy, (k + 0.5 + point) * g.dz, s.dx, s.dy, nu);
-              for (std::size_t c = 0; c < 6; ++c)
-                sum[c] += weight * pressure[s.index(l, m)] * part[c];
-            }
+            for (std::size_t q = 0; q < layer.point.size(); ++q)
+              test::add(green::rectangle_stress((i - l) * s.dx, (j - m) * s.dy, (k + 0.5 + layer.point[q]) * g.dz, s.dx,
+                                                s.dy, nu),
+                        layer.weight[q] * pressure[s.index(l, m)], sum);
         const SymTensor found = fast.at(g.index(i, j, k));
         for (std::size_t c = 0; c < 6; ++c) // round-off of the transforms; stresses and pressures of order one
           EXPECT_NEAR(found[c], sum[c], 1e-13) << "component " << c << " at " << i << ' ' << j << ' ' << k;

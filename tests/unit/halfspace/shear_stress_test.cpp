@@ -3,9 +3,11 @@
 #include "brinell/green/rectangle.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "gauss.hpp"
 #include "grid_fields.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
+#include "tensors.hpp"
 #include "volume_fields.hpp"
 
 #include <gtest/gtest.h>
@@ -21,10 +23,12 @@ namespace brinell::halfspace
 namespace
 {
 
+using test::add;
 using test::Field;
 using test::hertz;
 using test::sampled;
 using test::StressField;
+
 constexpr double pi = std::numbers::pi;
 const Elastic elastic{1.3, 0.28};
 const double nu = elastic.poisson_ratio;
@@ -32,14 +36,8 @@ const double nu = elastic.poisson_ratio;
 constexpr auto open = Boundary::open;
 constexpr auto periodic = Boundary::periodic;
 
-constexpr std::array<double, 3> gauss_point{-0.38729833462074168852, 0.0, 0.38729833462074168852};
-constexpr std::array<double, 3> gauss_weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-
-void add(const SymTensor& part, double factor, SymTensor& sum)
-{
-  for (std::size_t c = 0; c < 6; ++c)
-    sum[c] += factor * part[c];
-}
+/// Over the layer of a cell, from its middle in units of its thickness.
+const test::Gauss layer_rule(3, -0.5, 0.5);
 
 class ShearStressTest : public testing::TestWithParam<VolumeGrid>
 {
@@ -65,11 +63,11 @@ TEST_P(ShearStressTest, EqualsTheSumOfRectanglesMeanOverALayer)
         SymTensor sum{};
         for (int m = 0; m < s.ny; ++m)
           for (int l = 0; l < s.nx; ++l)
-            for (std::size_t q = 0; q < gauss_point.size(); ++q)
+            for (std::size_t q = 0; q < layer_rule.point.size(); ++q)
               for (std::size_t t = 0; t < tractions.size(); ++t)
-                add(green::rectangle_stress((i - l) * s.dx, (j - m) * s.dy, (k + 0.5 + gauss_point[q]) * g.dz, s.dx,
-                                            s.dy, nu, tractions[t]),
-                    gauss_weight[q] * load[t][s.index(l, m)], sum);
+                add(green::rectangle_stress((i - l) * s.dx, (j - m) * s.dy, (k + 0.5 + layer_rule.point[q]) * g.dz,
+                                            s.dx, s.dy, nu, tractions[t]),
+                    layer_rule.weight[q] * load[t][s.index(l, m)], sum);
         const SymTensor found = fast.at(g.index(i, j, k));
         for (std::size_t c = 0; c < 6; ++c) // round-off of the transforms; stresses and loads of order one
           EXPECT_NEAR(found[c], sum[c], 1e-12) << "component " << c << " at " << i << ' ' << j << ' ' << k;
@@ -154,11 +152,11 @@ TEST_P(SlidingSphereTest, StressOnTheAxisIsHamiltons)
     for (int k = cells / 4; k < 2 * cells; ++k)
     {
       SymTensor expected{};
-      for (std::size_t q = 0; q < gauss_point.size(); ++q)
+      for (std::size_t q = 0; q < layer_rule.point.size(); ++q)
       {
-        const double z = (k + 0.5 + gauss_point[q]) * h;
-        add(reference::point_contact_stress(0.0, 0.0, z, 1.0, 1.0, nu), gauss_weight[q], expected);
-        expected[4] -= gauss_weight[q] * f * (1.0 - 1.5 * z * std::atan(1.0 / z) + 0.5 * z * z / (1.0 + z * z));
+        const double z = (k + 0.5 + layer_rule.point[q]) * h;
+        add(reference::point_contact_stress(0.0, 0.0, z, 1.0, 1.0, nu), layer_rule.weight[q], expected);
+        expected[4] -= layer_rule.weight[q] * f * (1.0 - 1.5 * z * std::atan(1.0 / z) + 0.5 * z * z / (1.0 + z * z));
       }
       const SymTensor found = stress.at(g.index(middle, middle, k));
       for (std::size_t c = 0; c < 6; ++c)

@@ -198,10 +198,11 @@ TEST(PeriodicCase, DrivesThatHaveNoContact)
 {
   const std::string grid = std::string(both) + "cells = [16, 16]";
   expect_refused(indentation(wavy, "approach = [\"0.1 um\", 0]", grid), 8,
-                 {"indentation.approach = [\"0.1 um\", 0]", "counts from the mean planes", "indentation.load",
-                  "indentation.pressure"});
+                 {"indentation.approach = [\"0.1 um\", 0]", "counts from the mean planes, and at 0 m all",
+                  "allowed: a load or mean pressure instead", "indentation.load", "indentation.pressure"});
   expect_refused(indentation(ball, "approach = [\"20 um\"]", grid), 8,
-                 {"indentation.approach", "at 8.3e-06 m all of the surfaces touches"}); // 1 mm^2/(12 R) less 1/16^2
+                 {"indentation.approach", "an approach of 2e-05 m cannot be reached",
+                  "at 8.35e-06 m all of the surfaces touches"}); // 1 mm^2/(12 R), and 1/512 more by the cells
   expect_refused(indentation(wavy, "pressure = [\"1 MPa\"]\nnormalised = true", grid), 9,
                  {"indentation.normalised = true", "not with indentation.pressure"});
   expect_refused(indentation(cylinder, "pressure = [\"1 MPa\"]", plane), 8,

@@ -361,6 +361,27 @@ TEST(PeriodicApproach, EndsAtTheMeanDistanceOfTheSurfaces)
   EXPECT_FALSE(refused(cylinder(approach(1e-3))));
 }
 
+TEST(PeriodicApproach, CountsShapesWhereTheCellsAre)
+{
+  // Four columns of a run lie at -1, 0, 1 and 2 cells from the middle, four rows at -1.5, -0.5, 0.5 and 1.5.
+  constexpr double cell = 0.25e-3;
+  IndentationCase c = flats(approach(0.0));
+  c.upper.shape = Paraboloid{R, R};
+  c.domain.x.cells = c.domain.y.cells = 4;
+  const double mean_square = (1.0 + 0.0 + 1.0 + 4.0) / 4.0 + (2.25 + 0.25 + 0.25 + 2.25) / 4.0;
+  const double ball = cell * cell * mean_square / (2.0 * R);
+  c.lower.texture = {};
+  const auto refused = [&](double share)
+  { return reason_against_approach(c.lower, c.upper, share * ball, c.domain).has_value(); };
+  EXPECT_FALSE(refused(1.0 - 1e-6));
+  EXPECT_TRUE(refused(1.0 + 1e-6));
+  // Mean displacements are zero, so a run with an imposed approach keeps the mean distance less that approach as mean gap.
+  const double imposed = 0.96 * ball; // which centred columns, of mean square 2.5, do not allow
+  c.sequence = {approach(imposed)};
+  c.steps = 1;
+  EXPECT_NEAR(run(c, {}).last.mean_gap, ball - imposed, 1e-6 * ball);
+}
+
 TEST(PeriodicLoad, DoesNotYieldEverythingBeneath)
 {
   // Held in its plane under p, s_zz = -p and s_xx = s_yy = -nu/(1 - nu) p.

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""First yield of frictionless contacts: where, and at which load and approach."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from brinell import _core
+from brinell._arrays import require_poisson, require_positive
+from brinell.errors import InputError
+from brinell.reference.hertz import approach_origin
+
+
+@dataclass(frozen=True)
+class FirstYield:
+    """Where a frictionless contact yields first.
+
+    Attributes:
+        pressure_ratio: C = p0/S_y = p0/(largest von Mises stress) [-].
+        depth_ratio: depth over contact radius, or half-width of a line contact [-].
+    """
+
+    pressure_ratio: float
+    depth_ratio: float
+
+
+def first_yield(poisson_ratio: float) -> FirstYield:
+    """First yield by von Mises on the axis of a point contact, exact.
+
+    Args:
+        poisson_ratio: nu, in [0, 0.5].
+
+    Raises:
+        InputError: nu is out of range.
+    """
+    return FirstYield(*_core.first_yield(poisson_ratio))
+
+
+def line_contact_first_yield(poisson_ratio: float) -> FirstYield:
+    """First yield by von Mises of a line contact in plane strain, exact: on its axis, up to nu = 0.1938 at the surface.
+
+    Green's (2005) fits are within 0.15 % of it.
+
+    Args:
+        poisson_ratio: nu, in (-1, 0.5].
+
+    Raises:
+        InputError: nu is out of range.
+    """
+    return FirstYield(*_core.line_contact_first_yield(poisson_ratio))
+
+
+def critical_pressure_ratio(poisson_ratio: float) -> float:
+    """C(nu) = 1.30075 + 0.87825 nu + 0.54373 nu^2, a fit of p0/S_y at first yield (Green 2005), within 0.15 %."""
+    require_poisson(poisson_ratio)
+    return _core.critical_pressure_ratio(poisson_ratio)
+
+
+@dataclass(frozen=True)
+class CriticalValues:
+    """First yield of a frictionless contact, in a point or along a line.
+
+    Attributes:
+        C: p0/S_y [-].
+        interference: alpha_c [m].
+        load: P_c [N].
+        energy: U_c [J].
+        contact_radius: a_c, of a line its half-width [m].
+        contact_area: pi a_c^2, of a line of the length L 2 a_c L [m²].
+        peak_pressure: C S_y [Pa].
+    """
+
+    C: float
+    interference: float
+    load: float
+    energy: float
+    contact_radius: float
+    contact_area: float
+    peak_pressure: float
+
+
+def critical_values(
+    radius: float,
+    contact_modulus: float,
+    yield_stress: float,
+    *,
+    poisson_ratio: float | None = None,
+    C: float | None = None,
+) -> CriticalValues:
+    """Critical values of a sphere (Green 2005; Boucly, Nelias, Green 2006, Eqs. 24-27).
+
+    Args:
+        radius: R [m].
+        contact_modulus: E' [Pa].
+        yield_stress: S_y of the body that yields first, that with the smaller C S_y [Pa].
+        poisson_ratio: nu of that body; C is `critical_pressure_ratio` of it.
+        C: instead of nu: p0/S_y at first yield.
+
+    Raises:
+        InputError: a value is out of range, or not one of poisson_ratio and C is given.
+    """
+    require_positive(radius=radius, contact_modulus=contact_modulus, yield_stress=yield_stress)
+    if poisson_ratio is not None and C is None:
+        C = critical_pressure_ratio(poisson_ratio)
+    elif C is None or poisson_ratio is not None:
+        raise InputError("critical_values needs either poisson_ratio or C")
+    return CriticalValues(*_core.critical_values(radius, contact_modulus, C, yield_stress))
+
+
+def critical_line_values(
+    radius: float,
+    contact_modulus: float,
+    yield_stress: float,
+    *,
+    poisson_ratio: float | None = None,
+    C: float | None = None,
+    length: float = 1.0,
+    reference: float | None = None,
+) -> CriticalValues:
+    """Critical values of cylinders in plane strain (Green 2005).
+
+    Args:
+        radius: R [m].
+        contact_modulus: E' [Pa].
+        yield_stress: S_y of the body that yields first, that with the smaller C S_y [Pa].
+        poisson_ratio: nu of that body; C is that of `line_contact_first_yield`.
+        C: instead of nu: p0/S_y at first yield.
+        length: on which load, energy and area are [m].
+        reference: distance l from which the approach counts [m]; None: 2 R/e, as in Green's formulae.
+
+    Raises:
+        InputError: a value is out of range, or not one of poisson_ratio and C is given.
+    """
+    require_positive(radius=radius, contact_modulus=contact_modulus, yield_stress=yield_stress)
+    if poisson_ratio is not None and C is None:
+        C = line_contact_first_yield(poisson_ratio).pressure_ratio
+    elif C is None or poisson_ratio is not None:
+        raise InputError("critical_line_values needs either poisson_ratio or C")
+    origin = approach_origin(radius, reference)
+    return CriticalValues(*_core.critical_line_values(radius, contact_modulus, C, yield_stress, length, origin))

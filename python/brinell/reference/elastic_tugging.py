@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two elastic bodies that are carried past each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from brinell import _core
+from brinell._arrays import Array, points, require_positive
+from brinell.errors import InputError
+from brinell.reference.hertz import approach_origin, line_contact, point_contact
+
+
+@dataclass(frozen=True)
+class TuggingForces:
+    """Forces of two elastic spheres or cylinders that pass each other.
+
+    Attributes:
+        load: P along the line of centres (...) [N].
+        F_X: positive if it resists the motion, before alignment (...) [N].
+        F_Z: presses them apart (...) [N].
+        interference: of the undeformed bodies, 0 without contact (...) [m].
+    """
+
+    load: Array
+    F_X: Array
+    F_Z: Array
+    interference: Array
+
+
+class ElasticTugging:
+    """Two elastic bodies of which the upper is carried past the lower one at constant height, without friction.
+
+    At the sliding coordinate X the centres are omega' apart, omega'^2 = omega^2 + X^2, omega = R1 + R2 - interference,
+    and F_X = -P X/omega', F_Z = P omega/omega'. P is that of the approach R1 + R2 - omega': 4/3 E' sqrt(R) approach^1.5
+    of spheres, and of cylinders that of `line_contact` over their length.
+    """
+
+    def __init__(
+        self,
+        radius_lower: float,
+        radius_upper: float,
+        contact_modulus: float,
+        interference: float,
+        *,
+        length: float | None = None,
+        reference: float | None = None,
+    ):
+        """Two spheres, or cylinders in plane strain if a length is given.
+
+        Args:
+            radius_lower: R1 [m].
+            radius_upper: R2 [m].
+            contact_modulus: E' [Pa].
+            interference: at alignment [m], in (0, R1 + R2).
+            length: of cylinders, on which forces and energies are [m].
+            reference: of cylinders: distance l from which the approach counts [m]; None: 2 R/e.
+
+        Raises:
+            InputError: a value is out of range.
+        """
+        if length is None and reference is not None:
+            raise InputError("reference goes with cylinders: give their length")
+        require_positive(radius_lower=radius_lower, radius_upper=radius_upper)
+        radius = 1.0 / (1.0 / radius_lower + 1.0 / radius_upper)
+        line = None if length is None else (length, approach_origin(radius, reference))
+        self._engine = _core.ElasticTugging(radius_lower, radius_upper, contact_modulus, interference, line)
+
+    @property
+    def half_sliding_distance(self) -> float:
+        """The bodies touch from -d0 to d0 [m] (Boucly, Nelias, Green 2006, Eq. 2)."""
+        return self._engine.half_sliding_distance()
+
+    def forces(self, X: ArrayLike) -> TuggingForces:
+        """Forces at the sliding coordinates X (...) [m], 0 at alignment."""
+        shape, (X,) = points(X=X)
+        return TuggingForces(*self._engine.forces(X).reshape(4, *shape))
+
+    def peak(self) -> tuple[float, float]:
+        """The largest F_X [N] and the X < 0 where it is [m]."""
+        return self._engine.peak()
+
+    def work(self, X1: float, X2: float) -> float:
+        """Work of F_X from X1 to X2 [J]."""
+        return self._engine.work(X1, X2)
+
+
+def elastic_tugging_reach(lower_radius: float, upper_radius: float, interference: float) -> float:
+    """Sliding coordinate at which two elastic spheres or cylinders part, d0 (Boucly, Nelias, Green 2006, Eq. 2).
+
+    Args:
+        lower_radius: radius of the lower sphere [m].
+        upper_radius: radius of the upper sphere [m].
+        interference: rigid-body interference at alignment [m], > 0.
+
+    Returns:
+        Half the sliding distance in contact [m]; the contact lasts from -d0 to d0.
+    """
+    return ElasticTugging(lower_radius, upper_radius, 1.0, interference).half_sliding_distance
+
+
+def elastic_tugging_forces(
+    X: ArrayLike,
+    lower_radius: float,
+    upper_radius: float,
+    interference: float,
+    critical_interference: float,
+    *,
+    reference: float | None = None,
+) -> tuple[Array, Array]:
+    """Forces of two elastic spheres or cylinders over the critical load, for which no elastic constant is needed.
+
+    Args:
+        X: sliding coordinate, 0 at alignment [m].
+        lower_radius: radius of the lower body [m].
+        upper_radius: radius of the upper body [m].
+        interference: rigid-body interference at alignment [m], > 0.
+        critical_interference: interference at first yield, alpha_c [m].
+        reference: of cylinders: distance l from which their approach counts [m]; None: spheres.
+
+    Returns:
+        F_X / P_c and F_Z / P_c [-], zero where they do not touch.
+    """
+    radius = 1.0 / (1.0 / lower_radius + 1.0 / upper_radius)
+    if reference is None:
+        critical_load = point_contact(radius, 1.0, approach=critical_interference).load
+        forces = ElasticTugging(lower_radius, upper_radius, 1.0, interference).forces(X)
+    else:
+        critical_load = line_contact(radius, 1.0, approach=critical_interference, reference=reference).load_per_length
+        cylinders = ElasticTugging(lower_radius, upper_radius, 1.0, interference, length=1.0, reference=reference)
+        forces = cylinders.forces(X)
+    return forces.F_X / critical_load, forces.F_Z / critical_load

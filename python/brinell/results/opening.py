@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How a result is opened, and what is checked of it before anything is read."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from brinell.results.errors import FORMAT_VERSION, RunError, summary_place, unfinished
+from brinell.results.history import History, read_history
+from brinell.results.old_format import OLD_VERSION, summary_of_today
+from brinell.results.result_file import FILE_NAME, MemoryFile, ResultFile
+from brinell.results.run import Run
+from brinell.results.scenarios import Scenario
+
+__all__ = ["open_run", "run_of_image"]
+
+
+def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
+    """Opens a result: reads the history and the summary; fields are read when asked for.
+
+    Args:
+        path: the folder that `brinell run -o` wrote, or its file result.vtkhdf alone.
+        allow_unfinished: also accept a run that is still going or was stopped; its summary is then None. A file alone
+            knows the history up to the last stored step.
+
+    Raises:
+        RunError: no such folder or file, something is missing or damaged, or the run has not finished.
+    """
+    path = Path(path)
+    if not path.exists():
+        raise RunError(f"{path}: no such {'file' if path.suffix == '.vtkhdf' else 'folder'}")
+    history, summary = _file_content(path) if path.is_file() else _folder_content(path)
+    if summary is None:
+        if not allow_unfinished:
+            raise unfinished(path, history.steps)
+        return Run(path, history, None)
+    run = Run(path, history, _checked_summary(summary, path, history.scenario))
+    _require_all_steps(run)
+    return run
+
+
+def run_of_image(image: bytes) -> Run:
+    """The result whose file has these bytes."""
+    memory = MemoryFile(image)
+    with ResultFile(memory) as file:
+        history, summary = file.history(), file.text("summary")
+    path = Path("memory")
+    return Run(path, history, _checked_summary(summary or "", path, history.scenario), memory)
+
+
+def _require_all_steps(run: Run) -> None:
+    """Raises RunError if the history of a complete run is not whole."""
+    steps = run._number("run", "steps")
+    if not np.array_equal(run.history["step"], np.arange(steps)):
+        folder = run.path.is_dir()
+        raise RunError(
+            f"{run.path / 'history.csv' if folder else f'{run.path}: /history'}: has {run.history.steps} rows, the run "
+            f"had {steps:.0f} steps, one row each: it was cut or altered"
+            + (f"; {run.file} by itself may hold the history still" if folder else "")
+        )
+
+
+def _file_content(path: Path) -> tuple[History, str | None]:
+    with ResultFile(path) as file:
+        return file.history(), file.text("summary")
+
+
+def _folder_content(path: Path) -> tuple[History, str | None]:
+    if (path / "result.h5").is_file() and not (path / FILE_NAME).is_file():
+        raise RunError(f"{path}: format version 1, this program reads version {FORMAT_VERSION}; compute the run again")
+    if (path / "sweep.json").is_file():
+        raise RunError(f"{path}: is a sweep; brinell.sweeps.open_sweep opens it, or name a run in its folder runs/")
+    history = read_history(path)
+    summary = path / "summary.json"
+    if not summary.is_file():
+        return history, None
+    try:
+        return history, summary.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise RunError(f"{summary}: cannot be read ({error})") from error
+
+
+def _checked_summary(text: str, path: Path, scenario: Scenario) -> dict[str, Any]:
+    place = summary_place(path)
+    try:
+        summary = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise RunError(f"{place}:{error.lineno}: not valid JSON ({error.msg})") from error
+    except RecursionError as error:
+        raise RunError(f"{place}: not a summary of brinell") from error
+    if not isinstance(summary, dict) or summary.get("format") != "brinell-summary":
+        raise RunError(f"{place}: not a summary of brinell")
+    version = summary.get("format_version")
+    if version not in (OLD_VERSION, FORMAT_VERSION):
+        raise RunError(f"{place}: format version {version}, this program reads version {FORMAT_VERSION}")
+    if summary.get("scenario") != scenario:
+        raise RunError(f"{place}: is of scenario {summary.get('scenario')!r}, but the history of {scenario!r}")
+    return summary_of_today(summary, FORMAT_VERSION) if version == OLD_VERSION else summary

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The part of docs/verification.md that is rendered from what the tests measured."""
+
+import importlib.util
+import json
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+TOOL = Path(__file__).resolve().parents[2] / "tools" / "render_verification.py"
+
+
+@pytest.fixture(scope="module")
+def tool() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("render_verification", TOOL)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+SOURCE = """
+TEST(PlaneStrain, ElasticCylinder)
+{
+  test::expect_close("pressure", 1.0, 1.0, 0.1, "exact");
+}
+
+TEST(PlaneStrain, LeavesNoNumber)
+{
+  EXPECT_TRUE(true);
+}
+
+TEST_P(Accuracy,
+       OfTheInterval)
+{
+  test::expect_within("load", 1.0, 0.0, 2.0, "interval");
+}
+"""
+CLOSE = {"expected": 1.0, "measured": 1.02, "tolerance": 0.1, "origin": "exact"}
+WITHIN = {"low": 0.0, "high": 2.0, "measured": 1.0, "origin": "interval"}
+RECORD = {
+    "PlaneStrain": {"ElasticCylinder": {"pressure": CLOSE}},
+    "Cases/Accuracy": {"OfTheInterval/0": {"load": WITHIN}, "OfTheInterval/1": {"approach": WITHIN}},
+}
+
+
+def test_each_suite_has_a_section_and_parameters_share_a_table(tool: ModuleType) -> None:
+    lines = tool.rendered(RECORD).splitlines()
+    assert [line for line in lines if line.startswith("#")] == ["### Accuracy", "### Plane strain"]
+    assert lines.count("**Of the interval**") == 1
+    assert "| pressure | 1.02 | 1 | ± 0.1 | exact |" in lines
+
+
+def test_what_differs_from_the_tests_is_told(tool: ModuleType, tmp_path: Path) -> None:
+    (tmp_path / "plane_test.cpp").write_text(SOURCE)
+    tests = tool.tests_of(tmp_path)
+    assert tests == {
+        ("PlaneStrain", "ElasticCylinder"): True,
+        ("PlaneStrain", "LeavesNoNumber"): False,
+        ("Accuracy", "OfTheInterval"): True,
+    }
+    assert tool.differences(RECORD, tests) == []
+    gone = {**RECORD, "OldSuite": {"OldTest": {"x": CLOSE}}}
+    del gone["Cases/Accuracy"]
+    assert tool.differences(gone, tests) == [
+        "Accuracy.OfTheInterval has left no number: run it",
+        "OldSuite.OldTest is in the record, but is no test: delete the record and run the tests again",
+    ]
+
+
+def test_the_page_is_not_written_from_a_part_of_the_tests(tmp_path: Path) -> None:
+    record, page = tmp_path / "verification.json", tmp_path / "page.md"
+    record.write_text(json.dumps(RECORD))
+    page.write_text("the page as it was")
+    result = subprocess.run([sys.executable, str(TOOL), str(record), str(page)], capture_output=True, text=True)
+    assert result.returncode == 1
+    assert "RoughInAPeriod.AreaOverPressureLiesBetweenPerssonAndGreenwood has left no number" in result.stderr
+    assert page.read_text() == "the page as it was"
+
+
+def test_sections_of_the_tests_have_different_names(tool: ModuleType) -> None:
+    suites = {suite for suite, _ in tool.tests_of(tool.TESTS)}
+    assert {"PlaneStrain", "OnePeriodicAxis", "PeriodicSurfaces", "RoughInAPeriod", "WavesInAPeriod"} <= suites
+    assert len({tool.words(suite) for suite in suites}) == len(suites)

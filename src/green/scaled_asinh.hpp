@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+namespace brinell::green
+{
+
+/// a asinh(b/|a|), continued by zero to a = 0: what Love's integral over a rectangle has in each corner.
+[[nodiscard]] inline double scaled_asinh(double a, double b)
+{
+  return a == 0.0 ? 0.0 : a * std::asinh(b / std::abs(a));
+}
+
+} // namespace brinell::green
