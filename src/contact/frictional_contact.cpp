@@ -2,6 +2,7 @@
 #include "brinell/contact/frictional_contact.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "carried_field.hpp"
 #include "foundation/require_size.hpp"
 
 #include <algorithm>
@@ -14,8 +15,9 @@ namespace brinell::contact
 FrictionalContact::FrictionalContact(const halfspace::SurfaceCompliance& normal,
                                      const halfspace::TractionCompliance& tractions)
     : tractions_(tractions), scratch_(tractions.make_scratch()), normal_(normal), tangential_(tractions),
-      bound_(normal.grid().size()), distance_(bound_.size()), lowered_(bound_.size()), lowered_before_(bound_.size()),
-      pressure_added_(bound_.size()), pulled_x_(bound_.size()), pulled_y_(bound_.size())
+      pressure_before_(normal.grid().size()), bound_(normal.grid().size()), distance_(bound_.size()),
+      lowered_(bound_.size()), lowered_before_(bound_.size()), pressure_added_(bound_.size()), pulled_x_(bound_.size()),
+      pulled_y_(bound_.size())
 {
   if (!(normal.grid() == tractions.grid()))
     throw InternalError("FrictionalContact: both operators must have the same grid");
@@ -43,7 +45,7 @@ FrictionReport FrictionalContact::step(std::span<const double> distance, const D
                                        const TangentialDrive& tangential, double friction,
                                        const FrictionTolerances& tolerances, FrictionState& state,
                                        std::span<double> gap, const AlongSurface& slip,
-                                       const std::function<bool()>& wants_stop)
+                                       const std::function<bool()>& wants_stop, const std::array<int, 2>& carried)
 {
   require_size("FrictionalContact::step: the distance", distance, bound_.size());
   require_size("FrictionalContact::step: the pressure before", state.pressure, bound_.size());
@@ -51,7 +53,7 @@ FrictionReport FrictionalContact::step(std::span<const double> distance, const D
   require_size("FrictionalContact::step: the shear before along y", state.shear_y, bound_.size());
   if (!(friction >= 0.0) || std::isinf(friction))
     throw InputError(fmt::format("friction = {:g}; allowed: finite, not below 0", friction));
-  pressure_before_ = state.pressure;
+  carry(tractions_.grid(), carried, state.pressure, pressure_before_);
   shear_x_before_ = state.shear_x;
   shear_y_before_ = state.shear_y;
   const bool couples = tractions_.couples();
@@ -64,6 +66,7 @@ FrictionReport FrictionalContact::step(std::span<const double> distance, const D
   step.bound = bound_;
   step.before = {shear_x_before_, shear_y_before_};
   step.drive = tangential;
+  step.carried = carried;
   if (couples)
     step.change = {pulled_x_, pulled_y_};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tangential_iteration.hpp"
 
+#include "carried_field.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
@@ -112,11 +113,13 @@ void TangentialContact::Iteration::start(const TangentialStep& step, const Along
   sum_ = {drive.x.value / grid.cell_area(), drive.y.value / grid.cell_area()};
   imposed_ = {forced_.x ? 0.0 : drive.x.value, forced_.y ? 0.0 : drive.y.value};
   shift_ = {};
+  for_cells(cells(), [&](std::size_t i) { target_.set(i, {}); });
   if (!step.before[0].empty() || !step.before[1].empty())
-    compliance_.apply({.shear_x = step.before[0], .shear_y = step.before[1]}, {.x = target_.x, .y = target_.y},
-                      scratch_);
-  else
-    for_cells(cells(), [&](std::size_t i) { target_.set(i, {}); });
+  {
+    carry(grid, step.carried, step.before[0], kept_shear_.x);
+    carry(grid, step.carried, step.before[1], kept_shear_.y);
+    compliance_.apply({.shear_x = kept_shear_.x, .shear_y = kept_shear_.y}, {.x = target_.x, .y = target_.y}, scratch_);
+  }
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {

@@ -59,11 +59,13 @@ public:
   /// @param state       in: after the step before; out: after this one, also if it has not converged
   /// @param gap         out: [m]
   /// @param slip        out: of the step [m]
+  /// @param carried     as of `TangentialStep`
   /// @throws as `ElasticContact::solve` and `TangentialContact::solve`; InputError for a coefficient that is negative or not finite
   [[nodiscard]] FrictionReport step(std::span<const double> distance, const Drive& normal,
                                     const TangentialDrive& tangential, double friction,
                                     const FrictionTolerances& tolerances, FrictionState& state, std::span<double> gap,
-                                    const AlongSurface& slip, const std::function<bool()>& wants_stop = {});
+                                    const AlongSurface& slip, const std::function<bool()>& wants_stop = {},
+                                    const std::array<int, 2>& carried = {});
 
 private:
   void couple(const FrictionState& state);

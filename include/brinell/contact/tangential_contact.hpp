@@ -44,6 +44,9 @@ struct TangentialStep
   ConstAlongSurface
       change; ///< displacement of body 1 less that of body 2 that pressure or plastic strain has added [m]; empty: none
   TangentialDrive drive;
+  /// Rolling: by how many cells both surfaces have moved through the contact along x and y in this step, with the shears
+  /// before. The shift is creepage times distance then, and slip and change are those of points of the surfaces.
+  std::array<int, 2> carried{};
 };
 
 /// How a step ended.

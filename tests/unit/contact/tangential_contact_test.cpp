@@ -265,6 +265,38 @@ TEST(TangentialContactTest, ASpinTurnsTheShears)
   EXPECT_NEAR(push.shear.y[left], -push.shear.y[push.grid.index(33, 19)], 1e-6);
 }
 
+TEST(TangentialContactTest, ShearsThatAreCarriedAreThoseOfShearsThatWereThere)
+{
+  // On a periodic surface nothing is lost: with the bound carried along, too, a step without a shift changes nothing else.
+  const SurfaceGrid g{12, 10, 1.0, 1.0, Boundary::periodic, Boundary::periodic};
+  const halfspace::TractionCompliance compliance(g, {1.0, 0.3}, {2.0, 0.3});
+  TangentialContact contact(compliance);
+  Field bound = test::random_field(g.size(), 1, 0.1, 1.0), carried_bound(g.size());
+  Fields shear(g.size()), slip(g.size()), carried(g.size());
+  const TangentialDrive push{{Kind::force, 20.0}, {Kind::force, 10.0}, 0.0};
+  ASSERT_TRUE(contact.solve({bound, {}, {}, push}, 1e-11, 500, shear.out(), slip.out()).converged);
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      carried_bound[g.index((i + 9) % g.nx, (j + 2) % g.ny)] = bound[g.index(i, j)];
+  const TangentialStep step{carried_bound, shear.in(), {}, push, {-3, 2}};
+  const TangentialReport report = contact.solve(step, 1e-11, 500, carried.out(), slip.out());
+  ASSERT_TRUE(report.converged);
+  EXPECT_NEAR(report.dissipated, 0.0, 1e-9);
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      EXPECT_NEAR(carried.x[g.index((i + 9) % g.nx, (j + 2) % g.ny)], shear.x[g.index(i, j)], 1e-8);
+  // Over an open end shears are lost.
+  const SurfaceGrid open{6, 1, 1.0, 1.0, Boundary::open, Boundary::open};
+  const halfspace::TractionCompliance plain(open, {1.0, 0.3}, {2.0, 0.3});
+  const Field ones(open.size(), 1.0);
+  Fields before(open.size()), after(open.size()), none(open.size());
+  before.x = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  TangentialContact lost(plain);
+  const TangentialStep away{ones, before.in(), {}, {}, {-1, 0}};
+  ASSERT_TRUE(lost.solve(away, 1e-12, 100, after.out(), none.out()).converged);
+  EXPECT_NEAR(total(after.x, 1.0), 0.0, 1e-10);
+}
+
 TEST(TangentialContactTest, SaysThatItHasNotConverged)
 {
   Push push(40);
