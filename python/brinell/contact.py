@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Frictionless, non-adhesive contact of two elastic bodies.
+"""Non-adhesive contact of two elastic bodies, without and with friction.
 
 grid = SurfaceGrid(65, 65, 1e-6, 1e-6)
 ball = (grid.x**2 + grid.y**2) / (2 * 0.01)
 result = ElasticContact(grid, Material("210 GPa", 0.3)).solve(ball, load=0.5)
 
+With friction, one step after another: `FrictionalContact`; under a given bound of the shear: `TangentialContact`.
 Surfaces that go on without end: SurfaceGrid(..., boundary="periodic").
 """
 
@@ -18,11 +19,26 @@ from numpy.typing import ArrayLike
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
 from brinell._reprs import cells
+from brinell._tangential import (
+    TangentialContact,
+    TangentialResult,
+    no_convergence,
+    tangential_drive_of,
+    tangential_result,
+)
 from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceCompliance, SurfaceGrid
 from brinell.materials import RIGID, Material
 
-__all__ = ["ContactResult", "ElasticContact", "contact_area"]
+__all__ = [
+    "ContactResult",
+    "ElasticContact",
+    "FrictionResult",
+    "FrictionalContact",
+    "TangentialContact",
+    "TangentialResult",
+    "contact_area",
+]
 
 
 @dataclass(frozen=True)
@@ -118,7 +134,7 @@ class ElasticContact:
             self.compliance._engine,
             distance,
             drive,
-            self._tolerance(distance, load, approach) if tolerance is None else tolerance,
+            default_tolerance(self.compliance, distance, load, approach) if tolerance is None else tolerance,
             max_iterations,
             None if guess is None else contiguous(guess, "guess"),
         )
@@ -153,12 +169,179 @@ class ElasticContact:
         """
         return _core.contact_stiffness(self.compliance._engine, contiguous(pressure, "pressure"))
 
-    def _tolerance(self, distance: Array, load: float | None, approach: float | None) -> float:
-        if load is not None:
-            length = math.sqrt(distance.size * self.grid.cell_area)
-            return 1e-7 * load / (self.compliance.contact_modulus * length)
-        overlap = (approach or 0.0) - float(distance.min())
-        return 1e-7 * max(overlap, 0.0)
+
+@dataclass(frozen=True)
+class FrictionResult:
+    """A solved step of a contact with friction.
+
+    Attributes:
+        contact: pressure, gap, approach, load and area.
+        tangential: shears, slips, stick, shift and force of the step.
+        shift: along x and y, of the upper body past the lower one in all steps [m].
+        dissipated: by friction in all steps [J].
+        alternations: of the normal and the tangential problem.
+    """
+
+    contact: ContactResult
+    tangential: TangentialResult
+    shift: tuple[float, float]
+    dissipated: float
+    alternations: int
+
+    def __repr__(self) -> str:
+        x, y = self.tangential.force
+        load = self.contact.load
+        return f"<FrictionResult {cells(self.contact.pressure.shape)}, load {load:g} N, force {x:g} N, {y:g} N>"
+
+
+class FrictionalContact:
+    """Contact of two elastic bodies with Coulomb's friction: |q| <= friction * p, slip along q.
+
+    Where the bodies differ, shears open or close the gap and pressure pulls along the surface; then the normal and the
+    tangential problem are solved by turns, until the gap stays (Panagiotopoulos 1975). Signs: `TangentialContact`.
+
+        contact = FrictionalContact(grid, rubber, steel, friction=0.5)
+        pressed = contact.step(ball, load=0.5)
+        pushed = contact.step(ball, load=0.5, force_x=0.1, before=pressed)
+    """
+
+    def __init__(
+        self,
+        grid: SurfaceGrid,
+        lower: Material,
+        upper: Material = RIGID,
+        *,
+        friction: float,
+        reference: float | None = None,
+    ):
+        """Plans the contact.
+
+        Args:
+            grid: wide enough that the contact ends on it, along axes that are not periodic.
+            lower: one body; of its material only the elastic constants count.
+            upper: the other one.
+            friction: coefficient, >= 0.
+            reference: see `SurfaceCompliance`; approach and shift count from there.
+
+        Raises:
+            InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
+        """
+        self.grid = grid
+        self.friction = number(friction, "friction")
+        self.compliance = SurfaceCompliance(grid, lower, upper, reference=reference)
+        """The `SurfaceCompliance` of the pair."""
+
+    def __repr__(self) -> str:
+        return f"<FrictionalContact {cells(self.grid.shape)}, friction {self.friction:g}>"
+
+    def step(
+        self,
+        distance: ArrayLike,
+        *,
+        load: float | None = None,
+        approach: float | None = None,
+        mean_gap: float | None = None,
+        shift_x: float | None = None,
+        shift_y: float | None = None,
+        force_x: float | None = None,
+        force_y: float | None = None,
+        spin: float = 0.0,
+        before: FrictionResult | None = None,
+        carried: tuple[int, int] = (0, 0),
+        tolerance: float | None = None,
+        max_iterations: int = 2000,
+    ) -> FrictionResult:
+        """Solves one step of a history. How the load and the force come together matters: give enough steps.
+
+        Args:
+            distance: see `ElasticContact.solve` [m].
+            load: see `ElasticContact.solve` [N].
+            approach: instead of the load [m].
+            mean_gap: instead, with two periodic axes [m].
+            shift_x: of the upper body in this step [m]; 0 if neither it nor the force is given.
+            shift_y: the same along y [m].
+            force_x: instead of the shift, the force along x on the lower body after the step [N].
+            force_y: the same along y [N].
+            spin: of the upper body in this step, about the middle of the grid, from x to y [rad].
+            before: the step before; None: the bodies do not touch yet.
+            carried: rolling: see `TangentialContact.step`.
+            tolerance: largest residual of the gap, and of the slip over the friction coefficient [m]. None: as that of
+                `ElasticContact.solve`.
+            max_iterations: of each solution, after which it gives up.
+
+        Raises:
+            ConvergenceError: a residual did not reach the tolerance, or the turns did not come to an end.
+            InputError: as `ElasticContact.solve` and `TangentialContact.step`.
+        """
+        distance = contiguous(distance, "distance")
+        drive = drive_of(load, approach, mean_gap)
+        tangential = tangential_drive_of(shift_x, shift_y, force_x, force_y, spin)
+        if mean_gap is not None:
+            approach = float(distance.mean()) - mean_gap
+        if tolerance is None:
+            tolerance = default_tolerance(self.compliance, distance, load, approach)
+        last = None
+        if before is not None:
+            last = before.contact.pressure, before.tangential.shear_x, before.tangential.shear_y
+        pressure, gap, *fields, report = _core.solve_friction(
+            self.compliance._engine,
+            self.compliance._traction_engine,
+            distance,
+            drive,
+            tangential,
+            self.friction,
+            tolerance,
+            min(self.friction, 1.0) * tolerance,
+            max_iterations,
+            last,
+            carried,
+        )
+        if not report.converged:
+            raise ConvergenceError(_reason(report))
+        slip = tangential_result(self.grid, self.friction * pressure, fields, report.tangential)
+        shift, dissipated = ((0.0, 0.0), 0.0) if before is None else (before.shift, before.dissipated)
+        return FrictionResult(
+            self._contact(pressure, gap, report.normal),
+            slip,
+            (shift[0] + slip.shift[0], shift[1] + slip.shift[1]),
+            dissipated + slip.dissipated,
+            report.alternations,
+        )
+
+    def _contact(self, pressure: Array, gap: Array, report: _core.ContactReport) -> ContactResult:
+        return ContactResult(
+            pressure,
+            gap,
+            report.approach,
+            float(pressure.sum()) * self.grid.cell_area,
+            report.iterations,
+            report.converged,
+            max(report.gap_error, report.penetration),
+            contact_area(self.grid, pressure, gap, self.compliance.contact_modulus),
+        )
+
+
+def _reason(report: _core.FrictionReport) -> str:
+    if not report.normal.converged:
+        residual = max(report.normal.gap_error, report.normal.penetration)
+        return f"no convergence after {report.normal.iterations} iterations: the contact's residual is {residual:.2e} m"
+    if not report.tangential.converged:
+        return no_convergence(report.tangential)
+    return (
+        f"no convergence after {report.alternations} turns of the normal and the tangential problem: the shears still "
+        f"move the gap by {report.gap_change:.2e} m. Smaller steps or a larger tolerance may help"
+    )
+
+
+def default_tolerance(
+    compliance: SurfaceCompliance, distance: Array, load: float | None, approach: float | None
+) -> float:
+    """Largest residual of a contact if none is given: see `ElasticContact.solve`."""
+    if load is not None:
+        length = math.sqrt(distance.size * compliance.grid.cell_area)
+        return 1e-7 * load / (compliance.contact_modulus * length)
+    overlap = (approach or 0.0) - float(distance.min())
+    return 1e-7 * max(overlap, 0.0)
 
 
 def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modulus: float) -> float:

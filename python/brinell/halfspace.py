@@ -210,14 +210,18 @@ class SurfaceCompliance:
         Returns:
             (3, ny, nx) [m], along x, y and z.
         """
+        return self._traction_engine.displacement(
+            _optional(pressure, "pressure"), _optional(shear_x, "shear_x"), _optional(shear_y, "shear_y")
+        )
+
+    @property
+    def _traction_engine(self) -> _core.TractionCompliance:
         if self._tractions is None:
             lower, upper, reference = self._pair
             self._tractions = _core.TractionCompliance(
                 self.grid._engine, lower._engine, upper._engine, reference or 0.0
             )
-        return self._tractions.displacement(
-            _optional(pressure, "pressure"), _optional(shear_x, "shear_x"), _optional(shear_y, "shear_y")
-        )
+        return self._tractions
 
 
 class HalfSpace:

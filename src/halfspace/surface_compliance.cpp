@@ -3,13 +3,12 @@
 
 #include "brinell/foundation/error.hpp"
 #include "cell_response.hpp"
-#include "foundation/fft.hpp"
 #include "foundation/require_size.hpp"
+#include "kernel_places.hpp"
 #include "require_surface.hpp"
 #include "wave_product.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -19,69 +18,6 @@ namespace brinell::halfspace
 
 namespace
 {
-
-/// Along one axis: the offset of the cell whose response stands at a place of a kernel, and how much of it.
-struct Share
-{
-  int offset;
-  double weight;
-};
-/// The shares of one place; the second one may weigh nothing.
-using Shares = std::array<Share, 2>;
-
-/// Places of a kernel so long that it is the linear convolution on the grid.
-std::vector<Shares> padded_places(int cells, Boundary boundary, int length)
-{
-  const Offsets offsets(cells, boundary);
-  std::vector<Shares> places(static_cast<std::size_t>(length));
-  for (int offset = offsets.first(); offset <= offsets.last(); ++offset)
-    places[static_cast<std::size_t>((offset + length) % length)][0] = {offset, 1.0};
-  return places;
-}
-
-/// Places of the kernel of the nearest operator that is periodic on the grid: the mean over the pairs of cells that a period
-/// takes for the same.
-std::vector<Shares> periodic_places(int cells, Boundary boundary)
-{
-  if (boundary == Boundary::periodic)
-    return padded_places(cells, boundary, cells);
-  std::vector<Shares> places;
-  for (int i = 0; i < cells; ++i)
-  {
-    const double beyond = static_cast<double>(i) / cells;
-    places.push_back({{{i, 1.0 - beyond}, {i - cells, beyond}}});
-  }
-  places.front()[1] = {};
-  return places;
-}
-
-/// Spectrum of a kernel, row by row: of its even part, so that the factors are real.
-std::vector<double> spectrum_of(const SurfaceGrid& grid, const Quadrant<double>& response, double contact_modulus,
-                                const std::vector<Shares>& along_x, const std::vector<Shares>& along_y)
-{
-  const PaddedFft fft(grid, static_cast<int>(along_x.size()), static_cast<int>(along_y.size()));
-  AlignedVector<double> kernel;
-  kernel.reserve(along_x.size() * along_y.size());
-  for (const Shares& row : along_y)
-    for (const Shares& column : along_x)
-    {
-      double value = 0.0;
-      for (const Share& y : row)
-        for (const Share& x : column)
-          if (const double weight = x.weight * y.weight; weight > 0.0)
-            value += weight * response.at(x.offset, y.offset);
-      kernel.push_back(value / (std::numbers::pi * contact_modulus));
-    }
-  AlignedVector<Complex> transformed(fft.plane());
-  fft.forward_padded(kernel, transformed.data());
-  std::vector<double> spectrum;
-  for (int row = 0; row <= fft.py() / 2; ++row)
-    for (int i = 0; i < fft.kx(); ++i) // even in x and y: the imaginary part is rounding
-      spectrum.push_back(
-          transformed[static_cast<std::size_t>(row) * static_cast<std::size_t>(fft.kx()) + static_cast<std::size_t>(i)]
-              .real());
-  return spectrum;
-}
 
 /// Spectrum for bodies without ends, row by row: a wave of pressure gives one of displacement, 2 / (E' k) times as high.
 std::vector<double> wave_spectrum(const SurfaceGrid& grid, double contact_modulus)
@@ -108,16 +44,6 @@ std::vector<double> inverse(std::vector<double> spectrum)
   return spectrum;
 }
 
-/// The grid with open axes made longer for fast transforms of their own length.
-SurfaceGrid with_fast_lengths(SurfaceGrid grid)
-{
-  if (!grid.is_periodic_x())
-    grid.nx = fast_length(grid.nx);
-  if (!grid.is_periodic_y())
-    grid.ny = fast_length(grid.ny);
-  return grid;
-}
-
 /// The operator and about its inverse, row by row.
 struct Spectra
 {
@@ -133,11 +59,9 @@ Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modul
     return {waves, inverse(waves)};
   }
   const Quadrant<double> response = cell_displacement(larger, reference);
-  const PaddedLengths lengths = padded_lengths(grid);
-  return {spectrum_of(grid, response, modulus, padded_places(grid.nx, grid.boundary_x, lengths.x),
-                      padded_places(grid.ny, grid.boundary_y, lengths.y)),
-          inverse(spectrum_of(larger, response, modulus, periodic_places(larger.nx, grid.boundary_x),
-                              periodic_places(larger.ny, grid.boundary_y)))};
+  const auto displacement = [&](int i, int j) { return response.at(i, j) / (std::numbers::pi * modulus); };
+  return {spectrum_of(grid, KernelPlaces::padded(grid), displacement),
+          inverse(spectrum_of(larger, KernelPlaces::periodic(larger), displacement))};
 }
 
 } // namespace

@@ -3,13 +3,14 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/green/surface_terms.hpp"
+#include "coupled_product.hpp"
 #include "foundation/blocked_fft.hpp"
-#include "foundation/sharing.hpp"
 #include "parity_spectrum.hpp"
 #include "require_surface.hpp"
+#include "shear_stiffness.hpp"
+#include "shear_waves.hpp"
 
-#include <omp.h>
-#include <vector>
+#include <algorithm>
 
 namespace brinell::halfspace
 {
@@ -31,7 +32,8 @@ constexpr std::array<Parity, term_count> parities{
     {{false, false}, {false, false}, {true, true}, {true, false}, {false, true}}};
 
 /// The displacement along z, x and y of a pressure and the shears along x and y.
-using Triple = std::array<ComplexLanes, 3>;
+using Product = CoupledProduct<3>;
+using Triple = Product::Values;
 /// Spectra of the terms for `lane_count` wavenumbers, as their parities say.
 using Terms = std::array<Lanes, term_count>;
 
@@ -43,16 +45,28 @@ struct TractionCompliance::Operator
   BlockedFft fft;
   int rows;                   ///< stored rows, ky >= 0
   AlignedVector<Terms> terms; ///< [block][row]
+  ShearStiffness stiffness;
+  double largest_of_shear = 0.0; ///< [m/Pa]
 
   Operator(const SurfaceGrid& grid, const green::PairConstants& pair, double reference)
       : constants(pair), fft(grid, padded_lengths(grid).x, padded_lengths(grid).y, 1), rows(fft.py() / 2 + 1),
-        terms(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows))
+        terms(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows)), stiffness(grid, pair, reference)
   {
     const PaddedFft padded(grid, fft.px(), fft.py());
     if (grid.is_periodic())
       tabulate_waves(padded);
     else
       tabulate_cells(padded, reference);
+    for (int row = 0; row < rows; ++row)
+      for (int i = 0; i < fft.kx(); ++i)
+        largest_of_shear = std::max(largest_of_shear, shear_wave(row, i).largest());
+  }
+
+  [[nodiscard]] ShearWave shear_wave(int row, int column)
+  {
+    const Terms& term = terms_at(row, column);
+    const auto lane = static_cast<std::size_t>(column % lane_count);
+    return ShearWave::of_terms(term[xx][lane], term[yy][lane], term[xy][lane], constants);
   }
 
   [[nodiscard]] Terms& terms_at(int row, int column)
@@ -86,8 +100,10 @@ struct TractionCompliance::Operator
       }
   }
 
-  [[nodiscard]] Triple displaced(int row, const Terms& term, const Triple& load) const
+  [[nodiscard]] Triple displaced(int block, int row, const Triple& load) const
   {
+    const Terms& term = terms[static_cast<std::size_t>(block) * static_cast<std::size_t>(rows) +
+                              static_cast<std::size_t>(std::min(row, fft.py() - row))];
     const auto& [pressure, shear_x, shear_y] = load;
     const auto times = [&](std::size_t t, double factor, const ComplexLanes& value)
     { return (factor * term[t]) * parities[t].phased(row, fft.py(), value); };
@@ -99,34 +115,18 @@ struct TractionCompliance::Operator
             inverse_distance * shear_y + times(xy, along, shear_x) + times(yy, along, shear_y) -
                 times(y, coupling, pressure)};
   }
-
-  using Scratch = std::array<BlockedFft::Scratch, 3>; ///< of one thread, for z, x and y
-
-  /// From the rows of one block and back to them.
-  void apply_to_block(int block, const std::array<bool, 3>& loaded, const std::array<bool, 3>& wanted,
-                      std::array<AlignedVector<Complex>, 3>& values, Scratch& own) const
-  {
-    for (std::size_t d = 0; d < 3; ++d)
-      if (loaded[d])
-        fft.columns_forward(values[d].data(), block, 0, 1, own[d]);
-    const Terms* of_block = terms.data() + static_cast<std::ptrdiff_t>(block) * rows;
-    for (int row = 0; row < fft.py(); ++row)
-    {
-      const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * lane_count;
-      Triple load;
-      for (std::size_t d = 0; d < 3; ++d)
-        if (loaded[d])
-          load[d] = load_lanes(own[d].columns.data() + line);
-      const Triple result = displaced(row, of_block[std::min(row, fft.py() - row)], load);
-      for (std::size_t d = 0; d < 3; ++d)
-        if (wanted[d])
-          store_lanes(result[d], own[d].columns.data() + line);
-    }
-    for (std::size_t d = 0; d < 3; ++d)
-      if (wanted[d])
-        fft.columns_inverse(own[d], block, 0, 1, values[d].data());
-  }
 };
+
+struct TractionCompliance::Scratch::Buffers
+{
+  Product::Scratch tractions;
+  ShearStiffness::Scratch stiffness;
+};
+
+TractionCompliance::Scratch::Scratch(std::unique_ptr<Buffers> buffers) : buffers_(std::move(buffers)) {}
+TractionCompliance::Scratch::~Scratch() = default;
+TractionCompliance::Scratch::Scratch(Scratch&&) noexcept = default;
+TractionCompliance::Scratch& TractionCompliance::Scratch::operator=(Scratch&&) noexcept = default;
 
 TractionCompliance::TractionCompliance(const SurfaceGrid& grid, const Elastic& body1, const Elastic& body2,
                                        double reference)
@@ -145,44 +145,57 @@ const SurfaceGrid& TractionCompliance::grid() const
   return operator_->fft.grid();
 }
 
-void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const
+TractionCompliance::Scratch TractionCompliance::make_scratch() const
+{
+  return Scratch(std::make_unique<Scratch::Buffers>(
+      Scratch::Buffers{Product::make_scratch(operator_->fft), operator_->stiffness.make_scratch()}));
+}
+
+bool TractionCompliance::couples() const
+{
+  return operator_->constants.coupling != 0.0;
+}
+
+double TractionCompliance::largest_of_shear() const
+{
+  return operator_->largest_of_shear;
+}
+
+double TractionCompliance::stiffness_of_cell() const
+{
+  return operator_->stiffness.of_one_cell();
+}
+
+void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const
 {
   require_load("TractionCompliance::apply", load, grid().size());
   require_displacement("TractionCompliance::apply", displacement, grid().size());
-  const BlockedFft& fft = operator_->fft;
-  const std::array<std::span<const double>, 3> in{load.pressure, load.shear_x, load.shear_y};
-  const std::array<std::span<double>, 3> out{displacement.z, displacement.x, displacement.y};
-  std::array<bool, 3> loaded{}, wanted{};
-  std::array<AlignedVector<Complex>, 3> rows;
-  for (std::size_t d = 0; d < 3; ++d)
+  if (!Product::fits(operator_->fft, scratch.buffers_->tractions))
+    throw InternalError("TractionCompliance::apply: the scratch is of another operator; make_scratch makes one");
+  const auto product = [&](int block, int row, const Triple& tractions)
+  { return operator_->displaced(block, row, tractions); };
+  Product::apply(operator_->fft, {load.pressure, load.shear_x, load.shear_y},
+                 {displacement.z, displacement.x, displacement.y}, scratch.buffers_->tractions, product);
+}
+
+void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const
+{
+  Scratch scratch = make_scratch();
+  apply(load, displacement, scratch);
+}
+
+void TractionCompliance::apply_inverse(const Pair<std::span<const double>>& displacement,
+                                       const Pair<std::span<double>>& shear, Scratch& scratch, double added) const
+{
+  for (std::size_t axis = 0; axis < 2; ++axis)
   {
-    loaded[d] = !in[d].empty();
-    wanted[d] = !out[d].empty();
-    if (loaded[d] || wanted[d])
-      rows[d].resize(fft.rows_size());
+    require_size("TractionCompliance::apply_inverse: the displacement", displacement[axis], grid().size());
+    require_size("TractionCompliance::apply_inverse: the shear", shear[axis], grid().size());
   }
-  const int threads = is_shared(grid().size()) ? omp_get_max_threads() : 1;
-#pragma omp parallel num_threads(threads)
-  {
-    Operator::Scratch own;
-    for (BlockedFft::Scratch& scratch : own)
-      scratch = fft.make_scratch();
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-#pragma omp for schedule(static)
-      for (int batch = 0; batch < (loaded[d] ? fft.batches() : 0); ++batch)
-        fft.rows_forward(in[d].data(), 0, batch, rows[d].data(), own[d]);
-    }
-#pragma omp for schedule(static)
-    for (int block = 0; block < fft.blocks(); ++block)
-      operator_->apply_to_block(block, loaded, wanted, rows, own);
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-#pragma omp for schedule(static)
-      for (int batch = 0; batch < (wanted[d] ? fft.batches() : 0); ++batch)
-        fft.rows_inverse(rows[d].data(), 0, batch, out[d].data(), own[d]);
-    }
-  }
+  if (!operator_->stiffness.fits(scratch.buffers_->stiffness))
+    throw InternalError(
+        "TractionCompliance::apply_inverse: the scratch is of another operator; make_scratch makes one");
+  operator_->stiffness.apply(displacement, shear, scratch.buffers_->stiffness, added);
 }
 
 } // namespace brinell::halfspace

@@ -5,7 +5,9 @@
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
+#include <array>
 #include <memory>
+#include <span>
 
 namespace brinell::halfspace
 {
@@ -29,13 +31,51 @@ public:
   TractionCompliance(const TractionCompliance&) = delete;
   TractionCompliance& operator=(const TractionCompliance&) = delete;
 
+  /// Buffers of one application; make one per concurrent caller, once.
+  class Scratch;
+  [[nodiscard]] Scratch make_scratch() const;
+
   [[nodiscard]] const SurfaceGrid& grid() const;
+  /// Whether a pressure displaces along the surface, and a shear along z: the bodies differ (Dundurs).
+  [[nodiscard]] bool couples() const;
   /// The displacement [m]; parts of the load and of the displacement that are empty cost nothing.
+  void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;
+  /// The same, with a scratch of its own.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const;
 
+  /// Two fields, along x and y.
+  template <typename Span>
+  using Pair = std::array<Span, 2>;
+  /// Shears that cause about this displacement along the surface [Pa]: the inverse of the nearest operator that is periodic on
+  /// the grid (T. Chan 1988), symmetric and positive definite. A preconditioner: see `SurfaceCompliance::apply_inverse`. Both
+  /// may be the same fields.
+  /// @param added  to the displacement on each cell by its own shear [m/Pa], >= 0
+  void apply_inverse(const Pair<std::span<const double>>& displacement, const Pair<std::span<double>>& shear,
+                     Scratch& scratch, double added = 0.0) const;
+  /// Largest displacement along the surface by a wave of shear [m/Pa]: no shears of the norm 1 displace by more.
+  [[nodiscard]] double largest_of_shear() const;
+  /// Shear on one cell, by `apply_inverse`, for a displacement of this cell alone [Pa/m]; the mean of x and y.
+  [[nodiscard]] double stiffness_of_cell() const;
+
 private:
-  struct Operator; ///< transform and spectra
+  struct Operator; ///< transforms and spectra
   std::unique_ptr<Operator> operator_;
+};
+
+class TractionCompliance::Scratch
+{
+public:
+  ~Scratch();
+  Scratch(Scratch&&) noexcept;
+  Scratch& operator=(Scratch&&) noexcept;
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+private:
+  friend class TractionCompliance;
+  struct Buffers;
+  explicit Scratch(std::unique_ptr<Buffers> buffers);
+  std::unique_ptr<Buffers> buffers_;
 };
 
 } // namespace brinell::halfspace

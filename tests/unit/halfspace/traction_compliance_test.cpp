@@ -144,6 +144,100 @@ TEST_P(TractionComplianceTest, EqualBodiesDoNotCouple)
   EXPECT_EQ(displacement(compliance, {load.z, {}, {}}).x, Field(load.x.size()));
 }
 
+TEST_P(TractionComplianceTest, AScratchMayServeAgain)
+{
+  const TractionCompliance compliance(GetParam(), soft, stiff, 50.0);
+  const std::size_t cells = GetParam().size();
+  TractionCompliance::Scratch scratch = compliance.make_scratch();
+  for (const unsigned seed : {1U, 2U})
+  {
+    const Fields load = random_load(cells, seed);
+    const Fields expected = displacement(compliance, load);
+    Fields u{Field(cells), Field(cells), Field(cells)};
+    compliance.apply({load.z, load.x, load.y}, {u.z, u.x, u.y}, scratch);
+    EXPECT_EQ(u.x, expected.x);
+    EXPECT_EQ(u.z, expected.z);
+  }
+}
+
+TEST_P(TractionComplianceTest, NoShearDisplacesMoreThanTheLargestResponse)
+{
+  const TractionCompliance compliance(GetParam(), soft, stiff, 50.0);
+  Fields load = random_load(GetParam().size(), 3);
+  load.z.clear();
+  double ratio = 0.0;
+  for (int power = 0; power < 50; ++power) // of the operator on the shear
+  {
+    const Fields u = displacement(compliance, load);
+    const double size = std::sqrt(test::dot(load.x, load.x) + test::dot(load.y, load.y));
+    ratio = std::sqrt(test::dot(u.x, u.x) + test::dot(u.y, u.y)) / size;
+    for (std::size_t i = 0; i < u.x.size(); ++i)
+    {
+      load.x[i] = u.x[i] / (ratio * size);
+      load.y[i] = u.y[i] / (ratio * size);
+    }
+  }
+  EXPECT_LT(ratio, compliance.largest_of_shear() * (1.0 + 1e-12));
+  EXPECT_GT(ratio, 0.3 * compliance.largest_of_shear()); // that of the padded grid, which is about twice as wide
+}
+
+TEST_P(TractionComplianceTest, TheInverseIsSymmetricAndPositiveAndNearlyInverts)
+{
+  const SurfaceGrid& g = GetParam();
+  const TractionCompliance compliance(g, soft, stiff, 50.0);
+  TractionCompliance::Scratch scratch = compliance.make_scratch();
+  const double cell = 1.0 / compliance.stiffness_of_cell();
+  for (const double added : {0.0, 3.0 * cell})
+  {
+    const auto inverted = [&](const Fields& u)
+    {
+      Fields q{{}, u.x, u.y};
+      compliance.apply_inverse({q.x, q.y}, {q.x, q.y}, scratch, added);
+      return q;
+    };
+    Fields a = random_load(g.size(), 5), b = random_load(g.size(), 9);
+    a.z.clear();
+    b.z.clear();
+    const Fields of_a = inverted(a), of_b = inverted(b);
+    const double energy = std::sqrt(dot(a, of_a) * dot(b, of_b));
+    EXPECT_GT(dot(a, of_a), 0.0);
+    EXPECT_NEAR(dot(a, of_b), dot(b, of_a), 1e-13 * energy);
+    // What is shared with the compliance: its displacement, and that of each cell by its own shear.
+    Fields u = displacement(compliance, a);
+    for (std::size_t i = 0; i < u.x.size(); ++i)
+    {
+      u.x[i] += added * a.x[i];
+      u.y[i] += added * a.y[i];
+    }
+    const Fields again = inverted(u);
+    const double length = dot(a, again) / dot(a, a);
+    EXPECT_NEAR(length, 1.0, g.is_periodic() ? 0.1 : 0.3); // the mean shear of a periodic surface is lost
+  }
+}
+
+TEST(TractionCompliancePeriodicTest, TheInverseOfWavesIsExact)
+{
+  for (const SurfaceGrid& g :
+       {SurfaceGrid{8, 6, 0.7, 0.9, periodic, periodic}, SurfaceGrid{7, 5, 0.7, 0.9, periodic, periodic}})
+  {
+    const TractionCompliance compliance(g, soft, stiff);
+    TractionCompliance::Scratch scratch = compliance.make_scratch();
+    Fields q = random_load(g.size(), 5);
+    for (Field* part : {&q.x, &q.y})
+    {
+      double sum = 0.0;
+      for (const double value : *part)
+        sum += value;
+      for (double& value : *part)
+        value -= sum / static_cast<double>(g.size());
+    }
+    Fields u = displacement(compliance, {{}, q.x, q.y});
+    compliance.apply_inverse({u.x, u.y}, {u.x, u.y}, scratch);
+    EXPECT_LT(largest_difference(u.x, q.x), 1e-13);
+    EXPECT_LT(largest_difference(u.y, q.y), 1e-13);
+  }
+}
+
 TEST(TractionComplianceHertzTest, DisplacementsAreMindlinsAndHertzs)
 {
   // Inside the circle, of a shear sqrt(1 - r^2) along x (Johnson 1985, Eqs. 3.91) and of such a pressure (Eqs. 3.41):

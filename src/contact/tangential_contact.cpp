@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/contact/tangential_contact.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "foundation/require_size.hpp"
+#include "foundation/sharing.hpp"
+#include "tangential_iteration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::contact
+{
+
+TangentialContact::TangentialContact(const halfspace::TractionCompliance& compliance)
+    : iteration_(std::make_unique<Iteration>(compliance)), cell_area_(compliance.grid().cell_area())
+{
+}
+
+TangentialContact::~TangentialContact() = default;
+
+namespace
+{
+
+void require_pair(const char* name, const ConstAlongSurface& pair, std::size_t cells)
+{
+  for (const std::span<const double>& part : pair)
+    require_size(name, part, cells);
+}
+
+void require_bound(std::span<const double> bound)
+{
+  const auto wrong = std::find_if(bound.begin(), bound.end(), [](double g) { return !(g >= 0.0) || std::isinf(g); });
+  if (wrong != bound.end())
+    throw InputError(
+        fmt::format("tangential contact: the bound of the shear is {:g} Pa in cell {}; allowed: finite, not "
+                    "below 0",
+                    *wrong, wrong - bound.begin()));
+}
+
+void require_finite(const TangentialDrive& drive)
+{
+  if (!std::isfinite(drive.x.value) || !std::isfinite(drive.y.value) || !std::isfinite(drive.spin))
+    throw InputError(fmt::format("tangential contact: {:g} along x, {:g} along y, a spin of {:g}; allowed: finite",
+                                 drive.x.value, drive.y.value, drive.spin));
+}
+
+/// @param carried  sum of the bound [N]
+void require_force_below(double carried, const TangentialDrive& drive)
+{
+  const auto force = [](const TangentialDrive::Axis& axis)
+  { return axis.kind == TangentialDrive::Kind::force ? axis.value : 0.0; };
+  const double size = std::hypot(force(drive.x), force(drive.y));
+  constexpr double margin = 1e-9; // of the force: nearer to sliding, the cells that stick are lost in rounding
+  const bool is_forced = drive.x.kind == TangentialDrive::Kind::force || drive.y.kind == TangentialDrive::Kind::force;
+  if (is_forced && !(size < (1.0 - margin) * carried) && size > 0.0)
+    throw InputError(
+        fmt::format("tangential contact: a force of {:g} N along the surface; allowed: below {:g} N, the sum of "
+                    "the bound, at which all of the contact slides. Impose a shift",
+                    size, carried));
+}
+
+} // namespace
+
+TangentialReport TangentialContact::solve(const TangentialStep& step, double tolerance, int max_iterations,
+                                          const AlongSurface& shear, const AlongSurface& slip,
+                                          const std::function<bool()>& wants_stop)
+{
+  Iteration& it = *iteration_;
+  require_size("TangentialContact::solve: the bound", step.bound, it.cells());
+  require_pair("TangentialContact::solve: the shear", {shear[0], shear[1]}, it.cells());
+  require_pair("TangentialContact::solve: the slip", {slip[0], slip[1]}, it.cells());
+  if (!step.before[0].empty() || !step.before[1].empty())
+    require_pair("TangentialContact::solve: the shear before", step.before, it.cells());
+  if (!step.change[0].empty() || !step.change[1].empty())
+    require_pair("TangentialContact::solve: the change of displacement", step.change, it.cells());
+  require_bound(step.bound);
+  require_finite(step.drive);
+  require_force_below(sum(step.bound) * cell_area_, step.drive);
+
+  constexpr int few = 8;   // iterations between questions whether to stop
+  constexpr int many = 32; // and at most between two products with the shears themselves: rounding does not pile up
+  it.start(step, shear);
+  it.keep();
+  TangentialReport report;
+  report.products = 2;
+  bool is_known = true; // the displacement, but for rounding
+  for (int followed = 0;; ++report.iterations)
+  {
+    if (wants_stop && report.iterations % few == 0 && wants_stop())
+      throw Interrupted();
+    const bool is_last = report.iterations == max_iterations;
+    if (is_known)
+      it.settle(report);
+    if (!is_known || (followed > 0 && (report.slip_error <= tolerance || is_last || followed >= many)))
+    {
+      it.restore_bounds();
+      it.displace();
+      ++report.products;
+      followed = 0;
+      if (!it.has_descended() && !is_last)
+      {
+        ++report.retreats;
+        if (!it.retreat())
+        {
+          it.displace();
+          ++report.products;
+        }
+      }
+      it.settle(report);
+      it.keep();
+    }
+    report.converged = report.slip_error <= tolerance;
+    if (report.converged || is_last)
+      break;
+    const double length = it.aim();
+    ++report.products;
+    is_known = it.advance(length, 0.1 * report.slip_error / it.largest_displacement());
+    ++followed;
+  }
+  it.finish(report, shear, slip);
+  return report;
+}
+
+} // namespace brinell::contact

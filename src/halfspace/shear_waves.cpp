@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shear_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brinell::halfspace
+{
+
+ShearWave ShearWave::of_terms(double xx, double yy, double xy, const green::PairConstants& constants)
+{
+  const double inverse_distance = constants.normal * (xx + yy);
+  return {inverse_distance + constants.along * xx, inverse_distance + constants.along * yy, constants.along * xy};
+}
+
+double ShearWave::smallest() const
+{
+  return 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
+}
+
+double ShearWave::largest() const
+{
+  return 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+}
+
+ShearWave ShearWave::inverse() const
+{
+  const double determinant = xx * yy - xy * xy;
+  return {yy / determinant, xx / determinant, -xy / determinant};
+}
+
+double largest(const std::vector<ShearWave>& waves)
+{
+  double value = 0.0;
+  for (const ShearWave& wave : waves)
+    value = std::max(value, wave.largest());
+  return value;
+}
+
+std::vector<ShearWave> periodic_shear_waves(const SurfaceGrid& grid, const green::PairConstants& constants)
+{
+  std::vector<ShearWave> waves;
+  for (int row = 0; row <= grid.ny / 2; ++row)
+    for (int i = 0; i <= grid.nx / 2; ++i)
+    {
+      if (i == 0 && row == 0) // what is uniform displaces nothing
+      {
+        waves.emplace_back();
+        continue;
+      }
+      const double m = 2.0 * std::numbers::pi * i / (grid.nx * grid.dx);
+      const double n = 2.0 * std::numbers::pi * row / (grid.ny * grid.dy);
+      const green::SurfaceTerms term = green::surface_wave_terms(m, n);
+      // At the shortest wave of an even number of cells nothing that is odd can be told.
+      const bool is_told = 2 * i != grid.nx && 2 * row != grid.ny;
+      waves.push_back(ShearWave::of_terms(term[0], term[1], is_told ? term[2] : 0.0, constants));
+    }
+  return waves;
+}
+
+std::vector<ShearWave> shear_waves(const SurfaceGrid& grid, const KernelPlaces& places,
+                                   const Quadrant<green::SurfaceTerms>& response, const green::PairConstants& constants)
+{
+  const Offsets along_x(grid.nx, grid.boundary_x), along_y(grid.ny, grid.boundary_y);
+  const auto even = [&](std::size_t term)
+  { return spectrum_of(grid, places, [&](int i, int j) { return response.at(i, j)[term]; }); };
+  const std::vector<double> xx = even(0), yy = even(1);
+  const std::vector<double> xy =
+      spectrum_of(grid, places, [&](int i, int j) { return along_x.sign(i) * along_y.sign(j) * response.at(i, j)[2]; });
+  std::vector<ShearWave> waves;
+  for (std::size_t w = 0; w < xx.size(); ++w)
+    waves.push_back(ShearWave::of_terms(xx[w], yy[w], xy[w], constants));
+  return waves;
+}
+
+} // namespace brinell::halfspace
