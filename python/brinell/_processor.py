@@ -29,8 +29,9 @@ def require_processor(features: Set[str] = FEATURES, info: Path = _INFO) -> None
     missing = sorted(features - there) if there is not None else []
     if not missing:
         return
+    kind = "the processor of another machine" if ARCH == "native" else f"processors of the kind {ARCH}"
     text = (
-        f"this brinell is compiled for processors of the kind {ARCH}; this one has no {', '.join(missing)}. Install the "
+        f"this brinell is compiled for {kind}; this one has no {', '.join(missing)}. Install the "
         f"baseline wheel, or compile here by pip install . in the sources ({_HOW})"
     )
     if Path(sys.argv[0]).name == "brinell":
