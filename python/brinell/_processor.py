@@ -47,3 +47,6 @@ def _flags(info: Path) -> Set[str] | None:
     except OSError:
         return None
     return None if flags is None else frozenset(flags.partition(":")[2].split())
+
+
+require_processor()

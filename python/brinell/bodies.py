@@ -197,13 +197,17 @@ class Body:
 
     def __post_init__(self) -> None:
         texture = self.texture
-        several = isinstance(texture, list | tuple)
-        maps = [HeightMap.of_part(part) for part in texture] if several else HeightMap.of_part(texture)
-        object.__setattr__(self, "texture", maps)
+        if isinstance(texture, list | tuple):
+            object.__setattr__(self, "texture", [HeightMap.of_part(part) for part in texture])
+        else:
+            object.__setattr__(self, "texture", HeightMap.of_part(texture))
         for name, allowed in (
             ("shape", "a shape such as brinell.Sphere('1 mm')"),
             ("material", "a brinell.Material, or brinell.RIGID"),
-            ("texture", "brinell.Dent, Bump, Sinusoid, RandomSurface or HeightMap, a map of SurfaceTopography, a list of them, or None"),
+            (
+                "texture",
+                "brinell.Dent, Bump, Sinusoid, RandomSurface or HeightMap, a list, a SurfaceTopography, or None",
+            ),
         ):
             given = getattr(self, name)
             several = name == "texture" and isinstance(given, list | tuple)

@@ -26,8 +26,8 @@ _BODIES: tuple[Body, ...] = ("lower", "upper")
 def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = None) -> list[Path]:
     """Writes the stored states as image files of VTK.
 
-    They are upright: the lower body below z = 0, the upper one above it. A volume has one value per cell. A surface is a
-    sheet of points in the cells' centres, which can be warped by its values. Tensors come as six scalars
+    They are upright: the lower body below z = 0, the upper one above it. A volume has one value per cell. A surface is
+    a sheet of points in the cells' centres, which can be warped by its values. Tensors come as six scalars
     (``stress_xx``, ...) of the body's own axes, z into it.
 
     Args:

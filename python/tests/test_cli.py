@@ -218,7 +218,7 @@ def test_animate(make_run: MakeRun, tmp_path: Path, capsys: pytest.CaptureFixtur
     assert main(["animate", str(folder), "--plane", "x=0", "--body", "lower", "-o", str(path)]) == 0
     with Image.open(path) as picture:
         assert picture.n_frames == 2  # type: ignore[attr-defined]
-    assert 'brinell: 2 frames: of ' in capsys.readouterr().err
+    assert "brinell: 2 frames: of " in capsys.readouterr().err
     assert main(["animate", str(folder), "--field", "stress_zz"]) == 0
     assert names(folder / "figures") == ["stress_zz.gif"]
 

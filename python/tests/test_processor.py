@@ -12,7 +12,9 @@ import pytest
 from brinell._built_for import FEATURES
 from brinell._processor import require_processor
 
-OLD = "processor\t: 0\nmodel name\t: Nehalem\nflags\t\t: fpu sse sse2 pni ssse3 sse4_1 sse4_2 popcnt\n\nprocessor\t: 1\n"
+OLD = (
+    "processor\t: 0\nmodel name\t: Nehalem\nflags\t\t: fpu sse sse2 pni ssse3 sse4_1 sse4_2 popcnt\n\nprocessor\t: 1\n"
+)
 V3 = {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"}
 
 
@@ -24,7 +26,9 @@ def old(tmp_path: Path) -> Path:
 
 
 def test_a_processor_that_lacks_something_is_told_in_one_line(old: Path) -> None:
-    with pytest.raises(ImportError, match=r"^this brinell is compiled for .*; this one has no abm, avx, avx2, .* baseline") as told:
+    with pytest.raises(
+        ImportError, match=r"^this brinell is compiled for .*; this one has no abm, avx, avx2, .* baseline"
+    ) as told:
         require_processor(V3, old)
     assert "\n" not in str(told.value)
 
@@ -53,7 +57,9 @@ def test_the_features_of_v3_are_those_of_its_definition(tmp_path: Path) -> None:
     script = tmp_path / "features.cmake"
     script.write_text(
         f"set(CMAKE_CXX_COMPILER c++)\ninclude({root}/cmake/processor_features.cmake)\n"
-        "foreach(arch x86-64 x86-64-v2 x86-64-v3)\n  processor_features(found ${arch})\n  message(\"is;${found}\")\nendforeach()\n"
+        "foreach(arch x86-64 x86-64-v2 x86-64-v3)\n"
+        '  processor_features(found ${arch})\n  message("is;${found}")\n'
+        "endforeach()\n"
     )
     told = subprocess.run(["cmake", "-P", script], check=True, capture_output=True, text=True).stderr
     baseline, v2, v3 = (set(line.split(";")) - {"is", ""} for line in told.splitlines())

@@ -355,9 +355,7 @@ def cluster() -> Iterator[Any]:
         yield local_cluster
 
 
-def test_a_killed_dask_worker_loses_nothing(
-    cluster: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_killed_dask_worker_loses_nothing(cluster: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with cluster.get_client() as client:
         pids = client.run(os.getpid)
 

@@ -108,7 +108,9 @@ def test_the_bodies_stand_upright_in_the_contact(real_folder: Path) -> None:
             assert piece.GetBounds()[5] <= top + 1e-9 * depth
         # A filter that did not know of the turned axis would find the stress of the layers somewhere else.
         k, j, i = (2, body.von_mises_stress.shape[1] // 2, 4)
-        cell = volume.FindCell((body.x[i], body.y[j], up * body.z[k]), None, 0, 0.0, vtk.mutable(0), [0.0] * 3, [0.0] * 8)
+        cell = volume.FindCell(
+            (body.x[i], body.y[j], up * body.z[k]), None, 0, 0.0, vtk.mutable(0), [0.0] * 3, [0.0] * 8
+        )
         assert volume.GetCellData().GetArray("von_mises_stress").GetValue(cell) == body.von_mises_stress[k, j, i]
         high = body.von_mises_stress >= 0.5 * np.nanmax(body.von_mises_stress)
         layers = body.z[high.any(axis=(1, 2))]
