@@ -28,7 +28,7 @@ make_wheel() {
   "$1" -m venv "$work/builder"
   BRINELL_ARCH=$2 "$work/builder/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --wheel-dir "$raw" \
     --config-settings=wheel.build-tag="${tag[$2]}" "$work"/*.tar.gz
-  "$python3" -m auditwheel --log-level error repair --wheel-dir dist "$raw"/*.whl
+  "$python3" -m auditwheel repair --wheel-dir dist "$raw"/*.whl >/dev/null
   rm -rf "$work/builder"
 }
 
