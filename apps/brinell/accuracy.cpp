@@ -49,7 +49,7 @@ std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& 
 {
   const std::string summary = text_of(folder / "summary.json");
   const std::string build = fmt::format("\"git_hash\": \"{}\"", io::library_versions().git_hash);
-  if (summary.empty() || text_of(folder / "resolved.toml") != io::resolved_text(c.values) ||
+  if (summary.empty() || text_of(folder / "resolved.toml") != io::resolved_files(c.values).text ||
       summary.find(build) == summary.npos)
     return std::nullopt;
   const simulation::Plan plan =
@@ -63,7 +63,7 @@ std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& 
 /// Whether a run was stopped there that can go on.
 Mode mode_in(const fs::path& folder, const io::Case& c, bool resume)
 {
-  const bool same = resume && text_of(folder / "resolved.toml") == io::resolved_text(c.values);
+  const bool same = resume && text_of(folder / "resolved.toml") == io::resolved_files(c.values).text;
   return same && !fs::exists(folder / "summary.json") ? Mode::resume : Mode::replace;
 }
 
@@ -79,7 +79,8 @@ void move_up(const fs::path& from, const fs::path& to)
     if (error)
       throw IoError(fmt::format("{}: cannot be moved to {}: {}", (from / name).string(), to.string(), error.message()));
   }
-  fs::remove(from, error); // stays if somebody has put something else there
+  io::remove_resolved_maps(from); // the same ones are in the folder above
+  fs::remove(from, error);        // stays if somebody has put something else there
 }
 
 /// Earlier series may have had more runs.
@@ -90,6 +91,7 @@ void remove_level(const fs::path& folder)
     return;
   for (const char* name : {"summary.json", "history.csv", "result.vtkhdf", "checkpoint.h5", "resolved.toml"})
     fs::remove(folder / name, error);
+  io::remove_resolved_maps(folder);
   fs::remove(folder, error);
 }
 

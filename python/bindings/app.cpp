@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "arrays.hpp"
 #include "module.hpp"
 #include "python_calls.hpp"
 
@@ -21,6 +22,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <cstdio>
+#include <fmt/format.h>
 #include <functional>
 #include <map>
 
@@ -127,6 +129,19 @@ void bind_columns(nb::module_& m)
         });
 }
 
+/// Height maps of Python, [y, x].
+io::HeightTables height_tables(const std::map<std::string, Input>& maps)
+{
+  io::HeightTables tables;
+  for (const auto& [name, map] : maps)
+  {
+    if (map.ndim() != 2)
+      throw InputError(fmt::format("{} has {} axes; a height map has two, [y, x]", name, map.ndim()));
+    tables[name] = {{map.data(), map.data() + map.size()}, map.shape(1)};
+  }
+  return tables;
+}
+
 /// Key and text of each.
 std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::Warning>& warnings)
 {
@@ -151,6 +166,9 @@ void bind_app(nb::module_& m)
       .def_prop_ro("scenario", [](const io::Case& c) { return c.values.get<std::string>("scenario"); })
       .def_prop_ro("default_folder", [](const io::Case& c) { return app::default_folder(c); })
       .def("resolved_text", [](const io::Case& c) { return io::resolved_text(c.values); })
+      .def(
+          "write_resolved",
+          [](const io::Case& c, const std::filesystem::path& file) { io::write_resolved(file, c.values); }, "file"_a)
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
       .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
       .def("run", &run, "folder"_a, "resume"_a, "threads"_a, "on_step"_a.none())
@@ -158,9 +176,12 @@ void bind_app(nb::module_& m)
   m.def(
       "parse_case",
       [](const std::string& text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
-         bool names_lines)
-      { return io::parse_case(text, file, overrides, names_lines ? io::Places::lines : io::Places::none); },
-      "text"_a, "file"_a, "overrides"_a, "names_lines"_a = true);
+         const std::map<std::string, Input>& maps, bool names_lines)
+      {
+        const auto places = names_lines ? io::Places::lines : io::Places::none;
+        return io::parse_case(text, file, overrides, places, height_tables(maps));
+      },
+      "text"_a, "file"_a, "overrides"_a, "maps"_a, "names_lines"_a = true);
   m.def(
       "read_case",
       [](const std::filesystem::path& file, const std::vector<std::string>& overrides)

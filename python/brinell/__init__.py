@@ -15,6 +15,8 @@ from importlib import import_module
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
+from brinell import _processor  # noqa: F401 (looks at this machine before the extension is loaded)
+
 # Threads that wait for each other actively make a run several times slower as soon as another program needs a core.
 # OpenMP reads this when the extension is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")

@@ -12,6 +12,7 @@ from dataclasses import dataclass, fields
 from typing import Any, ClassVar, Protocol, TypeAlias
 
 from brinell.errors import InputError
+from brinell.surfaces.heightmap import HeightMap
 
 __all__ = [
     "Berkovich",
@@ -186,19 +187,27 @@ class Body:
     Args:
         shape: where it touches.
         material: `brinell.Material` or `brinell.RIGID`.
-        texture: what lies on its surface: `Dent`, `Bump`, `Sinusoid`, `RandomSurface` or `brinell.HeightMap`, or a list
-            of them, which add up; None: smooth.
+        texture: what lies on its surface: `Dent`, `Bump`, `Sinusoid`, `RandomSurface`, `brinell.HeightMap` or a map of
+            SurfaceTopography, or a list of them, which add up; None: smooth.
     """
 
     shape: Shape
     material: Part
-    texture: Part | Sequence[Part] | None = None
+    texture: Part | Sequence[Part] | Any | None = None
 
     def __post_init__(self) -> None:
+        texture = self.texture
+        if isinstance(texture, list | tuple):
+            object.__setattr__(self, "texture", [HeightMap.of_part(part) for part in texture])
+        else:
+            object.__setattr__(self, "texture", HeightMap.of_part(texture))
         for name, allowed in (
             ("shape", "a shape such as brinell.Sphere('1 mm')"),
             ("material", "a brinell.Material, or brinell.RIGID"),
-            ("texture", "brinell.Dent, Bump, Sinusoid, RandomSurface or HeightMap, a list of them, or None"),
+            (
+                "texture",
+                "brinell.Dent, Bump, Sinusoid, RandomSurface or HeightMap, a list, a SurfaceTopography, or None",
+            ),
         ):
             given = getattr(self, name)
             several = name == "texture" and isinstance(given, list | tuple)
@@ -215,3 +224,7 @@ class Body:
         if isinstance(self.texture, Sequence):
             return tables | {"texture": [part.to_case() for part in self.texture]}
         return tables | {"texture": self.texture.to_case()}
+
+    def parts(self) -> dict[str, Any]:
+        """By their keys, as they are: a case takes the heights of a map without making text of them."""
+        return {"shape": self.shape, "material": self.material, "texture": self.texture}

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import tempfile
 import warnings
 import weakref
@@ -11,7 +12,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Self, TypeAlias, TypeVar
 
+import numpy as np
 import tomli_w
+from numpy.typing import NDArray
 
 from brinell import _core
 from brinell._names import level_of_caller
@@ -19,14 +22,21 @@ from brinell.errors import InputError
 from brinell.results import Run, RunWarning, open_run
 from brinell.results.opening import run_of_image
 from brinell.stepping import Stepping
+from brinell.surfaces.heightmap import HeightMap
 
 with warnings.catch_warnings():  # a notebook without ipywidgets gets the bar of a terminal, without a word
     warnings.simplefilter("ignore")
     from tqdm.auto import tqdm
 
-__all__ = ["Case", "CaseWarning", "OldNameWarning", "Progress", "ResolutionWarning"]
+__all__ = ["Case", "CaseWarning", "HeightMaps", "OldNameWarning", "Progress", "ResolutionWarning"]
 
 _T = TypeVar("_T")
+
+HeightMaps: TypeAlias = dict[str, NDArray[np.float64]]
+"""Heights [y, x] in m by the names that a case has for them."""
+
+_MOST_INLINE = 1000
+"""Heights that may stand in the text of a case."""
 
 Progress: TypeAlias = Callable[[int, int, str, int], None]
 """Called after each step: its number from 0, an estimate of their count, where it was, evaluations that it took."""
@@ -60,6 +70,7 @@ class Case:
         file: str | Path = "case.toml",
         overrides: Iterable[str] = (),
         names_lines: bool = True,
+        maps: HeightMaps | None = None,
     ):
         """Reads a case from the text of a case file.
 
@@ -68,6 +79,7 @@ class Case:
             file: its name in messages; the paths that it holds begin in its folder.
             overrides: "key=value", as behind --set.
             names_lines: whether messages name file and line; False for a text that nobody sees.
+            maps: heights [y, x] in m that texture.file may name as if they were files.
 
         Raises:
             InputError: with all problems found, one per line.
@@ -76,7 +88,8 @@ class Case:
         self._file = Path(file)
         self._overrides = (overrides,) if isinstance(overrides, str) else tuple(overrides)
         self._names_lines = names_lines
-        self._core = _core.parse_case(text, self._file, list(self._overrides), names_lines)
+        self._maps = dict(maps or {})
+        self._core = _core.parse_case(text, self._file, list(self._overrides), self._maps, names_lines)
         place = f"{self._file}: " if names_lines else ""
         for key, text in self._core.warnings:
             category = OldNameWarning if key == "old_name" else CaseWarning
@@ -84,7 +97,8 @@ class Case:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies and other processes read the case again; its warnings have been told."""
-        return _read_again, (type(self), self._text, self._file.absolute(), self._overrides, self._names_lines)
+        file = self._file.absolute()
+        return _read_again, (type(self), self._text, file, self._overrides, self._names_lines, self._maps)
 
     @classmethod
     def from_file(cls, path: str | Path, overrides: Iterable[str] = ()) -> Case:
@@ -108,7 +122,8 @@ class Case:
     @classmethod
     def from_values(cls, values: Mapping[str, Any], *, file: str | Path = "case.toml") -> Case:
         """A case from nested dictionaries, as a TOML parser would give them."""
-        return Case(tomli_w.dumps(plain(values)), file=file, names_lines=False)
+        maps: HeightMaps = {}
+        return Case(tomli_w.dumps(plain(values, maps)), file=file, names_lines=False, maps=maps)
 
     @property
     def scenario(self) -> str:
@@ -137,11 +152,14 @@ class Case:
         """
         if isinstance(values, str):
             values = [values]
-        added = overrides_of(values) if isinstance(values, Mapping) else list(values)
+        maps = dict(self._maps)
+        added = overrides_of(values, maps) if isinstance(values, Mapping) else list(values)
         case = object.__new__(type(self))
         overrides = [*self._overrides, *added]
         try:
-            Case.__init__(case, self._text, file=self._file, overrides=overrides, names_lines=self._names_lines)
+            Case.__init__(
+                case, self._text, file=self._file, overrides=overrides, names_lines=self._names_lines, maps=maps
+            )
         except InputError as error:
             if not isinstance(values, Mapping):
                 raise
@@ -155,15 +173,18 @@ class Case:
         """The case with all its defaults filled in, in SI, as a case file.
 
         Args:
-            path: where to write it, if at all.
+            path: where to write it, if at all; height maps of more than a thousand points become files beside it, .npy,
+                which the written text names.
 
         Returns:
-            The text.
+            The text, which holds all of the case.
+
+        Raises:
+            IoError: it cannot be written.
         """
-        text = self._core.resolved_text()
         if path is not None:
-            Path(path).write_text(text, encoding="utf-8")
-        return text
+            self._core.write_resolved(Path(path))
+        return self._core.resolved_text()
 
     def check(self) -> str:
         """What ``brinell check`` prints: the resolved case, critical values, grids, steps, memory, cost.
@@ -287,11 +308,13 @@ def _thread_count(threads: int | None) -> int:
     return threads or 0
 
 
-def _read_again(kind: type[Case], text: str, file: Path, overrides: tuple[str, ...], names_lines: bool) -> Case:
+def _read_again(
+    kind: type[Case], text: str, file: Path, overrides: tuple[str, ...], names_lines: bool, maps: HeightMaps
+) -> Case:
     case = object.__new__(kind)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", CaseWarning)
-        Case.__init__(case, text, file=file, overrides=overrides, names_lines=names_lines)
+        Case.__init__(case, text, file=file, overrides=overrides, names_lines=names_lines, maps=maps)
     return case
 
 
@@ -307,12 +330,16 @@ def in_arguments(text: str, scenario: str = "") -> str:
     return text.replace("hardening.back_stresses", "back_stresses")
 
 
-def overrides_of(values: Mapping[str, Any], table: str = "") -> list[str]:
-    """Dotted keys and their values as behind --set; each entry of a table by itself."""
+def overrides_of(values: Mapping[str, Any], maps: HeightMaps | None = None) -> list[str]:
+    """Dotted keys and their values as behind --set; each entry of a table by itself. `maps` as in `plain`."""
+    return _overrides(plain(values, maps), "")
+
+
+def _overrides(values: Mapping[str, Any], table: str) -> list[str]:
     overrides = []
-    for key, value in plain(values).items():
+    for key, value in values.items():
         if isinstance(value, Mapping):
-            overrides += overrides_of(value, f"{table}{key}.")
+            overrides += _overrides(value, f"{table}{key}.")
         else:
             overrides.append(f"{table}{key}={_inline(value)}")
     return overrides
@@ -327,14 +354,24 @@ def _inline(value: Any) -> str:
     return tomli_w.dumps({"value": value}).strip().removeprefix("value = ")
 
 
-def plain(value: Any) -> Any:
-    """A value as TOML knows it: NumPy's numbers become Python's, arrays and tuples lists, paths text, parts tables."""
+def plain(value: Any, maps: HeightMaps | None = None) -> Any:
+    """A value as TOML knows it: NumPy's numbers become Python's, arrays and tuples lists, paths text, parts tables.
+
+    Args:
+        value: of any kind that a case may have.
+        maps: takes height maps of many points, so that no text is made of them; they all become text if None.
+    """
+    value = HeightMap.of_part(value)
+    if isinstance(value, HeightMap) and maps is not None and value.heights.size > _MOST_INLINE:
+        name = f"memory:{hashlib.sha256(value.heights.tobytes()).hexdigest()[:16]}-{value.heights.shape[1]}"
+        maps[name] = value.heights
+        value = value.settings() | {"file": name}
     if hasattr(value, "to_case"):
         value = value.to_case()
     if isinstance(value, Mapping):
-        return {str(key): plain(entry) for key, entry in value.items() if entry is not None}
+        return {str(key): plain(entry, maps) for key, entry in value.items() if entry is not None}
     if isinstance(value, list | tuple):
-        return [plain(entry) for entry in value]
+        return [plain(entry, maps) for entry in value]
     if isinstance(value, Path):
         return str(value)
     value = value.tolist() if hasattr(value, "tolist") else value

@@ -26,8 +26,9 @@ _BODIES: tuple[Body, ...] = ("lower", "upper")
 def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = None) -> list[Path]:
     """Writes the stored states as image files of VTK.
 
-    A volume has one value per cell. A surface is a sheet of points in the cells' centres, which can be warped by its
-    values. Tensors come as six scalars (``stress_xx``, ...).
+    They are upright: the lower body below z = 0, the upper one above it. A volume has one value per cell. A surface is
+    a sheet of points in the cells' centres, which can be warped by its values. Tensors come as six scalars
+    (``stress_xx``, ...) of the body's own axes, z into it.
 
     Args:
         run: of which something is stored.
@@ -58,7 +59,7 @@ def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = N
         for name, is_volume in (("volume", True), ("surface", False)):
             part = [field for field in chosen if ("z" in field.dims) == is_volume]
             if part:
-                written.append(_write_collection(folder, f"{body}_{name}", part))
+                written.append(_write_collection(folder, f"{body}_{name}", part, below=body == "lower"))
     return written
 
 
@@ -80,13 +81,13 @@ def _wanted(run: Run, body: Body, fields: Sequence[str] | None) -> list[Labelled
     return [run.field(body, name) for name in chosen]
 
 
-def _write_collection(folder: Path, name: str, fields: Sequence[Labelled]) -> Path:
-    """All states of one grid."""
+def _write_collection(folder: Path, name: str, fields: Sequence[Labelled], *, below: bool) -> Path:
+    """All states of one grid, which lies below z = 0 or above it."""
     collection = VtkGroup(str(folder / name))
     for index, step in enumerate(fields[0].coords["step"]):
         states = [field.isel(step=index) for field in fields]
         arrays = {key: values for state in states for key, values in _scalars(state).items()}
-        file = _write_image(folder / f"{name}_{step:06d}", fields[0].coords, arrays)
+        file = _write_image(folder / f"{name}_{step:06d}", fields[0].coords, arrays, below=below)
         collection.addFile(file, float(step))
     collection.save()
     return folder / f"{name}.pvd"
@@ -102,7 +103,7 @@ def _scalars(state: Labelled) -> dict[str, NDArray[np.float64]]:
 
 
 def _write_image(
-    path: Path, coords: Mapping[str, NDArray[np.float64]], arrays: Mapping[str, NDArray[np.float64]]
+    path: Path, coords: Mapping[str, NDArray[np.float64]], arrays: Mapping[str, NDArray[np.float64]], *, below: bool
 ) -> str:
     """One file; its name gets an ending."""
     first = tuple(float(coords[axis][0]) if axis in coords else 0.0 for axis in "xyz")
@@ -110,8 +111,11 @@ def _write_image(
     shape = next(iter(arrays.values())).shape
     if "z" not in coords:
         return _write_vti(path, "Point", tuple(n - 1 for n in shape), first, spacing, arrays)
-    corner = tuple(x - 0.5 * dx for x, dx in zip(first, spacing, strict=True))
-    return _write_vti(path, "Cell", shape, corner, spacing, arrays)
+    left, front, top = (x - 0.5 * dx for x, dx in zip(first, spacing, strict=True))
+    if below:  # the last index is the depth
+        arrays = {name: np.asfortranarray(values[:, :, ::-1]) for name, values in arrays.items()}
+        top = -shape[2] * spacing[2]
+    return _write_vti(path, "Cell", shape, (left, front, top), spacing, arrays)
 
 
 def _write_vti(

@@ -302,7 +302,7 @@ def _case_of(material: dict[str, Any]) -> _core.Case:
         "indentation": {"load": [1e-15]},  # a contact that needs few cells, however soft the material is
     }
     try:
-        return _core.parse_case(tomli_w.dumps(plain(values)), "material", [], names_lines=False)
+        return _core.parse_case(tomli_w.dumps(plain(values)), "material", [], {}, names_lines=False)
     except InputError as error:
         raise InputError(in_arguments(str(error)).replace("lower.material", "material")) from None
 

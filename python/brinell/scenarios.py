@@ -17,7 +17,7 @@ from typing import Any
 import tomli_w
 
 from brinell.bodies import Body, Quantity
-from brinell.case import Case, in_arguments, plain
+from brinell.case import Case, HeightMaps, in_arguments, plain
 from brinell.errors import InputError
 from brinell.settings import Grid, Output, Solver
 
@@ -49,15 +49,17 @@ class _Scenario(Case):
         values = {
             "scenario": self._table,
             "title": title,
-            "lower": lower.to_case(),
-            "upper": upper.to_case(),
+            "lower": lower.parts(),
+            "upper": upper.parts(),
             self._table: table,
             "grid": grid,
             "solver": solver,
             "output": output,
         }
         try:
-            super().__init__(tomli_w.dumps(plain(values)), file=Path(f"{self._table}.toml"), names_lines=False)
+            maps: HeightMaps = {}
+            text = tomli_w.dumps(plain(values, maps))
+            super().__init__(text, file=Path(f"{self._table}.toml"), names_lines=False, maps=maps)
         except InputError as error:  # the keys of the scenario's own table are arguments
             raise type(error)(in_arguments(str(error), self._table)) from None
 

@@ -213,11 +213,12 @@ def test_section_of_a_rigid_body(make_indentation: MakeRun, capsys: pytest.Captu
     assert capsys.readouterr().err == f"brinell: error: {folder}: the upper body is rigid, so it has no fields\n"
 
 
-def test_animate(make_run: MakeRun, tmp_path: Path) -> None:
+def test_animate(make_run: MakeRun, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder, path = make_run(9.0), tmp_path / "new" / "pass.gif"
     assert main(["animate", str(folder), "--plane", "x=0", "--body", "lower", "-o", str(path)]) == 0
     with Image.open(path) as picture:
         assert picture.n_frames == 2  # type: ignore[attr-defined]
+    assert "brinell: 2 frames: of " in capsys.readouterr().err
     assert main(["animate", str(folder), "--field", "stress_zz"]) == 0
     assert names(folder / "figures") == ["stress_zz.gif"]
 

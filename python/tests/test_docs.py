@@ -3,6 +3,7 @@
 
 import dataclasses
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -171,3 +172,44 @@ def test_the_page_of_the_command_line_has_all_commands_and_options() -> None:
         timeout=300,
     )
     assert outline(done.stdout) == outline(page.read_text(encoding="utf-8")), "make docs writes the page"
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/install.md", "Dockerfile"])
+def test_all_pages_install_the_packages_that_the_setup_does(page: str) -> None:
+    """One line: what a newcomer reads in two places should not differ."""
+    setup = subprocess.run([ROOT / "tools" / "setup.sh", "list"], check=True, capture_output=True, text=True).stdout
+    text = (ROOT / page).read_text(encoding="utf-8").replace("\\\n", " ")
+    lines = re.findall(r"apt(?:-get)? install((?: +[\w.-]+)+)", text)
+    packages = [word for word in lines[0].split() if not word.startswith("-")]
+    assert packages == setup.split()
+    others = [line for line in lines[1:] if "-dev" in line]  # none but this one compiles anything
+    assert others == []
+
+
+def test_what_compiles_is_there_where_the_engine_asks_for_it() -> None:
+    """Each library of CMakeLists.txt has its package."""
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    packages = (ROOT / "tools" / "setup.sh").read_text(encoding="utf-8").lower()
+    wanted = set(re.findall(r"^find_package\((\w+)", text, flags=re.MULTILINE)) - {"PkgConfig", "OpenMP"}
+    assert wanted == {"Eigen3", "fmt", "tomlplusplus", "nlohmann_json", "CLI11", "HDF5"}
+    for library in wanted:
+        assert f"lib{library.lower()}-dev" in packages or f"{library.lower().replace('_', '-')}3-dev" in packages
+
+
+def test_the_container_has_the_libraries_that_the_extension_needs() -> None:
+    """The second stage of the Dockerfile has no -dev packages, which would bring them along."""
+    if not all(map(shutil.which, ("objdump", "dpkg"))):
+        pytest.skip("no objdump or dpkg")
+    needed = subprocess.run(["objdump", "-p", _core.__file__], check=True, capture_output=True, text=True).stdout
+    stage = (ROOT / "Dockerfile").read_text(encoding="utf-8").rpartition("FROM ")[2]
+    of_debian = ("libc.so", "libm.so", "libgcc_s.so", "libstdc++.so", "ld-linux")  # what python3 itself needs
+    for library in re.findall(r"NEEDED +(\S+)", needed):
+        if not library.startswith(of_debian):
+            owner = subprocess.run(["dpkg", "-S", f"*/{library}"], capture_output=True, text=True).stdout
+            packages = {line.partition(":")[0] for line in owner.splitlines() if "-dev" not in line}
+            assert any(package in stage.split() for package in packages), (library, packages)
+
+
+def test_pages_call_the_command_by_one_name() -> None:
+    texts = [*PAGES, *ROOT.glob("cases/*/case.toml")]
+    assert [path.name for path in texts if "-m brinell" in path.read_text(encoding="utf-8")] == []

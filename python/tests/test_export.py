@@ -39,11 +39,14 @@ def test_all_states(real_folder: Path, tmp_path: Path) -> None:
     spacing = np.array([axis[1] - axis[0] for axis in (lower.x, lower.y, lower.z)])
     assert volume.dimensions == (len(lower.x) + 1, len(lower.y) + 1, len(lower.z) + 1)
     np.testing.assert_allclose(volume.spacing, spacing)
-    np.testing.assert_allclose(
-        volume.origin, (lower.x[0], lower.y[0], lower.z[0]) - 0.5 * spacing, atol=1e-9 * spacing[0]
-    )
-    np.testing.assert_array_equal(volume.cell_data["von_mises_stress"], lower.von_mises_stress)
-    np.testing.assert_array_equal(volume.cell_data["stress_xz"], lower.stress["xz"])
+    bottom = np.array([lower.x[0], lower.y[0], -lower.z[-1]]) - 0.5 * spacing
+    np.testing.assert_allclose(volume.origin, bottom, atol=1e-9 * spacing[0])
+    np.testing.assert_array_equal(volume.cell_data["von_mises_stress"], lower.von_mises_stress[::-1])
+    np.testing.assert_array_equal(volume.cell_data["stress_xz"], lower.stress["xz"][::-1])
+    upper = run.snapshot(step).upper
+    volume_above = vti_image(collection(written[2])[step])
+    assert volume_above.origin[2] == pytest.approx(0.0, abs=1e-9 * spacing[2])
+    np.testing.assert_array_equal(volume_above.cell_data["von_mises_stress"], upper.von_mises_stress)
     surface = vti_image(collection(written[1])[step])
     assert surface.dimensions == (len(lower.x), len(lower.y), 1)
     np.testing.assert_array_equal(surface.origin, (lower.x[0], lower.y[0], 0.0))
@@ -70,7 +73,7 @@ def test_cells_of_some_nanometres(tmp_path: Path) -> None:
     volumes, surfaces = export_vti(run, tmp_path, fields=["von_mises_stress", "residual_displacement"])[:2]
     volume = vti_image(collection(volumes)[run.history.steps])
     np.testing.assert_allclose(volume.spacing, spacing)
-    np.testing.assert_array_equal(volume.cell_data["von_mises_stress"], lower.von_mises_stress)
+    np.testing.assert_array_equal(volume.cell_data["von_mises_stress"], lower.von_mises_stress[::-1])
     surface = vti_image(collection(surfaces)[run.history.steps])
     np.testing.assert_array_equal(surface.point_data["residual_displacement"][0], lower.residual_displacement)
 
@@ -80,7 +83,7 @@ def test_a_component_alone(real_folder: Path, tmp_path: Path) -> None:
     (volumes, *_) = export_vti(run, tmp_path, fields=["stress_xz", "plastic_strain", "plastic_strain_xx"])
     arrays = vti_image(collection(volumes)[run.history.steps]).cell_data
     assert sorted(arrays) == sorted(["stress_xz", *(f"plastic_strain_{c}" for c in COMPONENTS)])
-    np.testing.assert_array_equal(arrays["stress_xz"], run.snapshot("final").lower.stress["xz"])
+    np.testing.assert_array_equal(arrays["stress_xz"], run.snapshot("final").lower.stress["xz"][::-1])
     with pytest.raises(brinell.InputError, match="no field 'stress_zx' to export"):
         export_vti(run, tmp_path, fields=["stress_zx"])
 

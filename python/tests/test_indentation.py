@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
+import brinell
 from brinell.plot import indentation
+from brinell.plot.cells import contact_edge
 from brinell.results import RunError, open_run
 from figure_parts import curve, legend_of, texts
 
@@ -109,3 +113,26 @@ def test_no_contact_fraction_without_a_period(make_indentation: MakeRun) -> None
 def test_other_scenarios_are_refused(make_rolling: MakeRun, draw: Callable) -> None:
     with pytest.raises(RunError, match="is of scenario 'rolling', this figure needs 'indentation'"):
         draw([open_run(make_rolling())])
+
+
+def test_at_default_settings_contact_is_round_and_the_load_curve_smooth() -> None:
+    """The case of `brinell new indentation`, at its own resolution, pressed on.
+
+    A contact counted in cells looked like an octagon, which is up to 1 - cos(pi/8) = 7.6 % off its circle, and its load
+    went up in steps. Between the cells, 2 % is a sixth of a cell here.
+    """
+    soft = brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "2 GPa"))
+    ball = brinell.Body(brinell.Sphere("1 mm"), brinell.Material("210 GPa", 0.3))
+    case = brinell.Indentation(brinell.Body(brinell.Flat(), soft), ball, load=["200 N"], steps=10)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of strain
+        run = case.run(in_memory=True)
+    contact = run.snapshot(run.steps[-1]).contact
+    axes = Figure().subplots()
+    (outline,) = axes.contour(contact.x, contact.y, contact_edge(contact), levels=[0.0]).get_paths()
+    radius = np.hypot(*outline.vertices.T)
+    np.testing.assert_allclose(radius, radius.mean(), rtol=0.02)
+    assert radius.mean() == pytest.approx(run.history["contact_radius"][-1], rel=0.02)
+    depth, load = np.log(run.history["approach"][2:]), np.log(run.history["F_n"][2:])
+    smooth = np.polyval(np.polyfit(depth, load, 2), depth)  # close to a power law
+    np.testing.assert_allclose(np.exp(load - smooth), 1.0, rtol=0.02)

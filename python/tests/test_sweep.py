@@ -317,7 +317,9 @@ def assert_complete(result: brinell.sweeps.Sweep) -> None:
     np.testing.assert_array_equal(result.runs[0].history["F_X"], single.history["F_X"])
 
 
-def test_a_killed_process_loses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_killed_process_loses_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     lost = []
     collect = LocalPool.collect
 
@@ -336,11 +338,12 @@ def test_a_killed_process_loses_nothing(tmp_path: Path, monkeypatch: pytest.Monk
     thread = killed_in_the_midst(tmp_path, computing)
     case = Case(CASE, overrides=LONG)
     result = brinell.sweep(
-        case, {"tugging.interference": [2, 2.5, 3]}, output=tmp_path, workers=1, threads=1, progress=False
+        case, {"tugging.interference": [2, 2.5, 3]}, output=tmp_path, workers=1, threads=1, progress=True
     )
     thread.join()
     assert len(lost) == 1
     assert_complete(result)
+    assert "a process came to a sudden end; its run is computed again" in capsys.readouterr().err
 
 
 @pytest.fixture(scope="module")
@@ -352,7 +355,7 @@ def cluster() -> Iterator[Any]:
         yield local_cluster
 
 
-def test_a_killed_dask_worker_loses_nothing(cluster: Any, tmp_path: Path) -> None:
+def test_a_killed_dask_worker_loses_nothing(cluster: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with cluster.get_client() as client:
         pids = client.run(os.getpid)
 
@@ -362,10 +365,11 @@ def test_a_killed_dask_worker_loses_nothing(cluster: Any, tmp_path: Path) -> Non
         thread = killed_in_the_midst(tmp_path, computing)
         over = {"tugging.interference": [2, 2.5, 3]}
         case = Case(CASE, overrides=LONG)
-        result = brinell.sweep(case, over, output=tmp_path, cluster=cluster.scheduler_address, progress=False)
+        result = brinell.sweep(case, over, output=tmp_path, cluster=cluster.scheduler_address, progress=True)
         thread.join()
         assert set(client.run(os.getpid).values()) != set(pids.values())
     assert_complete(result)
+    assert "has left; its run goes to another one" in capsys.readouterr().err
     assert not (tmp_path / "stop").exists()
 
 

@@ -10,16 +10,17 @@ import pytest
 
 import brinell
 from brinell.results import BodyFields, Run
-from vtk_images import Image, VtkhdfFile
+from vtk_images import Image, VtkhdfFile, vtk
 
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 
 
-def assert_volume(image: Image, body: BodyFields) -> None:
+def assert_volume(image: Image, body: BodyFields, up: float) -> None:
     nz, ny, nx = body.equivalent_plastic_strain.shape
     assert image.dimensions == (nx + 1, ny + 1, nz + 1)
     spacing = np.array([axis[1] - axis[0] for axis in (body.x, body.y, body.z)])
     first = np.array([body.x[0], body.y[0], body.z[0]])
+    assert image.up == up
     np.testing.assert_allclose(image.spacing, spacing, rtol=1e-9)  # ours is a difference of coordinates
     np.testing.assert_allclose(image.origin, first - 0.5 * spacing, rtol=1e-9, atol=1e-9 * spacing[0])
     assert set(image.cell_data) == {"equivalent_plastic_strain", "plastic_strain", "stress", "von_mises_stress"}
@@ -58,8 +59,8 @@ def assert_contact(image: Image, run: Run, which: int | str) -> None:
 def assert_same_as_ours(blocks: dict[str, Image], run: Run, which: int | str) -> None:
     snapshot = run.snapshot(which, tensors=True)  # type: ignore[arg-type]
     assert list(blocks) == ["lower_volume", "upper_volume", "lower_surface", "upper_surface"]
-    for name, body in (("lower", snapshot.lower), ("upper", snapshot.upper)):
-        assert_volume(blocks[f"{name}_volume"], body)
+    for name, body, up in (("lower", snapshot.lower, -1.0), ("upper", snapshot.upper, 1.0)):
+        assert_volume(blocks[f"{name}_volume"], body, up)
         assert_surface(blocks[f"{name}_surface"], body)
     assert_contact(blocks["lower_surface"], run, which)
 
@@ -71,6 +72,50 @@ def test_complete_run(real_folder: Path) -> None:
     for which in (run.steps[1], run.steps[2], "final"):
         time = run.history.steps if which == "final" else which
         assert_same_as_ours(file.blocks(float(time)), run, which)
+
+
+def pieces_of(data: "vtk.vtkImageData") -> dict[str, "vtk.vtkDataSet"]:
+    """What the filters behind ParaView's Clip, Threshold and Extract Surface make of a volume."""
+    half = vtk.vtkPlane()
+    half.SetOrigin(data.GetCenter())
+    half.SetNormal(0.0, 1.0, 0.0)
+    clip = vtk.vtkTableBasedClipDataSet()
+    clip.SetClipFunction(half)
+    threshold = vtk.vtkThreshold()
+    threshold.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "von_mises_stress")
+    threshold.SetLowerThreshold(0.5 * data.GetCellData().GetArray("von_mises_stress").GetRange()[1])
+    found = {}
+    for name, of in (("clip", clip), ("threshold", threshold), ("surface", vtk.vtkGeometryFilter())):
+        of.SetInputData(data)
+        of.Update()
+        found[name] = of.GetOutput()
+    return found
+
+
+def test_the_bodies_stand_upright_in_the_contact(real_folder: Path) -> None:
+    run = brinell.open(real_folder)
+    step = run.steps[1]
+    snapshot = run.snapshot(step)
+    datasets = VtkhdfFile(run.file).datasets(float(step))
+    for name, body, up in (("lower", snapshot.lower, -1.0), ("upper", snapshot.upper, 1.0)):
+        volume = datasets[f"{name}_volume"]
+        depth = 2.0 * body.z[0] * len(body.z)
+        bottom, top = sorted((0.0, up * depth))
+        assert volume.GetBounds()[4:] == pytest.approx((bottom, top))
+        pieces = pieces_of(volume)
+        for piece in pieces.values():
+            assert piece.GetBounds()[4] >= bottom - 1e-9 * depth
+            assert piece.GetBounds()[5] <= top + 1e-9 * depth
+        # A filter that did not know of the turned axis would find the stress of the layers somewhere else.
+        k, j, i = (2, body.von_mises_stress.shape[1] // 2, 4)
+        cell = volume.FindCell(
+            (body.x[i], body.y[j], up * body.z[k]), None, 0, 0.0, vtk.mutable(0), [0.0] * 3, [0.0] * 8
+        )
+        assert volume.GetCellData().GetArray("von_mises_stress").GetValue(cell) == body.von_mises_stress[k, j, i]
+        high = body.von_mises_stress >= 0.5 * np.nanmax(body.von_mises_stress)
+        layers = body.z[high.any(axis=(1, 2))]
+        reach = np.sort([up * (layers[0] - body.z[0]), up * (layers[-1] + body.z[0])])
+        np.testing.assert_allclose(pieces["threshold"].GetBounds()[4:], reach, rtol=1e-6, atol=1e-9 * depth)
 
 
 def test_interrupted_run(interrupted_folder: Path) -> None:

@@ -19,6 +19,8 @@ class Image:
     """Points along x, y, z."""
     origin: tuple[float, float, float]
     spacing: tuple[float, float, float]
+    up: float
+    """Where layers that follow each other lead: 1 up, -1 down; the other axes are never turned."""
     cell_data: dict[str, np.ndarray]
     point_data: dict[str, np.ndarray]
 
@@ -34,10 +36,13 @@ def image_of(data: "vtk.vtkImageData") -> Image:
             found[of.GetArrayName(i)] = values.reshape(*shape[::-1], *values.shape[1:]).copy()
         return found
 
+    direction = [data.GetDirectionMatrix().GetElement(i, j) for i in range(3) for j in range(3)]
+    assert direction[:8] == [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]
     return Image(
         points,
         data.GetOrigin(),
         data.GetSpacing(),
+        direction[8],
         arrays(data.GetCellData(), cells),
         arrays(data.GetPointData(), points),
     )
@@ -59,6 +64,9 @@ class VtkhdfFile:
         """None if there is only one state."""
 
     def blocks(self, time: float = 0.0) -> dict[str, Image]:
+        return {name: image_of(data) for name, data in self.datasets(time).items()}
+
+    def datasets(self, time: float = 0.0) -> "dict[str, vtk.vtkImageData]":
         """By the names that the assembly gives them: older readers know no others."""
         self._reader.UpdateTimeStep(time)
         output = self._reader.GetOutput()
@@ -67,7 +75,7 @@ class VtkhdfFile:
         found = {}
         for node in assembly.GetChildNodes(assembly.GetRootNode(), True):
             for index in assembly.GetDataSetIndices(node, False):
-                found[assembly.GetNodeName(node)] = image_of(output.GetPartition(index, 0))
+                found[assembly.GetNodeName(node)] = output.GetPartition(index, 0)
         return found
 
 

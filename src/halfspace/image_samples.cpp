@@ -71,11 +71,6 @@ int polynomials_in_depth(double thickness, double distance)
 
 } // namespace
 
-bool is_odd(const std::array<int, stresses>& parity, int c, int e)
-{
-  return (parity[static_cast<std::size_t>(c)] + parity[static_cast<std::size_t>(e)]) % 2 != 0;
-}
-
 const std::array<double, offset_nodes>& offsets()
 {
   static const std::array<double, offset_nodes> nodes = []

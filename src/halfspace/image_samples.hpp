@@ -24,7 +24,10 @@ inline constexpr std::array<int, stresses> odd_in_x{0, 0, 0, 1, 1, 0};
 inline constexpr std::array<int, stresses> odd_in_y{0, 0, 1, 0, 1, 0};
 
 /// Whether the stress c of a strain e is odd in a direction, given the parities of the components in it.
-[[nodiscard]] bool is_odd(const std::array<int, stresses>& parity, int c, int e);
+[[nodiscard]] constexpr bool is_odd(const std::array<int, stresses>& parity, int c, int e)
+{
+  return (parity[static_cast<std::size_t>(c)] + parity[static_cast<std::size_t>(e)]) % 2 != 0;
+}
 
 /// Distances over the largest one: positive zeros of a Chebyshev polynomial.
 [[nodiscard]] const std::array<double, offset_nodes>& offsets();

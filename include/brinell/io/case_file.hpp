@@ -7,6 +7,8 @@
 #include "brinell/simulation/quality.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -80,6 +82,14 @@ struct Case
 /// @throws InputError, IoError
 [[nodiscard]] std::string case_file_text(const std::filesystem::path& file);
 
+/// Heights that a case names as if they were a file: a program that has them in memory need not write them.
+struct HeightTable
+{
+  std::vector<double> heights; ///< row after row [m]
+  std::size_t columns = 0;
+};
+using HeightTables = std::map<std::string, HeightTable, std::less<>>;
+
 /// Whether messages name file and line: a program that has made the text itself has none to look at.
 enum class Places
 {
@@ -88,10 +98,34 @@ enum class Places
 };
 
 /// The same from text; `file` is only named in messages, and the paths in the case begin in its folder.
+/// @param tables  what texture.file may name beside files
 [[nodiscard]] Case parse_case(std::string_view text, const std::filesystem::path& file,
-                              const std::vector<std::string>& overrides = {}, Places places = Places::lines);
+                              const std::vector<std::string>& overrides = {}, Places places = Places::lines,
+                              const HeightTables& tables = {});
 
-/// The resolved case as a case file.
+/// The resolved case as a case file, which needs no other one.
 [[nodiscard]] std::string resolved_text(const CaseValues& values);
+
+/// The resolved case for a folder: long height maps are files of their own there, binary ones, and their names tell their content, so
+/// that equal texts are equal cases.
+struct ResolvedFiles
+{
+  std::string text;
+  struct Map
+  {
+    std::string name; ///< <stem>-heights-<16 hexadecimal digits>.npy
+    const std::vector<double>* heights;
+    std::size_t columns;
+  };
+  std::vector<Map> maps; ///< as long as the values
+};
+/// @param stem  of the file that the text is for
+[[nodiscard]] ResolvedFiles resolved_files(const CaseValues& values, std::string_view stem = "resolved");
+
+/// Writes them: first the maps, then the text. @throws IoError
+void write_resolved(const std::filesystem::path& text_file, const CaseValues& values);
+
+/// Removes the maps that belong to resolved.toml in a folder. @throws IoError
+void remove_resolved_maps(const std::filesystem::path& folder);
 
 } // namespace brinell::io

@@ -89,6 +89,15 @@ def animate(
     return _animation(run, first, frames, panel, cut, on_body=on_body, cells=cells, interval=interval)
 
 
+def remark_on(run: Run, pass_: int) -> str:
+    """What to say of an animation whose pass is stored with large gaps; nothing if half of its steps are."""
+    stored = len(_stored_in(run, pass_))
+    steps = int(np.count_nonzero(run.history["pass"] == pass_))
+    if 2 * stored >= steps:
+        return ""
+    return f'{stored} frames: of {steps} steps only these are stored; [output] snapshots = "all" in the case stores all'
+
+
 def _stored_in(run: Run, pass_: int) -> list[int]:
     """Steps of a pass whose fields are stored.
 

@@ -315,6 +315,8 @@ def _animate(
     moving.writer_of(path)
     animation = moving.animate(opened, field=field, plane=plane, pass_=pass_, bodies=bodies, follow=follow, cells=cells)
     click.echo(moving.save_animation(animation, path, frames_per_second=fps))
+    if remark := moving.remark_on(opened, pass_):
+        click.echo(f"brinell: {remark}", err=True)
 
 
 @plot.command("history")

@@ -2,7 +2,7 @@
 """Height maps of surfaces: make, read, prepare, look at, put onto a body.
 
     dent = brinell.surfaces.read("dent.xyz").levelled().cropped(x=(-1e-4, 1e-4))
-    case = brinell.Case.from_file("case.toml").with_values({"lower.texture": dent.to_case()})
+    case = brinell.Case.from_file("case.toml").with_values({"lower.texture": dent})
 
     rough = brinell.surfaces.random("1 mm", 512, rms_height="0.5 um", rolloff="200 um", cutoff="16 um")
     print(rough.Sq, rough.Sdq, rough.Sku)

@@ -90,6 +90,23 @@ class HeightMap:
         dx, dy = topography.pixel_size
         return cls(heights, (dx * to_metre, dy * to_metre))
 
+    @classmethod
+    def of_part(cls, part: Any) -> Any:
+        """What can be a texture: a map of SurfaceTopography as one of ours, all else as it is.
+
+        Raises:
+            InputError: as `from_topography`.
+        """
+        if not (hasattr(part, "pixel_size") and callable(getattr(part, "heights", None))):
+            return part
+        try:
+            return cls.from_topography(part)
+        except InputError as error:
+            raise InputError(
+                f"a {type(part).__name__} of SurfaceTopography as texture: {error}; brinell.HeightMap.from_topography "
+                "takes unit and fill"
+            ) from error
+
     def __repr__(self) -> str:
         ny, nx = self.heights.shape
         return f"<HeightMap {nx} x {ny} points every {self.spacing[0]:g} x {self.spacing[1]:g} m, Sz = {self.Sz:g} m>"
@@ -228,10 +245,13 @@ class HeightMap:
 
     def to_case(self) -> dict[str, Any]:
         """The texture table of a case file, with the heights themselves."""
+        heights = {"heights": self.heights.ravel().tolist(), "columns": self.heights.shape[1]}
+        return self.settings() | heights
+
+    def settings(self) -> dict[str, Any]:
+        """The texture table of a case file, without the heights."""
         return {
             "type": "height_map",
-            "heights": self.heights.ravel().tolist(),
-            "columns": self.heights.shape[1],
             "spacing": list(self.spacing),
             "x": self.x,
             "y": self.y,

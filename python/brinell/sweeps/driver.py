@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import sys
 import warnings
 from collections import Counter, deque
 from collections.abc import Iterator, Mapping
@@ -247,7 +248,8 @@ def _compute(tasks: list[Task], pool: Pool, ledger: Ledger, bar: Any) -> None:
             while waiting and pool.has_room:
                 task = waiting.popleft()
                 running[pool.submit(task)] = task
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
+            done = wait(running, return_when=FIRST_COMPLETED).done
+            for future in done:
                 task = running.pop(future)
                 outcome = _outcome(pool, future)
                 if outcome is not None:
@@ -258,6 +260,8 @@ def _compute(tasks: list[Task], pool: Pool, ledger: Ledger, bar: Any) -> None:
                     waiting.appendleft(task)
                 else:
                     add(Outcome(task.index, "failed", reason=_lost_reason(_MOST_LOSSES)))
+            for loss in pool.losses() if not bar.disable else ():
+                bar.write(loss, file=sys.stderr)
     except KeyboardInterrupt:
         pool.stop()
         for future in as_completed(running):

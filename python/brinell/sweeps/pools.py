@@ -46,6 +46,9 @@ class Pool(Protocol):
     def collect(self, future: Future[Outcome]) -> Outcome:
         """What came of a task that is done. Raises `Lost`."""
 
+    def losses(self) -> list[str]:
+        """What has come to a sudden end since this was asked before, in words."""
+
     def stop(self) -> None:
         """Asks all runs to stop; their outcomes still come."""
 
@@ -73,6 +76,7 @@ class LocalPool:
         self._listener, self._teller = multiprocessing.Pipe(duplex=False)
         self._executors: dict[Future[Outcome], ProcessPoolExecutor] = {}
         self._idle: list[ProcessPoolExecutor | None] = [None] * (workers - 1)
+        self._losses: list[str] = []
         first = self._executor()
         self._idle.append(first)
         try:
@@ -106,9 +110,15 @@ class LocalPool:
         except BrokenProcessPool as error:
             executor.shutdown()
             self._idle.append(None)
+            self._losses.append("a process came to a sudden end; its run is computed again by another one")
             raise Lost from error
         self._idle.append(executor)
         return outcome
+
+    def losses(self) -> list[str]:
+        """Processes that were killed or ran out of memory."""
+        told, self._losses = self._losses, []
+        return told
 
     def _executor(self) -> ProcessPoolExecutor:
         context = multiprocessing.get_context("spawn")  # a fork would copy the state of OpenMP's threads
@@ -202,6 +212,7 @@ class DaskPool:
             raise IoError(f"the Dask cluster {cluster!r} does not answer: {error}") from error
         self._executor = self._client.get_executor(pure=False)
         self._tasks: dict[Future[Outcome], Task] = {}
+        self._workers = self._addresses()
 
     @property
     def has_room(self) -> bool:
@@ -227,6 +238,14 @@ class DaskPool:
             raise IoError("the Dask cluster is lost; the same sweep goes on with what is missing") from error
         except Exception as error:  # not of the run, whose errors are told in its outcome
             raise BrinellError(f"a worker of the cluster cannot compute; has it the same brinell? {error}") from error
+
+    def losses(self) -> list[str]:
+        """Workers that have left the cluster: killed, out of memory, or sent away as not needed."""
+        before, self._workers = self._workers, self._addresses()
+        return [f"the worker {one} has left; its run goes to another one" for one in sorted(before - self._workers)]
+
+    def _addresses(self) -> set[str]:
+        return set(self._client.scheduler_info(n_workers=-1)["workers"])
 
     def stop(self) -> None:
         """Runs stop after their step; those not yet begun return at once."""

@@ -3,6 +3,7 @@
 #include "brinell/foundation/error.hpp"
 #include "case_reader.hpp"
 #include "curve_file.hpp"
+#include "io/npy.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,9 +53,11 @@ InputError wrong_line(const NumberLine& line, const std::string& allowed)
   return InputError(fmt::format("has in line {} \"{}\"; allowed: {}", line.number, line.text.substr(0, 40), allowed));
 }
 
-/// Heights in m, a line per row; and how many make a row.
-std::pair<std::vector<double>, std::size_t> read_heights(const std::filesystem::path& file)
+/// Heights in m, in text a line per row; and how many make a row.
+NumberTable read_heights(const std::filesystem::path& file)
 {
+  if (file.extension() == ".npy")
+    return read_npy(file);
   std::vector<double> heights;
   std::size_t columns = 0;
   for (const NumberLine& line : number_lines(file))
@@ -394,6 +397,15 @@ void load_hardening_file(CaseValues& values, const RawCase& raw, const std::stri
 namespace
 {
 
+/// Of a table in memory, or of a file.
+NumberTable named_heights(const RawCase& raw, const std::string& name)
+{
+  if (raw.height_tables)
+    if (const auto found = raw.height_tables->find(name); found != raw.height_tables->end())
+      return {found->second.heights, found->second.columns};
+  return read_heights(raw.folder / name);
+}
+
 /// @param table  ends with a dot
 void load_heights(CaseValues& values, const RawCase& raw, const std::string& table, Problems& problems)
 {
@@ -410,7 +422,7 @@ void load_heights(CaseValues& values, const RawCase& raw, const std::string& tab
   }
   try
   {
-    auto [heights, columns] = read_heights(raw.folder / name);
+    auto [heights, columns] = named_heights(raw, name);
     values.replace(table + "file",
                    {{table + "heights", std::move(heights)}, {table + "columns", static_cast<std::int64_t>(columns)}});
   }

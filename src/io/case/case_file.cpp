@@ -3,9 +3,12 @@
 
 #include "case_reader.hpp"
 #include "io/files.hpp"
+#include "io/npy.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <optional>
 
 namespace brinell::io
 {
@@ -46,10 +49,11 @@ void CaseValues::replace(std::string_view key, std::vector<std::pair<std::string
 }
 
 Case parse_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                Places places)
+                Places places, const HeightTables& tables)
 {
   Problems problems;
-  const RawCase raw = read_raw_case(text, file, overrides, places, problems);
+  RawCase raw = read_raw_case(text, file, overrides, places, problems);
+  raw.height_tables = &tables;
   Draft draft;
   Case& result = draft.c;
   result.file = file;
@@ -104,7 +108,15 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   return parse_case(case_file_text(file), file, overrides);
 }
 
-std::string resolved_text(const CaseValues& values)
+namespace
+{
+
+constexpr std::size_t most_inline = 1000; ///< heights; a line of text that a person may still scroll through
+constexpr std::string_view map_infix = "-heights-", map_ending = ".npy";
+
+/// The rows of a case file, without the ones for which `replaced` has others.
+std::string text_of(const CaseValues& values,
+                    const std::function<std::optional<std::string>(std::string_view, const Value&)>& replaced)
 {
   std::string text;
   std::string table;
@@ -115,10 +127,77 @@ std::string resolved_text(const CaseValues& values)
     if (parent != table)
       text += parent.ends_with(']') ? fmt::format("\n[[{}]]\n", plain_key(parent)) : fmt::format("\n[{}]\n", parent);
     table = parent;
-    text += fmt::format("{} = {}{}\n", dot == key.npos ? key : key.substr(dot + 1), toml_text(value),
-                        unit_comment(values, *find_entry(key)));
+    if (const auto line = replaced(key, value))
+      text += *line;
+    else
+      text += fmt::format("{} = {}{}\n", dot == key.npos ? key : key.substr(dot + 1), toml_text(value),
+                          unit_comment(values, *find_entry(key)));
   }
   return text;
+}
+
+/// Whether a file is one that `write_resolved` has made for resolved.toml, or has begun to.
+bool is_resolved_map(const std::filesystem::path& file)
+{
+  constexpr std::string_view digits = "0123456789abcdef";
+  constexpr std::size_t count = 16;
+  std::string name = file.filename().string();
+  if (name.ends_with(".part"))
+    name.resize(name.size() - 5);
+  const std::string begin = fmt::format("resolved{}", map_infix);
+  return name.size() == begin.size() + count + map_ending.size() && name.starts_with(begin) &&
+         name.ends_with(map_ending) && name.substr(begin.size(), count).find_first_not_of(digits) == name.npos;
+}
+
+} // namespace
+
+std::string resolved_text(const CaseValues& values)
+{
+  return text_of(values, [](std::string_view, const Value&) { return std::nullopt; });
+}
+
+ResolvedFiles resolved_files(const CaseValues& values, std::string_view stem)
+{
+  ResolvedFiles result;
+  result.text = text_of(values,
+                        [&](std::string_view key, const Value& value) -> std::optional<std::string>
+                        {
+                          const std::string table(key.substr(0, key.rfind('.') + 1));
+                          const bool is_columns = key == table + "columns";
+                          if (!is_columns && key != table + "heights")
+                            return std::nullopt;
+                          const auto& heights = values.get<std::vector<double>>(table + "heights");
+                          if (heights.size() <= most_inline)
+                            return std::nullopt;
+                          if (is_columns) // the file has them
+                            return "";
+                          const auto columns = static_cast<std::size_t>(values.get<std::int64_t>(table + "columns"));
+                          const std::string sum = checksum(npy_content(heights, columns));
+                          result.maps.push_back({fmt::format("{}{}{}{}", stem, map_infix, sum, map_ending),
+                                                 &std::get<std::vector<double>>(value), columns});
+                          return fmt::format("file = {}\n", toml_string(result.maps.back().name));
+                        });
+  return result;
+}
+
+void write_resolved(const std::filesystem::path& text_file, const CaseValues& values)
+{
+  const ResolvedFiles files = resolved_files(values, text_file.stem().string());
+  for (const ResolvedFiles::Map& map : files.maps)
+    replace_file(text_file.parent_path() / map.name, npy_content(*map.heights, map.columns));
+  replace_file(text_file, files.text); // the last one: what it names is there
+}
+
+void remove_resolved_maps(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> maps;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (is_resolved_map(entry.path()) && entry.is_regular_file(error))
+      maps.push_back(entry.path());
+  for (const std::filesystem::path& map : maps)
+    if (!std::filesystem::remove(map, error))
+      throw IoError(fmt::format("{}: cannot be removed: {}", map.string(), error.message()));
 }
 
 } // namespace brinell::io

@@ -263,7 +263,7 @@ std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan)
 std::string check_report(const Case& c, const ScenarioPlan& plan)
 {
   const std::string head =
-      fmt::format("# Resolved case of {}\n{}\n{}", c.file.string(), resolved_text(c.values), critical_report(c));
+      fmt::format("# Resolved case of {}\n{}\n{}", c.file.string(), resolved_files(c.values).text, critical_report(c));
   return head + std::visit(
                     [&](const auto& scenario)
                     {

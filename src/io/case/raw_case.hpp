@@ -50,6 +50,8 @@ struct RawCase
   std::map<std::string, Given, std::less<>> values;
   std::map<std::string, std::string, std::less<>> tables; ///< places of the tables, for keys that are missing in them
 
+  const HeightTables* height_tables = nullptr; ///< what texture.file may name beside files
+
   std::map<std::string, int, std::less<>> lists; ///< tables that stand several times, and how often
 
   std::map<std::string, int, std::less<>> by_old_name; ///< old keys that were given, with the lengths of their lists

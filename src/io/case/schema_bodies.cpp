@@ -124,8 +124,9 @@ Entries texture_entries(const std::string& table)
           {.key = "file",
            .type = Type::text,
            .unset = "heights and columns",
-           .text = "Text file of heights in m, outwards positive: a line per row along x, all of one length, one row "
-                   "after the other along y; from the folder of the case.",
+           .text =
+               "File of heights in m, outwards positive; from the folder of the case. .npy: an array [y, x] of NumPy, "
+               "binary; any other: text, a line per row along x, all of one length, one row after the other along y.",
            .when = of_map,
            .excludes = "heights"},
           {.key = "heights",

@@ -2,6 +2,7 @@
 #include "earlier_result.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/case_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -163,6 +164,7 @@ bool remove_earlier_result(const fs::path& folder)
       removed(folder / fmt::format("{}.part", known.name));
   }
   found = remove_pieces(folder) || found;
+  remove_resolved_maps(folder);
   return found;
 }
 

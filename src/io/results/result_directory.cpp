@@ -155,7 +155,7 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
   if (!fs::is_regular_file(folder / "resolved.toml"))
     throw nothing_to_resume(folder);
   const std::string text = input_text(folder / "resolved.toml", std::numeric_limits<std::size_t>::max());
-  if (without_extent(text) != without_extent(resolved_text(c.values)))
+  if (without_extent(text) != without_extent(resolved_files(c.values).text))
   {
     static_cast<void>(read_checkpoint(folder / checkpoint_file)); // of another program, whose keys may have other names
     throw InputError(fmt::format("{}: the run that was stopped there is of another case: compare resolved.toml there "
@@ -184,7 +184,7 @@ struct ResultDirectory::State
                 checkpoint ? checkpoint->history_sum : ""),
         result(path, c, history.columns(), fields ? &*fields : nullptr)
   {
-    replace_file(path / "resolved.toml", resolved_text(c.values));
+    write_resolved(path / "resolved.toml", c.values);
   }
 
   static std::optional<Checkpoint> take(const fs::path& folder, const Case& c, Mode mode)

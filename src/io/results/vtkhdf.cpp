@@ -65,13 +65,15 @@ public:
     h5::write_attribute(group_, "Version", std::array{2, 2});
     h5::write_fixed_attribute(group_, "Type", "ImageData");
     h5::write_attribute(group_, "Index", index);
-    h5::write_attribute(group_, "Direction", std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
     if (states.size() > 1)
       write_steps(h5::create_group(group_, "Steps"));
   }
 
-  void place(const std::array<int, 3>& last, const std::array<double, 3>& origin, const std::array<double, 3>& spacing)
+  /// @param up  where layers that follow each other lead: 1 up, -1 down
+  void place(const std::array<int, 3>& last, const std::array<double, 3>& origin, const std::array<double, 3>& spacing,
+             double up = 1.0)
   {
+    h5::write_attribute(group_, "Direction", std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, up});
     h5::write_attribute(group_, "WholeExtent", std::array{0, last[0], 0, last[1], 0, last[2]});
     h5::write_attribute(group_, "Origin", origin);
     h5::write_attribute(group_, "Spacing", spacing);
@@ -188,11 +190,13 @@ using Body = BodyLayout StateLayout::*;
 /// Of fields that are not zero beyond a grid but were not computed there.
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-void write_volume(Block block, Body which, const BodyLayout& body)
+/// @param up  into the body: 1 up, -1 down. Datasets are shown as they are, from the surface into the body, and virtual ones
+///            cannot be turned over: so the axis is.
+void write_volume(Block block, Body which, const BodyLayout& body, double up)
 {
   const SurfaceGrid& s = body.grid.surface;
-  block.place({s.nx, s.ny, body.grid.nz}, {body.x0 - 0.5 * s.dx, body.y0 - 0.5 * s.dy, 0.0},
-              {s.dx, s.dy, body.grid.dz});
+  block.place({s.nx, s.ny, body.grid.nz}, {body.x0 - 0.5 * s.dx, body.y0 - 0.5 * s.dy, 0.0}, {s.dx, s.dy, body.grid.dz},
+              up);
   block.begin("CellData");
   if (body.has_plastic_strain)
   {
@@ -316,9 +320,9 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
   };
   const auto& [lower, upper, contact] = states.back().layout;
   if (lower.has_plastic_strain || lower.has_stress)
-    write_volume(block("lower_volume", "lower"), &StateLayout::lower, lower);
+    write_volume(block("lower_volume", "lower"), &StateLayout::lower, lower, -1.0);
   if (upper.has_plastic_strain || upper.has_stress)
-    write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper);
+    write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper, 1.0);
   write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, true);
   if (upper.has_residual_displacement)
     write_surface(block("upper_surface", "upper"), &StateLayout::upper, upper, false);

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/npy.hpp"
+
+#include "io/files.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <optional>
+#include <regex>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+static_assert(std::endian::native == std::endian::little, "the numbers of a file are taken as they lie");
+
+constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::size_t largest_table = 1'000'000'000; // bytes, as for texts far beyond any instrument
+constexpr std::size_t largest_header = 10'000;       // as NumPy itself allows
+
+/// What the head of a file says of its numbers.
+struct Head
+{
+  std::string type; ///< "<f8": float64
+  bool is_by_columns = false;
+  std::size_t rows = 0, columns = 0;
+  std::size_t length = 0; ///< bytes before the first number
+};
+
+/// Format of NumPy (numpy.lib.format): magic, version, length of the header, and the header, a Python dictionary as text.
+std::optional<Head> head_of(std::string_view content)
+{
+  if (!content.starts_with(magic) || content.size() < 12)
+    return std::nullopt;
+  const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(content[i])); };
+  const bool is_short = byte(6) == 1;
+  const std::size_t begin = is_short ? 10 : 12;
+  const std::size_t length = byte(8) | byte(9) << 8 | (is_short ? 0 : byte(10) << 16 | byte(11) << 24);
+  if (length > largest_header || begin + length > content.size())
+    return std::nullopt;
+  const std::string header(content.substr(begin, length));
+  static const std::regex type(R"('descr':\s*'([^']*)')"), order(R"('fortran_order':\s*(True|False))"),
+      shape(R"('shape':\s*\((\d{1,9}),\s*(\d{1,9}),?\))");
+  std::smatch found;
+  Head head;
+  head.length = begin + length;
+  if (!std::regex_search(header, found, type))
+    return std::nullopt;
+  head.type = found[1];
+  if (!std::regex_search(header, found, order))
+    return std::nullopt;
+  head.is_by_columns = found[1] == "True";
+  if (std::regex_search(header, found, shape)) // of another number of axes: no rows
+  {
+    head.rows = std::stoul(found[1]);
+    head.columns = std::stoul(found[2]);
+  }
+  return head;
+}
+
+template <typename Number>
+std::vector<double> values_of(std::string_view bytes, std::size_t count)
+{
+  std::vector<Number> raw(count);
+  std::memcpy(raw.data(), bytes.data(), count * sizeof(Number));
+  return {raw.begin(), raw.end()};
+}
+
+std::vector<double> by_rows(const std::vector<double>& by_columns, std::size_t rows, std::size_t columns)
+{
+  std::vector<double> result(by_columns.size());
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i)
+      result[j * columns + i] = by_columns[i * rows + j];
+  return result;
+}
+
+} // namespace
+
+NumberTable read_npy(const std::filesystem::path& file)
+{
+  const std::string content = input_text(file, largest_table);
+  const std::optional<Head> head = head_of(content);
+  if (!head)
+    throw InputError("is no .npy file of NumPy, or damaged");
+  if (head->type != "<f8" && head->type != "<f4")
+    throw InputError(fmt::format("has numbers of the type \"{}\"; allowed: float64 or float32, as by "
+                                 "numpy.save(file, heights.astype(float))",
+                                 head->type));
+  const std::size_t count = head->rows * head->columns;
+  if (count == 0)
+    throw InputError("has no rows and columns of numbers; allowed: an array [y, x]");
+  const std::string_view bytes = std::string_view(content).substr(head->length);
+  const bool is_double = head->type == "<f8";
+  if (bytes.size() != count * (is_double ? sizeof(double) : sizeof(float)))
+    throw InputError(
+        fmt::format("is damaged: it has {} bytes for {} x {} numbers", bytes.size(), head->rows, head->columns));
+  std::vector<double> values = is_double ? values_of<double>(bytes, count) : values_of<float>(bytes, count);
+  if (const auto wrong = std::count_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); }))
+    throw InputError(fmt::format("has {} of {} numbers that are not finite", wrong, count));
+  if (head->is_by_columns)
+    values = by_rows(values, head->rows, head->columns);
+  return {std::move(values), head->columns};
+}
+
+std::string npy_content(std::span<const double> values, std::size_t columns)
+{
+  std::string header =
+      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", values.size() / columns, columns);
+  constexpr std::size_t before = 10, alignment = 64; // of the first number in the file
+  header.append(alignment - (before + header.size() + 1) % alignment, ' ');
+  header += '\n';
+  std::string content(magic);
+  content += {'\x01', '\x00', static_cast<char>(header.size() % 256), static_cast<char>(header.size() / 256)};
+  content += header;
+  content.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+  return content;
+}
+
+} // namespace brinell::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Files of NumPy with one table of numbers (.npy): measured heights, which as text take three times the room and a hundred times
+/// the time.
+namespace brinell::io
+{
+
+struct NumberTable
+{
+  std::vector<double> values; ///< row after row
+  std::size_t columns = 0;
+};
+
+/// @throws InputError without the file's name: it is no such file, has no rows and columns of real numbers, or numbers that are
+/// not finite; IoError
+[[nodiscard]] NumberTable read_npy(const std::filesystem::path& file);
+
+/// The content of a file with these numbers, row after row.
+[[nodiscard]] std::string npy_content(std::span<const double> values, std::size_t columns);
+
+} // namespace brinell::io
