@@ -58,10 +58,15 @@ Forces project_forces(const SurfaceGrid& grid, const halfspace::SurfaceLoad& loa
       f.F_X_lower += q * std::cos(theta + std::atan(lower_x));
       f.F_X_upper += q * std::cos(theta - std::atan(upper_x));
     }
-  f.F_X += f.F_X_friction;
-  f.F_Z += f.F_Z_friction;
-  f.F_X_macro = along * std::cos(theta) - f.F_n * std::sin(theta);
-  f.F_Z_macro = along * std::sin(theta) + f.F_n * std::cos(theta);
+  f.F_X_macro = -f.F_n * std::sin(theta);
+  f.F_Z_macro = f.F_n * std::cos(theta);
+  if (along != 0.0) // without friction not even the sign of a zero changes
+  {
+    f.F_X += f.F_X_friction;
+    f.F_Z += f.F_Z_friction;
+    f.F_X_macro += along * std::cos(theta);
+    f.F_Z_macro += along * std::sin(theta);
+  }
   return f;
 }
 
