@@ -55,7 +55,6 @@ class Grid(_Table):
     reference: Quantity | None = None
 
 
-@renamed(max_iterations="max_evaluations")
 @dataclass(frozen=True, kw_only=True)
 class Interface(_Table):
     """What is between the surfaces where they slide on each other, in tugging and in rolling with slip.
@@ -71,6 +70,7 @@ class Interface(_Table):
     coupling: bool | None = None
 
 
+@renamed(max_iterations="max_evaluations")
 @dataclass(frozen=True, kw_only=True)
 class Solver(_Table):
     """When an increment counts as solved, and how it is.
