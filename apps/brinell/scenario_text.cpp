@@ -25,18 +25,35 @@ std::string step_text(const io::Case&, const simulation::RollingRecord& record)
   return fmt::format("pass {}  x {:+.3e} m", record.pass + 1, record.x);
 }
 
+namespace
+{
+
+/// Empty without friction.
+std::string friction_text(const simulation::RunTotals& s)
+{
+  if (s.dissipation_friction == 0.0)
+    return {};
+  return fmt::format(
+      "friction  {:>13.6e} J of heat; shear at the limit of the surface in up to {:.0f} % of the contact\n",
+      s.dissipation_friction, 100.0 * s.max_share_at_shear_limit);
+}
+
+} // namespace
+
 std::string summary_text(const io::Case& c, const simulation::TuggingSummary& s)
 {
   const double X = s.X_at_peak_F_X / c.equivalent_radius.value_or(1.0);
   if (!c.first_yield)
-    return fmt::format(
-        "peak F_X  {:>13.6e} N at X/R = {:+.5f}\nmin F_X   {:>13.6e} N\npeak F_Z  {:>13.6e} N\nnet work  {:>13.6e} J\n",
-        s.peak_F_X, X, s.min_F_X, s.peak_F_Z, s.work);
+    return fmt::format("peak F_X  {:>13.6e} N at X/R = {:+.5f}\nmin F_X   {:>13.6e} N\npeak F_Z  {:>13.6e} N\nnet work "
+                       " {:>13.6e} J\n",
+                       s.peak_F_X, X, s.min_F_X, s.peak_F_Z, s.work) +
+           friction_text(s);
   const auto& critical = c.first_yield->critical;
   return fmt::format("peak F_X  {:>11.5f} P_c at X/R = {:+.5f}\nmin F_X   {:>11.5f} P_c\npeak F_Z  {:>11.5f} P_c\n"
                      "net work  {:>11.5f} U_c\n",
                      s.peak_F_X / critical.load, X, s.min_F_X / critical.load, s.peak_F_Z / critical.load,
-                     s.work / critical.energy);
+                     s.work / critical.energy) +
+         friction_text(s);
 }
 
 std::string summary_text(const io::Case&, const simulation::IndentationSummary& s)
@@ -68,7 +85,7 @@ std::string summary_text(const io::Case&, const simulation::RollingSummary& s)
   }
   if (s.passes.size() > most_rows)
     text += fmt::format("and {} more in summary.json\n", s.passes.size() - most_rows);
-  return text;
+  return text + friction_text(s);
 }
 
 } // namespace brinell::app

@@ -108,8 +108,8 @@ plt.show()
 # %%
 # The price of a pass
 # -------------------
-# A track that flows takes work. Once it has shaken down nothing is dissipated any more: this model has no friction in
-# the contact.
+# A track that flows takes work. Once it has shaken down nothing is dissipated any more: there is no friction in
+# this contact.
 
 for run in runs.values():
     losses = ", ".join(f"{p.dissipation * 1e3:.3g}" for p in run.passes)

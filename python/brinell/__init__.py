@@ -50,7 +50,7 @@ from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import Indentation, Rolling, Tugging
-from brinell.settings import Grid, Output, Solver
+from brinell.settings import Grid, Interface, Output, Solver
 from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
 
@@ -84,6 +84,7 @@ __all__ = [
     "Hollomon",
     "Indentation",
     "InputError",
+    "Interface",
     "InternalError",
     "IoError",
     "Linear",

@@ -19,7 +19,7 @@ import tomli_w
 from brinell.bodies import Body, Quantity
 from brinell.case import Case, HeightMaps, in_arguments, plain
 from brinell.errors import InputError
-from brinell.settings import Grid, Output, Solver
+from brinell.settings import Grid, Interface, Output, Solver
 
 __all__ = ["Indentation", "Rolling", "Tugging"]
 
@@ -39,11 +39,18 @@ class _Scenario(Case):
         grid: Grid | Mapping[str, Any] | None,
         solver: Solver | Mapping[str, Any] | None,
         output: Output | Mapping[str, Any] | None,
+        interface: Interface | Mapping[str, Any] | None = None,
     ):
         for name, body in (("lower", lower), ("upper", upper)):
             if not isinstance(body, Body):
                 raise InputError(f"{name} = {body!r}; allowed: a brinell.Body")
-        for name, part, kind in (("grid", grid, Grid), ("solver", solver, Solver), ("output", output, Output)):
+        parts = (
+            ("interface", interface, Interface),
+            ("grid", grid, Grid),
+            ("solver", solver, Solver),
+            ("output", output, Output),
+        )
+        for name, part, kind in parts:
             if not (part is None or isinstance(part, kind | Mapping)):
                 raise InputError(f"{name} = {part!r}; allowed: a brinell.{kind.__name__}, a dictionary, or None")
         values = {
@@ -52,6 +59,7 @@ class _Scenario(Case):
             "lower": lower.parts(),
             "upper": upper.parts(),
             self._table: table,
+            "interface": interface,
             "grid": grid,
             "solver": solver,
             "output": output,
@@ -80,6 +88,7 @@ class Tugging(_Scenario):
         passes: int | None = None,
         shift: Quantity | None = None,
         kinematics: str | None = None,
+        interface: Interface | Mapping[str, Any] | None = None,
         title: str | None = None,
         grid: Grid | Mapping[str, Any] | None = None,
         solver: Solver | Mapping[str, Any] | None = None,
@@ -97,6 +106,7 @@ class Tugging(_Scenario):
             passes: how often the upper body passes.
             shift: arc by which the contact moves on each body per step.
             kinematics: "exact" or "paper".
+            interface: friction, `brinell.Interface` or a dictionary.
             title: copied into the results.
             grid: its cells, `brinell.Grid` or a dictionary.
             solver: `brinell.Solver` or a dictionary.
@@ -113,7 +123,7 @@ class Tugging(_Scenario):
             "shift": shift,
             "kinematics": kinematics,
         }
-        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output)
+        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output, interface=interface)
 
 
 class Indentation(_Scenario):
@@ -191,6 +201,7 @@ class Rolling(_Scenario):
         slide_to_roll: float | None = None,
         shift: Quantity | None = None,
         load_steps: int | None = None,
+        interface: Interface | Mapping[str, Any] | None = None,
         title: str | None = None,
         grid: Grid | Mapping[str, Any] | None = None,
         solver: Solver | Mapping[str, Any] | None = None,
@@ -209,6 +220,7 @@ class Rolling(_Scenario):
             slide_to_roll: difference over mean of the speeds of both surfaces; 0: pure rolling.
             shift: by which the contact moves on the lower body per step.
             load_steps: in which the upper body is pressed on before a pass and lifted off after it.
+            interface: friction, `brinell.Interface` or a dictionary.
             title: copied into the results.
             grid: its cells, `brinell.Grid` or a dictionary.
             solver: `brinell.Solver` or a dictionary.
@@ -227,4 +239,4 @@ class Rolling(_Scenario):
             "shift": shift,
             "load_steps": load_steps,
         }
-        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output)
+        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output, interface=interface)

@@ -55,6 +55,21 @@ class Grid(_Table):
     reference: Quantity | None = None
 
 
+@dataclass(frozen=True, kw_only=True)
+class Interface(_Table):
+    """What is between the surfaces where they slide on each other, in tugging and in rolling with slip.
+
+    Attributes:
+        friction: shear over pressure.
+        shear_limit: largest shear that a surface can carry; the shear yield stress of the softer one if it is None.
+        coupling: whether the shear moves the gap where the two materials differ.
+    """
+
+    friction: float | None = None
+    shear_limit: Quantity | None = None
+    coupling: bool | None = None
+
+
 @renamed(max_iterations="max_evaluations")
 @dataclass(frozen=True, kw_only=True)
 class Solver(_Table):

@@ -302,7 +302,7 @@ def test_warnings_of_a_scenario_name_no_file() -> None:
         brinell.Tugging(soft, body_of_radius(1.0), "1 mm", normalised=False)
 
 
-@pytest.mark.parametrize("kind", [brinell.Grid, brinell.Solver, brinell.Output])
+@pytest.mark.parametrize("kind", [brinell.Interface, brinell.Grid, brinell.Solver, brinell.Output])
 def test_settings_have_all_keys_of_their_tables(kind: Any) -> None:
     assert {field.name for field in fields(kind)} == keys_of(kind.__name__.lower())
 
@@ -314,12 +314,14 @@ def test_settings_are_the_same_as_dictionaries() -> None:
         grid=brinell.Grid(resolution=7, extent=1.2),
         solver=brinell.Solver(max_evaluations=50, mirror=False),
         output=brinell.Output(snapshots=[0, 3]),
+        interface=brinell.Interface(friction=0.2, coupling=False),
     )
     of_tables = brinell.Tugging(
         *pair,
         grid={"resolution": 7, "extent": 1.2},
         solver={"max_evaluations": 50, "mirror": False},
         output={"snapshots": [0, 3]},
+        interface={"friction": 0.2, "coupling": False},
     )
     assert of_classes.to_toml() == of_tables.to_toml()
 

@@ -26,12 +26,14 @@ void BodyState::exchange(Archive& archive)
     archive("backstress", backstress);
   archive("stress", stress);
   archive("residual_displacement", residual_displacement);
+  if (!residual_displacement_x.empty())
+    archive("residual_displacement_x", residual_displacement_x);
   archive("dissipation", dissipation);
   archive("locked_in_energy", locked_in_energy);
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-           const constitutive::Material& material, bool shortcuts)
+           const constitutive::Material& material, bool shortcuts, bool bears_shear)
     : grid_(grid), material_(material), half_space_(std::move(half_space)), shortcuts_(shortcuts), layers_(grid_.nz),
       displacement_(grid_.surface.size(), 0.0)
 {
@@ -41,6 +43,9 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
   state_.stress.assign(Deviator::size * n, 0.0);
   state_.residual_displacement = displacement_;
+  if (bears_shear && is_plastic())
+    displacement_x_.assign(grid_.surface.size(), 0.0);
+  state_.residual_displacement_x = displacement_x_;
   for (int layer = 0; layer < grid_.nz; ++layer)
   {
     const double depth = (layer + 0.5) * grid_.dz;
@@ -67,6 +72,7 @@ void Body::exchange(Archive& archive)
   archive("state", state_);
   archive("q_field", stress_);
   displacement_ = state_.residual_displacement;
+  displacement_x_ = state_.residual_displacement_x;
   if (archive.gives())
     take_up_guess();
 }
@@ -105,6 +111,7 @@ void Body::begin(int shift, double stiffness_share)
 void Body::restore()
 {
   displacement_ = state_.residual_displacement;
+  displacement_x_ = state_.residual_displacement_x;
   if (!in_increment_)
     return;
   in_increment_ = false;
@@ -188,12 +195,12 @@ void Body::integrate(Integration integration)
   loaded_->displacement({.z = displacement_});
 }
 
-bool Body::update(std::span<const double> pressure)
+bool Body::update(const halfspace::SurfaceLoad& load)
 {
   if (!is_plastic())
     return false;
   const std::size_t n = grid().size();
-  loaded_->stress({.pressure = pressure}, stress_);
+  loaded_->stress(load, stress_);
   add_initial_stress(layers_, stress_);
   std::visit(
       [&](const auto& law)
@@ -244,9 +251,9 @@ double Body::yield_error() const
   return error;
 }
 
-double Body::locked_in_energy(std::span<const double> pressure) const
+double Body::locked_in_energy(const halfspace::SurfaceLoad& load) const
 {
-  // 1/2 eps H eps - s0 eps, with H eps = (stress of the pressure + initial stress s0 - stress); the first part by Betti
+  // 1/2 eps H eps - s0 eps, with H eps = (stress of the load + initial stress s0 - stress); the first part by Betti
   // on the surface. The energy of s0 itself is left out: it is there from the start.
   const std::size_t n = grid().size();
   const auto work_in = [&](std::size_t first, std::size_t last)
@@ -261,20 +268,23 @@ double Body::locked_in_energy(std::span<const double> pressure) const
     return work;
   };
   const double volume_work = sum_of_pieces(n, work_in);
-  return 0.5 * (dot(pressure, displacement_) * grid().surface.cell_area() - volume_work * grid().cell_volume());
+  double surface_work = dot(load.pressure, displacement_);
+  if (!load.shear_x.empty())
+    surface_work += dot(load.shear_x, displacement_x_);
+  return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
 }
 
-double Body::energy(std::span<const double> pressure) const
+double Body::energy(const halfspace::SurfaceLoad& load) const
 {
   if (!is_plastic())
     return 0.0;
   double dissipation = 0.0;
   for (std::size_t a = 0; a < active_.size(); ++a)
     dissipation += active_.dissipation(a);
-  return dissipation * grid().cell_volume() + locked_in_energy(pressure);
+  return dissipation * grid().cell_volume() + locked_in_energy(load);
 }
 
-void Body::commit(std::span<const double> pressure)
+void Body::commit(const halfspace::SurfaceLoad& load)
 {
   if (!is_plastic())
     return;
@@ -291,7 +301,8 @@ void Body::commit(std::span<const double> pressure)
   }
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
-  state_.locked_in_energy = locked_in_energy(pressure);
+  state_.residual_displacement_x = displacement_x_;
+  state_.locked_in_energy = locked_in_energy(load);
   guessed_cells_ = active_.cells();
   guessed_q_ = active_.mapped();
   for (std::size_t a = 0; a < active_.size(); ++a)
@@ -299,12 +310,12 @@ void Body::commit(std::span<const double> pressure)
   in_increment_ = false;
 }
 
-void Body::full_stress(std::span<const double> pressure, std::span<const double> plastic_strain,
+void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<const double> plastic_strain,
                        std::span<double> deviator, std::span<double> trace)
 {
   if (work_.empty())
     work_ = half_space_->make_work();
-  half_space_->full_stress({.pressure = pressure}, plastic_strain, work_, deviator, trace);
+  half_space_->full_stress(load, plastic_strain, work_, deviator, trace);
   add_initial_stress(grid().nz, deviator);
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * initial_stress_[i / grid().surface.size()];

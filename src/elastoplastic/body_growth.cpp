@@ -29,7 +29,7 @@ void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector
 
 } // namespace
 
-void Body::continue_from(const BodyState& history, const VolumeGrid& from, std::span<const double> pressure)
+void Body::continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load)
 {
   if (!is_plastic())
     return;
@@ -39,13 +39,15 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, std::
   state_.dissipation = history.dissipation;
   prepare_trial();
   work_ = half_space_->make_work();
+  find_displacement_x();
   const halfspace::HalfSpace::Loaded loaded = half_space_->load(state_.plastic_strain, grid().nz, work_);
   loaded.displacement({.z = displacement_});
-  loaded.stress({.pressure = pressure}, stress_);
+  loaded.stress(load, stress_);
   add_initial_stress(grid().nz, stress_);
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
-  state_.locked_in_energy = locked_in_energy(pressure);
+  state_.residual_displacement_x = displacement_x_;
+  state_.locked_in_energy = locked_in_energy(load);
   take_up_guess();
 }
 

@@ -40,6 +40,7 @@ BodyState BodyView::state() const
           deviators(&BodyState::backstress),
           deviators(&BodyState::stress),
           scalars(&BodyState::residual_displacement),
+          vector_x(solved.residual_displacement_x),
           solved.dissipation,
           solved.locked_in_energy};
 }
@@ -58,6 +59,28 @@ std::vector<double> BodyView::scalars(std::vector<double> BodyState::*field) con
   if (is_mirrored())
     reverse_rows(copy, grid().surface.nx, 1.0);
   return copy;
+}
+
+/// A copy of a field of components along x.
+std::vector<double> BodyView::vector_x(std::span<const double> solved) const
+{
+  std::vector<double> copy(solved.begin(), solved.end());
+  if (is_mirrored())
+    reverse_rows(copy, grid().surface.nx, -1.0);
+  return copy;
+}
+
+std::vector<double> BodyView::residual_displacement_x() const
+{
+  return vector_x(solved_->residual_displacement_x());
+}
+
+std::vector<double> BodyView::shear_strength(double sign) const
+{
+  std::vector<double> strength = solved_->shear_strength(is_mirrored() ? -sign : sign);
+  if (is_mirrored())
+    reverse_rows(strength, grid().surface.nx, 1.0);
+  return strength;
 }
 
 std::vector<double> BodyView::residual_displacement() const

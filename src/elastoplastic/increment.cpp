@@ -28,7 +28,8 @@ std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, co
 CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
-                               const Settings& settings, Twin twin, Textures textures, double reference)
+                               const Settings& settings, Twin twin, Textures textures, double reference,
+                               const Sliding& sliding)
     : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic), reference),
       contact_(compliance_), textures_(std::move(textures)), scales_(scales), settings_(settings), twin_(twin),
       pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0), distance_(contact.size(), 0.0)
@@ -43,12 +44,19 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   for (const auto& [texture, grid] : {std::pair{&textures_.lower, &lower}, {&textures_.upper, &upper}})
     if (!texture->empty())
       require_size("CoupledContact: the texture", *texture, grid->surface.size());
+  const bool has_friction = sliding.friction.coefficient > 0.0;
+  if (has_friction && twin == Twin::alike)
+    throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
+  if (has_friction)
+    sliding_.emplace(contact, lower_material.elastic, upper_material.elastic, sliding.friction, sliding.direction,
+                     reference);
   const auto half_space = operators(lower, lower_material.elastic);
-  sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts), &Placement::lower});
+  sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts, has_friction), &Placement::lower});
   if (twin == Twin::none)
-    sides_.push_back({Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic), upper_material,
-                           settings.shortcuts),
-                      &Placement::upper});
+    sides_.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
+                                   upper_material, settings.shortcuts, has_friction),
+                      .place = &Placement::upper,
+                      .shear_sign = -1.0});
 }
 
 namespace
@@ -82,6 +90,8 @@ void CoupledContact::exchange(Archive& archive)
   archive("approach", approach_);
   archive("pressure", pressure_);
   archive("gap", gap_);
+  if (sliding_)
+    archive("sliding", sliding_->state());
 }
 
 namespace
@@ -112,24 +122,28 @@ void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) 
 
 CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
 {
-  return stress(lower(), sides_.front().body, place);
+  return stress(lower(), sides_.front().body, place, 1.0);
 }
 
 CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
 {
-  return stress(upper(), sides_.back().body, place);
+  return stress(upper(), sides_.back().body, place, -1.0);
 }
 
 /// @param solved  whose buffers are used
-CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved, const Place& place) const
+CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved, const Place& place,
+                                              double shear_sign) const
 {
   if (view.material().elastic.is_rigid())
     throw InputError("the body is rigid: it has no stress");
   const VolumeGrid& volume = view.grid();
-  std::vector<double> pressure;
-  spread_pressure(grid(), pressure_, place, volume.surface, pressure);
+  std::vector<double> pressure, shear;
+  spread_traction(grid(), pressure_, place, volume.surface, pressure);
+  if (sliding_)
+    spread_shear(place, volume.surface, shear_sign, shear);
   Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
-  solved.full_stress(pressure, view.deviators(&BodyState::plastic_strain), result.deviator, result.trace);
+  solved.full_stress({.pressure = pressure, .shear_x = shear}, view.deviators(&BodyState::plastic_strain),
+                     result.deviator, result.trace);
   return result;
 }
 
@@ -177,6 +191,8 @@ History CoupledContact::take_history() &&
   History history{grid(), lower().grid(), upper().grid(), {}, placement_, approach_, std::move(pressure_)};
   for (Side& side : sides_)
     history.solved.push_back(std::move(side.body).take_state());
+  if (sliding_)
+    history.sliding = sliding_->state();
   return history;
 }
 
@@ -197,18 +213,26 @@ void CoupledContact::continue_from(History history)
   placement_ = history.placement;
   placement_.lower.column += columns_added(lower().grid().surface.nx, history.lower_grid.surface.nx) - columns;
   placement_.upper.column += columns_added(upper().grid().surface.nx, history.upper_grid.surface.nx) - columns;
+  if (sliding_)
+    sliding_->embed(history.sliding, history.contact);
   spread(placement_);
   for (std::size_t i = 0; i < sides_.size(); ++i)
-    sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid,
-                                 sides_[i].pressure);
+    sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid, sides_[i].load());
+  if (sliding_)
+    recall_sliding();
 }
 
-/// The pressure on the grids of the bodies.
+/// Pressure and shear on the grids of the bodies.
 void CoupledContact::spread(const Placement& placement)
 {
   for (Side& side : sides_)
-    side.leaves_grid =
-        !spread_pressure(grid(), pressure_, placement.*side.place, side.body.grid().surface, side.pressure);
+  {
+    const Place& place = placement.*side.place;
+    const SurfaceGrid& surface = side.body.grid().surface;
+    side.leaves_grid = !spread_traction(grid(), pressure_, place, surface, side.pressure);
+    if (sliding_)
+      spread_shear(place, surface, side.shear_sign, side.shear);
+  }
 }
 
 double CoupledContact::load() const
@@ -222,6 +246,11 @@ double CoupledContact::stiffness() const
 }
 
 double CoupledContact::elastic_energy() const
+{
+  return pressure_energy() + (sliding_ ? sliding_->elastic_energy(pressure_) : 0.0);
+}
+
+double CoupledContact::pressure_energy() const
 {
   std::vector<double> displacement(pressure_.size());
   halfspace::SurfaceCompliance::Scratch scratch = compliance_.make_scratch();
@@ -249,6 +278,16 @@ void CoupledContact::solve_contact(std::span<const double> distance, const conta
   std::copy(distance.begin(), distance.end(), distance_.begin());
   add_lower_depth(placement.lower, distance_);
   add_upper_depth(placement.upper, distance_);
+  if (sliding_)
+    solve_sliding_contact(drive, strategy, report);
+  else
+    press(drive, strategy, report);
+  spread(placement);
+}
+
+/// The pressure of surfaces at the distance `distance_`.
+void CoupledContact::press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report)
+{
   constexpr int most_iterations = 2000;
   const contact::Report contact = contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap,
                                                  most_iterations, pressure_, gap_, strategy.wants_stop);
@@ -256,7 +295,6 @@ void CoupledContact::solve_contact(std::span<const double> distance, const conta
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
   report.approach = contact.approach;
-  spread(placement);
 }
 
 double CoupledContact::energy(double approach) const
@@ -266,10 +304,10 @@ double CoupledContact::energy(double approach) const
   const double work = dot(pressure_, distance_) - approach * sum(pressure_);
   double bodies = 0.0;
   for (const Side& side : sides_)
-    bodies += side.body.energy(side.pressure);
+    bodies += side.body.energy(side.load()) - work_of_shear(side);
   if (twin_ != Twin::none)
     bodies *= 2.0;
-  return bodies - elastic_energy() - work * grid().cell_area();
+  return bodies - pressure_energy() - work * grid().cell_area();
 }
 
 namespace
@@ -280,8 +318,8 @@ template <typename Sides>
 class Undo
 {
 public:
-  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides)
-      : pressure_(pressure), gap_(gap), sides_(sides), old_pressure_(pressure), old_gap_(gap)
+  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, std::optional<SlidingInterface>& sliding)
+      : pressure_(pressure), gap_(gap), sides_(sides), sliding_(sliding), old_pressure_(pressure), old_gap_(gap)
   {
   }
   ~Undo()
@@ -292,6 +330,8 @@ public:
     gap_.swap(old_gap_);
     for (auto& side : sides_)
       side.body.restore();
+    if (sliding_)
+      sliding_->restore();
   }
   Undo(const Undo&) = delete;
   Undo& operator=(const Undo&) = delete;
@@ -300,6 +340,7 @@ public:
 private:
   std::vector<double>&pressure_, &gap_;
   Sides& sides_;
+  std::optional<SlidingInterface>& sliding_;
   std::vector<double> old_pressure_, old_gap_;
   bool committed_ = false;
 };
@@ -343,14 +384,16 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   std::vector<double> displacement; // of one body, before an evaluation
   // The increment may end with an evaluation that has looked at the stress everywhere: the last few do.
   bool closing = strategy.watch_energy || !has_unknowns();
+  int comparable = 2; // energies after this evaluation
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
       throw Interrupted();
     bool complete = true;
     report.displacement_error = 0.0;
-    for (auto& [body, place, pressure, leaves_grid] : sides_)
+    for (Side& side : sides_)
     {
+      Body& body = side.body;
       if (closing)
         body.compute_all_layers();
       complete = complete && body.computes_all_layers();
@@ -362,10 +405,10 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     solve_contact(distance, drive, placement, strategy, report);
     bool grew = false;
     report.yield_error = 0.0;
-    for (auto& [body, place, pressure, leaves_grid] : sides_)
+    for (Side& side : sides_)
     {
-      grew = body.update(pressure) || grew;
-      report.yield_error = larger(report.yield_error, body.yield_error());
+      grew = side.body.update(side.load()) || grew;
+      report.yield_error = larger(report.yield_error, side.body.yield_error());
     }
     // The first evaluation measures its change against the state before the increment: only a second one can settle it.
     const bool settled = report.evaluations > 1 || !has_unknowns();
@@ -375,15 +418,21 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
              report.displacement_error <= factor * settings_.displacement_tolerance * scales_.displacement;
     };
     report.converged = report.contact_converged && !grew && settled && complete && within(1.0);
+    const bool renewed = report.converged && strategy.watch_energy && renews_shear(report);
     closing = strategy.watch_energy || within(closing_factor);
     const bool finite = std::isfinite(report.yield_error + report.displacement_error + report.gap_error);
     if (report.converged || !finite || report.evaluations >= strategy.max_evaluations)
       break;
     if (strategy.watch_energy)
     {
+      for (Side& side : sides_)
+        side.body.find_displacement_x();
       const double now = energy(imposed_approach(drive, report.approach));
       constexpr double rounding = 1e-10;
-      report.energy_rose = report.evaluations > 2 && !grew && now > report.energy + rounding * std::abs(report.energy);
+      report.energy_rose =
+          report.evaluations > comparable && !grew && now > report.energy + rounding * std::abs(report.energy);
+      if (renewed) // another function
+        comparable = report.evaluations + 1;
       report.energy = now;
       if (report.energy_rose)
         break;
@@ -402,7 +451,9 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
                                         const Placement& placement, const Strategy& strategy)
 {
   require_size("CoupledContact::advance: the distance", distance, grid().size());
-  Undo undo(pressure_, gap_, sides_);
+  if (sliding_)
+    sliding_->begin(strategy.slides, shear_limit(placement));
+  Undo undo(pressure_, gap_, sides_, sliding_);
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
   IncrementReport report = iterate(distance, drive, placement, strategy);
@@ -416,9 +467,13 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   }
   if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.leaves_grid; }))
     throw GridError("the contact has reached the end of a material grid");
+  for (Side& side : sides_)
+    side.body.find_displacement_x();
   report.energy = energy(imposed_approach(drive, report.approach));
   for (Side& side : sides_)
-    side.body.commit(side.pressure);
+    side.body.commit(side.load());
+  if (sliding_)
+    end_sliding(placement);
   placement_ = placement;
   approach_ = report.approach;
   undo.commit();

@@ -53,7 +53,7 @@ void add_depth(const SurfaceGrid& body, std::span<const double> displacement, st
     }
 }
 
-bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressure, const Place& place,
+bool spread_traction(const SurfaceGrid& contact, std::span<const double> traction, const Place& place,
                      const SurfaceGrid& body, std::vector<double>& out)
 {
   out.assign(body.size(), 0.0);
@@ -65,9 +65,9 @@ bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressur
   for (int j = 0; j < contact.ny; ++j)
     for (int i = 0; i < contact.nx; ++i)
     {
-      const double p = pressure[contact.index(i, j)];
+      const double t = traction[contact.index(i, j)];
       const int column = i + place.column;
-      if (p <= 0.0)
+      if (t == 0.0)
         continue;
       if (column_on(body, column - before) < 0 || column_on(body, column + after) < 0)
       {
@@ -76,9 +76,9 @@ bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressur
       }
       if (between)
         for (int m = 0; m < 4; ++m)
-          out[body.index(column_on(body, column + m - 1), j)] += weights[static_cast<std::size_t>(m)] * p;
+          out[body.index(column_on(body, column + m - 1), j)] += weights[static_cast<std::size_t>(m)] * t;
       else
-        out[body.index(column_on(body, column), j)] += p;
+        out[body.index(column_on(body, column), j)] += t;
     }
   return all;
 }

@@ -69,8 +69,9 @@ void HalfSpace::Loaded::displacement(const SurfaceDisplacement& out) const
   const Operators& op = *operators_;
   require_displacement("HalfSpace::Loaded::displacement", out, op.grid.surface.size());
   require_current("HalfSpace::Loaded::displacement");
-  if (buffers_->displacements == Displacements::normal && !(out.x.empty() && out.y.empty()))
-    throw InternalError("HalfSpace::Loaded::displacement: the load was asked for the normal displacement alone");
+  const Displacements prepared = buffers_->displacements;
+  if ((prepared == Displacements::normal && !out.x.empty()) || (prepared != Displacements::all && !out.y.empty()))
+    throw InternalError("HalfSpace::Loaded::displacement: the load was not asked for this displacement");
   const OfTraction<std::span<double>> parts{out.z, out.x, out.y};
   for (std::size_t t = 0; t < parts.size(); ++t)
     if (!parts[t].empty())

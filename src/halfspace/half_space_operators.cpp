@@ -82,11 +82,10 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
                                        Work::Buffers& work, Complex* trace) const
 {
   const int strained = strained_layers(plastic_strain);
-  const bool along_surface = displacements == Displacements::all;
-  const auto kernels = kernels_of({true, along_surface, along_surface});
+  const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.displacements = displacements;
-  for (std::size_t t = 1; along_surface && t < tractions.size(); ++t)
+  for (std::size_t t = 1; t < tractions.size() && kernels[t] != nullptr; ++t)
   {
     work.surface[t].resize(work.surface.front().size());
     work.displacement_rows[t].resize(work.displacement_rows.front().size());

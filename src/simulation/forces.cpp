@@ -24,15 +24,16 @@ double slope(std::span<const double> field, std::size_t index, int stride, int p
 
 } // namespace
 
-Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure, double theta,
+Forces project_forces(const SurfaceGrid& grid, const halfspace::SurfaceLoad& load, double theta,
                       const ResidualSurface& lower, const ResidualSurface& upper)
 {
   Forces f;
+  double along = 0.0; // the plane of contact
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {
       const std::size_t n = grid.index(i, j);
-      const double p = pressure[n] * grid.cell_area();
+      const double p = load.pressure[n] * grid.cell_area();
       if (p == 0.0)
         continue;
       const double lower_x = slope(lower.displacement, n, 1, i, grid.nx, grid.dx);
@@ -48,9 +49,24 @@ Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure,
       f.F_Z += p * std::cos(theta + tilt_x) * std::cos(tilt_y);
       f.F_X_lower -= p * std::sin(theta + std::atan(lower_x));
       f.F_X_upper -= p * std::sin(theta - std::atan(upper_x));
+      if (load.shear_x.empty())
+        continue;
+      const double q = load.shear_x[n] * grid.cell_area();
+      along += q;
+      f.F_X_friction += q * std::cos(theta + tilt_x);
+      f.F_Z_friction += q * std::sin(theta + tilt_x);
+      f.F_X_lower += q * std::cos(theta + std::atan(lower_x));
+      f.F_X_upper += q * std::cos(theta - std::atan(upper_x));
     }
   f.F_X_macro = -f.F_n * std::sin(theta);
   f.F_Z_macro = f.F_n * std::cos(theta);
+  if (along != 0.0) // without friction not even the sign of a zero changes
+  {
+    f.F_X += f.F_X_friction;
+    f.F_Z += f.F_Z_friction;
+    f.F_X_macro += along * std::cos(theta);
+    f.F_Z_macro += along * std::sin(theta);
+  }
   return f;
 }
 

@@ -46,10 +46,11 @@ double field_bytes(const VolumeGrid& grid, double fields)
 }
 
 /// One body that is computed: kernels and state; if it is plastic, the trial, its spectra and the accelerator, too.
-double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic)
+double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic, bool has_friction)
 {
-  const double kernels = 6.0 / 4.0 * padded_bytes(grid); // six, real, a quarter of the plane each
-  constexpr double state = 5.0 + 1.0 + 5.0;              // plastic strain, its equivalent, stress
+  // Six, real, a quarter of the plane each; of pressure, and of shear.
+  const double kernels = (has_friction ? 12.0 : 6.0) / 4.0 * padded_bytes(grid);
+  constexpr double state = 5.0 + 1.0 + 5.0; // plastic strain, its equivalent, stress
   if (!is_plastic)
     return kernels + field_bytes(grid, state);
   constexpr double trial = 5.0;
@@ -200,11 +201,12 @@ int step_count(double steps, const std::string& key)
   return static_cast<int>(steps);
 }
 
-double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth)
+double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth,
+                    bool has_friction)
 {
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
-  const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic);
-  return body_bytes(plan.lower, anderson_depth, lower_is_plastic) + upper +
+  const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic, has_friction);
+  return body_bytes(plan.lower, anderson_depth, lower_is_plastic, has_friction) + upper +
          std::max(snapshot_bytes(plan.lower, plan.upper),
                   checkpoint_bytes(plan.lower, lower_is_plastic) +
                       checkpoint_bytes(plan.upper, upper_is_plastic && !has_twin));

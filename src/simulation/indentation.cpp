@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "domain.hpp"
 #include "footprint.hpp"
+#include "friction.hpp"
 #include "grid_layout.hpp"
 #include "indent.hpp"
 #include "period.hpp"
@@ -223,6 +224,8 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
 
 IndentationPlan plan(const IndentationCase& indentation)
 {
+  require_friction(indentation, indentation.lower, indentation.upper,
+                   "nothing slides in an indentation; allowed: 0, or another scenario");
   const contact::Drive largest = largest_drive(indentation);
   require_approach(indentation, largest);
   const Footprint f = footprint(indentation.lower, indentation.upper, largest, indentation.domain);
@@ -241,8 +244,9 @@ IndentationPlan plan(const IndentationCase& indentation)
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
                               static_cast<double>(indentation.sequence.size() * indentation.places.size()),
                           "indentation.steps");
-  plan.memory_bytes = memory_bytes(plan, indentation.lower.material.is_plastic(),
-                                   indentation.upper.material.is_plastic(), indentation.solver.anderson_depth);
+  plan.memory_bytes =
+      memory_bytes(plan, indentation.lower.material.is_plastic(), indentation.upper.material.is_plastic(),
+                   indentation.solver.anderson_depth, indentation.friction.coefficient > 0.0);
   return plan;
 }
 

@@ -17,9 +17,9 @@ void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
 {
   static_cast<RunningTotals&>(totals) = last;
   if (largest_work > 0.0)
-    totals.energy_balance_error =
-        (last.work - last.dissipation_lower - last.dissipation_upper - last.energy_residual - last.energy_elastic) /
-        largest_work;
+    totals.energy_balance_error = (last.work - last.dissipation_lower - last.dissipation_upper -
+                                   last.dissipation_friction - last.energy_residual - last.energy_elastic) /
+                                  largest_work;
 }
 
 void Coverage::exchange(Archive& archive)
@@ -98,6 +98,8 @@ void TuggingRecord::exchange(Archive& archive)
   exchange_row(*this, archive);
   archive("F_X_lower", F_X_lower); // no column of the history
   archive("F_X_upper", F_X_upper);
+  archive("F_X_friction", F_X_friction);
+  archive("F_Z_friction", F_Z_friction);
 }
 
 void TuggingPeaks::exchange(Archive& archive)

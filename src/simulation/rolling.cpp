@@ -5,6 +5,7 @@
 #include "brinell/simulation/forces.hpp"
 #include "domain.hpp"
 #include "footprint.hpp"
+#include "friction.hpp"
 #include "grid_layout.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
@@ -33,7 +34,9 @@ public:
 
   [[nodiscard]] Stepper::Setup setup() const
   {
-    return shaped_setup(case_.lower, case_.upper, case_.solver, centre(moment(0.0).x));
+    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(moment(0.0).x));
+    setup.sliding = {case_.friction, case_.slide_to_roll < 0.0 ? -1 : 1};
+    return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(at_.x); }
   [[nodiscard]] bool is_done() const { return pass_ == case_.passes; }
@@ -45,20 +48,20 @@ public:
     if (step_in_pass_ == 0)
     {
       track_.begin_pass(stepper.pair().lower().solved(), dissipation(stepper));
-      at_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0};
+      at_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0, 0.0};
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
       touch_ = by_load() ? 0.0 : std::min(stepper.clearance(from), case_.drive.value);
     const double to = moment(step_in_pass_ + 1).x;
     if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
       touch_ = by_load() ? 0.0 : std::min(touch_, stepper.clearance(centre(to)));
-    const auto path = [this](double t)
+    const bool moves = step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
+    const auto path = [this, moves](double t)
     {
       const Moment m = moment(step_in_pass_ + t);
-      return Target{centre(m.x), drive(m.drive)};
+      return Target{centre(m.x), drive(m.drive), moves};
     };
     const double cells = plan_.shift / plan_.contact.dx;
-    const bool moves = step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
     const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
     return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to)};
   }
@@ -68,12 +71,15 @@ public:
     r.pass = pass_ + 1;
     r.x = moment(step_in_pass_ + 1).x;
     const Centre here = centre(r.x);
-    const Stepper::Depths& depths = stepper.depths(here);
+    const Stepper::Depths& depths = stepper.loaded_depths(here);
     r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance(here);
     r.F_X = rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
+    const double sliding_force = (1.0 - share_) * (share_ < 1.0 ? r.F_friction : -r.F_friction);
+    r.F_X += sliding_force;
     r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
     r.work += 0.5 * (r.F_n + at_.F_n) * (r.approach - at_.approach) + 0.5 * (r.F_X + at_.F_X) * (r.x - at_.x);
-    at_ = {r.x, r.approach, r.F_n, r.F_X};
+    r.dissipation_friction += 0.5 * (sliding_force + at_.sliding_force) * (r.x - at_.x) - stepper.shear_work();
+    at_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force};
     track_.add(r);
     if (++step_in_pass_ < steps_per_pass())
       return;
@@ -134,6 +140,7 @@ private:
   struct WorkedTo
   {
     double x = 0.0, approach = 0.0, F_n = 0.0, F_X = 0.0;
+    double sliding_force = 0.0; ///< share of the shear in F_X [N]
 
     void exchange(Archive& archive)
     {
@@ -141,6 +148,7 @@ private:
       archive("approach", approach);
       archive("F_n", F_n);
       archive("F_X", F_X);
+      archive("sliding_force", sliding_force);
     }
   };
 
@@ -170,6 +178,10 @@ double upper_share(const RollingCase& rolling)
 
 RollingPlan plan(const RollingCase& rolling)
 {
+  require_friction(rolling, rolling.lower, rolling.upper,
+                   rolling.slide_to_roll == 0.0
+                       ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
+                       : "");
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
   const Footprint f = footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain);
@@ -190,7 +202,7 @@ RollingPlan plan(const RollingCase& rolling)
                           "rolling.passes");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
-                                   rolling.solver.anderson_depth);
+                                   rolling.solver.anderson_depth, rolling.friction.coefficient > 0.0);
   return plan;
 }
 

@@ -93,9 +93,12 @@ public:
     stepper_.fill(record);
     record.step = steps_++;
     record.work = last_.work;
+    record.dissipation_friction = last_.dissipation_friction;
     motion_.read(stepper_, last_, record);
     evaluations_ += record.evaluations;
     largest_work_ = std::max(largest_work_, std::abs(record.work));
+    if constexpr (std::derived_from<Record, SlidingRecord>)
+      largest_limited_share_ = std::max(largest_limited_share_, record.share_at_shear_limit);
     last_ = record;
     has_failed_ = false;
     return last_;
@@ -108,6 +111,7 @@ public:
     s.evaluations = evaluations_;
     stepper_.fill(s);
     take_totals(last_, largest_work_, s);
+    s.max_share_at_shear_limit = largest_limited_share_;
     s.last = last_;
     s.final_state = snapshot();
     motion_.summarise(s);
@@ -121,6 +125,7 @@ public:
     archive("motion", motion_);
     archive("last", last_);
     archive("largest_work", largest_work_);
+    archive("largest_limited_share", largest_limited_share_, 0.0, 1.0);
     archive("evaluations", evaluations_, 0, std::numeric_limits<long>::max());
     archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
   }
@@ -159,6 +164,7 @@ private:
   Stepper stepper_;
   Record last_;
   double largest_work_ = 0.0; ///< [J]
+  double largest_limited_share_ = 0.0;
   long evaluations_ = 0;
   int steps_ = 0;
   bool has_failed_ = false;

@@ -102,6 +102,7 @@ Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper, co
           start,
           lower.texture,
           upper.texture,
+          {},
           {}};
 }
 
@@ -119,7 +120,7 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
       elastoplastic::Textures{textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin()),
                               textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin())},
-      plan_.reference);
+      plan_.reference, setup_.sliding);
 }
 
 void Stepper::exchange(Archive& archive)
@@ -153,12 +154,15 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
 {
   evaluations_ = 0;
   where_ = where;
+  const auto work_so_far = [this] { return pair_->sliding() != nullptr ? pair_->sliding()->work() : 0.0; };
+  const double work_before = work_so_far();
   if (!attempt(path(1.0)))
   {
     ++split_increments_;
     bisect(path, 0.0, 1.0, finest);
   }
   ++steps_;
+  shear_work_ = work_so_far() - work_before;
   widen(coverage_, *pair_);
   return evaluations_;
 }
@@ -191,10 +195,12 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
 bool Stepper::attempt(const Target& target)
 {
   const elastoplastic::Settings& s = setup_.solver;
+  // A surface at its shear limit flows almost freely, and the iteration is slow there; shorter steps do not help.
+  const int patience = pair_->sliding() != nullptr ? 4 : 1;
   for (const double share : {0.6, 1.0})
   {
-    const IncrementReport report = solved(
-        target, {s.integration, s.max_evaluations, s.anderson_depth, share, false, true, setup_.watch.wants_stop});
+    const IncrementReport report = solved(target, {s.integration, patience * s.max_evaluations, s.anderson_depth, share,
+                                                   false, true, target.slides, setup_.watch.wants_stop});
     if (report.converged)
       return true;
   }
@@ -210,7 +216,7 @@ void Stepper::descend(const Target& target)
   for (const double share : {1.0, 2.0, 4.0})
   {
     report = solved(target, {Integration::backward_euler, patience * s.max_evaluations, 0, share, has_energy, true,
-                             setup_.watch.wants_stop});
+                             target.slides, setup_.watch.wants_stop});
     if (report.converged)
       return;
     if (has_energy && !report.energy_rose)
@@ -219,8 +225,7 @@ void Stepper::descend(const Target& target)
   throw ConvergenceError(fmt::format(
       "{}: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), change of displacement "
       "{:.2e} m, contact gap {:.2e} m. All earlier steps are kept. Shorter steps or a larger solver.max_evaluations "
-      "may "
-      "help",
+      "may help",
       where_, evaluations_, report.yield_error, s.yield_tolerance, report.displacement_error, report.gap_error));
 }
 
@@ -259,7 +264,7 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
 double Stepper::memory_of(const Plan& plan) const
 {
   return simulation::memory_bytes(plan, setup_.lower.is_plastic(), setup_.upper.is_plastic(),
-                                  setup_.solver.anderson_depth);
+                                  setup_.solver.anderson_depth, setup_.sliding.friction.coefficient > 0.0);
 }
 
 void Stepper::announce(const Plan& larger)
@@ -330,6 +335,20 @@ const Stepper::Depths& Stepper::depths(const Centre& centre)
   return depths_;
 }
 
+const Stepper::Depths& Stepper::loaded_depths(const Centre& centre)
+{
+  static_cast<void>(depths(centre));
+  if (const elastoplastic::SlidingInterface* sliding = pair_->sliding())
+    sliding->add_depth(depths_.lower, depths_.upper);
+  return depths_;
+}
+
+halfspace::SurfaceLoad Stepper::load() const
+{
+  const elastoplastic::SlidingInterface* sliding = pair_->sliding();
+  return {.pressure = pair_->pressure(), .shear_x = sliding != nullptr ? sliding->shear() : std::span<const double>{}};
+}
+
 std::pair<double, double> Stepper::residual_range(const Centre& centre) const
 {
   const Frame frame = lattice_.frame(centre);
@@ -370,6 +389,16 @@ void Stepper::fill(StepRecord& r) const
   r.max_residual_upper = largest(upper.residual_displacement);
   r.max_equivalent_plastic_strain = std::max(largest(lower.equivalent), largest(upper.equivalent));
   r.coverage = coverage_;
+}
+
+void Stepper::fill(SlidingRecord& r) const
+{
+  fill(static_cast<StepRecord&>(r));
+  if (const elastoplastic::SlidingInterface* sliding = pair_->sliding())
+  {
+    r.F_friction = std::abs(sliding->force());
+    r.share_at_shear_limit = sliding->limited_share();
+  }
 }
 
 Snapshot Stepper::snapshot(const Centre& centre) const

@@ -21,6 +21,7 @@ struct Target
 {
   Centre centre;
   contact::Drive drive;
+  bool slides = true; ///< the surfaces on each other; else there is no friction
 };
 
 /// The contact grid at one moment of the motion.
@@ -70,6 +71,7 @@ public:
     Centre start; ///< a moment when the columns of both bodies coincide
     Texture lower_texture{}, upper_texture{};
     Watch watch{};
+    elastoplastic::Sliding sliding{};
   };
   Stepper(const Plan& plan, Setup setup);
 
@@ -90,12 +92,19 @@ public:
   [[nodiscard]] double clearance(const Centre& centre) { return distances(centre).smallest; }
   /// What all scenarios record.
   void fill(StepRecord& record) const;
+  void fill(SlidingRecord& record) const;
   /// Depth of each surface under the contact grid [m].
   struct Depths
   {
     std::vector<double> lower, upper;
   };
   [[nodiscard]] const Depths& depths(const Centre& centre);
+  /// The same with the elastic depth that the shear of the last step gives to each surface: what the pressure pushes against.
+  [[nodiscard]] const Depths& loaded_depths(const Centre& centre);
+  /// Pressure and shear of the last step [Pa].
+  [[nodiscard]] halfspace::SurfaceLoad load() const;
+  /// Work of the shear on the deformation of both surfaces in the last step [J].
+  [[nodiscard]] double shear_work() const { return shear_work_; }
   /// Smallest and largest residual displacement of the lower body under the contact grid, at most and at least 0 [m].
   [[nodiscard]] std::pair<double, double> residual_range(const Centre& centre) const;
   [[nodiscard]] bool touching() const;
@@ -130,6 +139,7 @@ private:
   int evaluations_ = 0;
   int steps_ = 0; ///< finished
   int split_increments_ = 0;
+  double shear_work_ = 0.0;
   std::vector<GridChange> grid_changes_;
   Coverage coverage_;
 };

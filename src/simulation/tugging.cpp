@@ -31,6 +31,7 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
+    setup.sliding = {case_.friction, 1};
     if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair is one paraboloid: fewer roundings
       setup.distance = [curvature = 0.5 * (*relative_curvature(case_.lower.shape, case_.upper.shape))[0]](
                            double x, double y) { return curvature * (x * x + y * y); };
@@ -63,6 +64,7 @@ public:
     r.pass = pass_ + 1;
     record(stepper, r);
     r.work += work_between(before, r);
+    r.dissipation_friction += friction_work_between(before, r) - stepper.shear_work();
     add(before, r, peaks_);
     if (step_in_pass_ >= steps_in_pass_ && have_parted(stepper))
     {
@@ -163,10 +165,10 @@ private:
   void record(Stepper& stepper, TuggingRecord& r) const
   {
     const Position& p = position_;
-    const Stepper::Depths& depths = stepper.depths(centre(p));
+    const Stepper::Depths& depths = stepper.loaded_depths(centre(p));
     const Forces forces =
-        project_forces(stepper.pair().grid(), stepper.pair().pressure(), p.theta,
-                       {depths.lower, passing_.radius_lower() / sum_}, {depths.upper, passing_.radius_upper() / sum_});
+        project_forces(stepper.pair().grid(), stepper.load(), p.theta, {depths.lower, passing_.radius_lower() / sum_},
+                       {depths.upper, passing_.radius_upper() / sum_});
     r.interference = case_.load ? stepper.pair().approach() : p.interference;
     r.theta = p.theta;
     r.X = case_.load ? (sum_ - r.interference) * std::sin(p.theta) : p.X;
@@ -178,6 +180,8 @@ private:
     r.F_Z_macro = forces.F_Z_macro;
     r.F_X_lower = forces.F_X_lower;
     r.F_X_upper = forces.F_X_upper;
+    r.F_X_friction = forces.F_X_friction;
+    r.F_Z_friction = forces.F_Z_friction;
   }
 
   const TuggingCase& case_;

@@ -35,6 +35,14 @@ double work_between(const TuggingRecord& before, const TuggingRecord& now)
          0.5 * (now.F_Z + before.F_Z) * (now.height - before.height);
 }
 
+double friction_work_between(const TuggingRecord& before, const TuggingRecord& now)
+{
+  if (!continues(before, now))
+    return 0.0;
+  return 0.5 * (now.F_X_friction + before.F_X_friction) * (now.X - before.X) -
+         0.5 * (now.F_Z_friction + before.F_Z_friction) * (now.height - before.height);
+}
+
 void add(const TuggingRecord& before, const TuggingRecord& now, TuggingPeaks& peaks)
 {
   if (now.F_X > peaks.peak_F_X)

@@ -6,6 +6,7 @@
 #include "brinell/simulation/first_yield.hpp"
 #include "domain.hpp"
 #include "footprint.hpp"
+#include "friction.hpp"
 #include "grid_layout.hpp"
 
 #include <algorithm>
@@ -189,6 +190,7 @@ Passing passing(const TuggingCase& tugging, double dx)
 
 TuggingPlan plan(const TuggingCase& tugging)
 {
+  require_friction(tugging, tugging.lower, tugging.upper, "");
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));
   const Pair pair = pair_of(tugging);
@@ -217,7 +219,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   plan.memory_bytes = memory_bytes(plan, tugging.lower.material.is_plastic(), tugging.upper.material.is_plastic(),
-                                   tugging.solver.anderson_depth);
+                                   tugging.solver.anderson_depth, tugging.friction.coefficient > 0.0);
   return plan;
 }
 

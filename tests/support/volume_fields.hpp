@@ -73,10 +73,11 @@ public:
     compute(half_space, {.pressure = pressure}, std::move(strain));
   }
   /// Of anything that acts on the surface.
-  static StressField of(const halfspace::HalfSpace& half_space, const halfspace::SurfaceLoad& load)
+  static StressField of(const halfspace::HalfSpace& half_space, const halfspace::SurfaceLoad& load,
+                        std::vector<double> strain = {})
   {
     StressField field;
-    field.compute(half_space, load, {});
+    field.compute(half_space, load, std::move(strain));
     return field;
   }
 

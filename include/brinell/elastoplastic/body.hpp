@@ -18,11 +18,12 @@ namespace brinell::elastoplastic
 /// All history of one body, on its own material grid.
 struct BodyState
 {
-  std::vector<double> plastic_strain;        ///< deviator field, 5 values per cell
-  std::vector<double> equivalent;            ///< accumulated equivalent plastic strain
-  std::vector<double> backstress;            ///< deviator field per kinematic term, one after the other [Pa]
-  std::vector<double> stress;                ///< deviatoric stress at the end of the last increment [Pa]
-  std::vector<double> residual_displacement; ///< of the surface, into the body positive [m]
+  std::vector<double> plastic_strain;          ///< deviator field, 5 values per cell
+  std::vector<double> equivalent;              ///< accumulated equivalent plastic strain
+  std::vector<double> backstress;              ///< deviator field per kinematic term, one after the other [Pa]
+  std::vector<double> stress;                  ///< deviatoric stress at the end of the last increment [Pa]
+  std::vector<double> residual_displacement;   ///< of the surface, into the body positive [m]
+  std::vector<double> residual_displacement_x; ///< along x [m]; empty unless the surface bears shear
   double dissipation =
       0.0; ///< plastic work since the start [J]; with back stresses, a part of it stays in the material
   double locked_in_energy = 0.0; ///< elastic energy of the residual stress [J]
@@ -49,8 +50,9 @@ public:
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid.
   /// @param shortcuts   compute only the layers and cells near yield until an evaluation closes the increment; see
   ///                    Settings::shortcuts.
+  /// @param bears_shear  loads have shear along x, too; then the displacement along x is kept, on which it works.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-       const constitutive::Material& material, bool shortcuts = true);
+       const constitutive::Material& material, bool shortcuts = true, bool bears_shear = false);
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
@@ -73,11 +75,13 @@ public:
   void restore();
   /// Integrates the plastic strain for the present q and computes the residual displacement of that strain.
   void integrate(Integration integration);
-  /// Stress under `pressure` (on the whole surface grid) and, from it, the next fixed-point value g of q.
+  /// Stress under `load` (on the whole surface grid) and, from it, the next fixed-point value g of q.
   /// @returns whether cells outside the active set yield; they have been added to it.
-  bool update(std::span<const double> pressure);
+  bool update(const halfspace::SurfaceLoad& load);
+  /// Finds the displacement along x of the present trial, if the surface bears shear: `energy` and `commit` need it.
+  void find_displacement_x();
   /// Makes the present trial the new state.
-  void commit(std::span<const double> pressure);
+  void commit(const halfspace::SurfaceLoad& load);
 
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);
@@ -86,8 +90,8 @@ public:
   [[nodiscard]] Edges reached_edges() const;
 
   /// Takes over the history of the same body from a smaller grid whose middle is the middle of this one. Stress and residual
-  /// displacement are computed anew, under `pressure` (on the whole surface grid).
-  void continue_from(const BodyState& history, const VolumeGrid& from, std::span<const double> pressure);
+  /// displacement are computed anew, under `load` (on the whole surface grid).
+  void continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load);
   [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
@@ -96,12 +100,17 @@ public:
   /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
   [[nodiscard]] double yield_error() const;
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
-  /// Stress in all layers [Pa] of a pressure and a plastic strain, and that from before the first load: deviator, 5 values
+  /// Empty unless the surface bears shear and the body is plastic.
+  [[nodiscard]] std::span<const double> residual_displacement_x() const { return displacement_x_; }
+  /// Shear that the cells of the surface can carry along x, in the direction of the sign, before the increment [Pa]; infinite
+  /// if the body does not yield.
+  [[nodiscard]] std::vector<double> shear_strength(double sign) const;
+  /// Stress in all layers [Pa] of a load and a plastic strain, and that from before the first load: deviator, 5 values
   /// per cell, and trace. The strain may be the body's own or that of its twin. The body must not be rigid.
-  void full_stress(std::span<const double> pressure, std::span<const double> plastic_strain, std::span<double> deviator,
-                   std::span<double> trace);
-  /// Locked-in elastic energy plus dissipation of the present trial [J], for the pressure of the last update.
-  [[nodiscard]] double energy(std::span<const double> pressure) const;
+  void full_stress(const halfspace::SurfaceLoad& load, std::span<const double> plastic_strain,
+                   std::span<double> deviator, std::span<double> trace);
+  /// Locked-in elastic energy plus dissipation of the present trial [J], for the load of the last update.
+  [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
 
 private:
   void add_initial_stress(int layers, std::span<double> stress) const;
@@ -123,7 +132,7 @@ private:
                    std::vector<std::size_t>& found) const;
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
   [[nodiscard]] bool may_yield_beneath() const;
-  [[nodiscard]] double locked_in_energy(std::span<const double> pressure) const;
+  [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load) const;
 
   VolumeGrid grid_;
   constitutive::Material material_;
@@ -143,7 +152,7 @@ private:
   /// These cells and their q, for when an increment fails.
   std::vector<std::size_t> guessed_cells_;
   std::vector<double> guessed_q_;
-  std::vector<double> displacement_;
+  std::vector<double> displacement_, displacement_x_;
 };
 
 } // namespace brinell::elastoplastic

@@ -42,8 +42,14 @@ public:
   [[nodiscard]] std::vector<double> scalars(std::vector<double> BodyState::*field) const;
   /// Residual displacement of the surface in the present trial [m].
   [[nodiscard]] std::vector<double> residual_displacement() const;
+  /// Likewise along x [m]; empty unless the surface bears shear.
+  [[nodiscard]] std::vector<double> residual_displacement_x() const;
+  /// See Body::shear_strength.
+  [[nodiscard]] std::vector<double> shear_strength(double sign) const;
 
 private:
+  [[nodiscard]] std::vector<double> vector_x(std::span<const double> solved) const;
+
   const Body* solved_;
   Twin twin_;
   const std::vector<double>* texture_;

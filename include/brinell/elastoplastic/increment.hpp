@@ -5,8 +5,10 @@
 #include "brinell/elastoplastic/body_view.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/elastoplastic/settings.hpp"
+#include "brinell/elastoplastic/sliding.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -72,6 +74,8 @@ struct Strategy
   /// Do not commit a solution that has outgrown a grid: `converged` then is false, and the caller is to continue on larger
   /// grids. Without this, strain beyond an edge is lost.
   bool stay_within_grids = false;
+  /// Whether the surfaces slide on each other in this increment: without it there is no friction.
+  bool slides = true;
   std::function<bool()> wants_stop{}; ///< asked before each evaluation and while the contact is solved
 };
 
@@ -84,6 +88,14 @@ struct History
   Placement placement;
   double approach = 0.0;
   std::vector<double> pressure;
+  SlidingInterface::State sliding{}; ///< empty without friction
+};
+
+/// Friction, and which way the upper body slides over the lower one: +1 towards +x, or -1.
+struct Sliding
+{
+  Friction friction{};
+  int direction = 1;
 };
 
 /// The coupled solver, with its buffers.
@@ -96,7 +108,7 @@ public:
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
                  const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {},
-                 double reference = 0.0);
+                 double reference = 0.0, const Sliding& sliding = {});
 
   [[nodiscard]] BodyView lower() const { return {sides_.front().body, Twin::none, textures_.lower}; }
   [[nodiscard]] BodyView upper() const { return {sides_.back().body, twin_, textures_.upper}; }
@@ -107,7 +119,9 @@ public:
   [[nodiscard]] std::span<const double> gap() const { return gap_; }           ///< on the contact grid [m]
   [[nodiscard]] double approach() const { return approach_; }                  ///< of the last increment [m]
   [[nodiscard]] double load() const;                                           ///< sum of the pressure [N]
-  [[nodiscard]] double elastic_energy() const;                                 ///< recoverable, 1/2 p A p [J]
+  [[nodiscard]] double elastic_energy() const; ///< recoverable, of pressure and shear [J]
+  /// The shear between the surfaces; nullptr without friction.
+  [[nodiscard]] const SlidingInterface* sliding() const { return sliding_ ? &*sliding_ : nullptr; }
   /// Load per approach with which the bodies would begin to part or to approach further without yielding [N/m]:
   /// contact::stiffness.
   [[nodiscard]] double stiffness() const;
@@ -153,6 +167,10 @@ private:
     Place Placement::*place;
     std::vector<double> pressure{}; ///< of the trial, on the grid of the body [Pa]
     bool leaves_grid = false;       ///< pressure of the trial lies beyond an end of the body's grid
+    double shear_sign = 1.0;        ///< of the shear on this body
+    std::vector<double> shear{};    ///< of the trial [Pa]; empty without friction
+
+    [[nodiscard]] halfspace::SurfaceLoad load() const { return {.pressure = pressure, .shear_x = shear}; }
   };
 
   void solve_contact(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
@@ -160,11 +178,22 @@ private:
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
   [[nodiscard]] bool has_unknowns() const;
+  void solve_sliding_contact(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report);
+  void press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report);
+  [[nodiscard]] bool renews_shear(IncrementReport& report);
   [[nodiscard]] double energy(double approach) const;
+  [[nodiscard]] double pressure_energy() const;
+  [[nodiscard]] double work_of_shear(const Side& side) const;
+  [[nodiscard]] std::vector<double> shear_limit(const Placement& placement) const;
+  template <typename Use>
+  void with_bodies(const Placement& placement, const Use& use) const;
+  void end_sliding(const Placement& placement);
+  void recall_sliding();
   [[nodiscard]] Outgrown outgrown() const;
   [[nodiscard]] std::pair<bool, bool> pressed_edges() const;
   void spread(const Placement& placement);
-  [[nodiscard]] Stress stress(const BodyView& view, Body& solved, const Place& place) const;
+  void spread_shear(const Place& place, const SurfaceGrid& body, double sign, std::vector<double>& out) const;
+  [[nodiscard]] Stress stress(const BodyView& view, Body& solved, const Place& place, double shear_sign) const;
 
   halfspace::SurfaceCompliance compliance_;
   contact::ElasticContact contact_;
@@ -173,6 +202,7 @@ private:
   Scales scales_;
   Settings settings_;
   Twin twin_;
+  std::optional<SlidingInterface> sliding_;
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

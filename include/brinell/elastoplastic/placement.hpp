@@ -29,10 +29,10 @@ struct Placement
 void add_depth(const SurfaceGrid& body, std::span<const double> displacement, std::span<const double> texture,
                const Place& place, const SurfaceGrid& contact, std::span<double> out);
 
-/// The way back, transposed, so that no work is lost in between: pressure of the contact grid to the cells of a body.
+/// The way back, transposed, so that no work is lost in between: pressure or shear of the contact grid to the cells of a body.
 /// @param out  on the body's surface grid; overwritten
-/// @returns whether all of the pressure lies on the body's grid; what does not is left out.
-bool spread_pressure(const SurfaceGrid& contact, std::span<const double> pressure, const Place& place,
+/// @returns whether all of it lies on the body's grid; what does not is left out.
+bool spread_traction(const SurfaceGrid& contact, std::span<const double> traction, const Place& place,
                      const SurfaceGrid& body, std::vector<double>& out);
 
 } // namespace brinell::elastoplastic

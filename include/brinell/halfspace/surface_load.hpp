@@ -28,7 +28,8 @@ struct SurfaceDisplacement
 /// Which parts of a displacement shall be prepared.
 enum class Displacements
 {
-  normal, ///< z
+  normal,  ///< z
+  along_x, ///< z and x
   all
 };
 

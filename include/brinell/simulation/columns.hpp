@@ -55,14 +55,21 @@ inline constexpr Row pass{"pass", "1", &StepRecord::pass, "pass, counts from 1"}
 inline constexpr Row contact_area{"contact_area", "m^2", &StepRecord::contact_area, "contact area"};
 inline constexpr Row max_pressure{"max_pressure", "Pa", &StepRecord::max_pressure, "largest contact pressure"};
 inline constexpr Row F_n{"F_n", "N", &StepRecord::F_n, "force normal to the plane of contact"};
+/// Of the scenarios whose surfaces may slide.
+inline constexpr Column<SlidingRecord> F_friction{"F_friction", "N", &SlidingRecord::F_friction,
+                                                  "friction between the surfaces, along the plane of contact"};
+inline constexpr Column<SlidingRecord> share_at_shear_limit{
+    "share_at_shear_limit", "1", &SlidingRecord::share_at_shear_limit,
+    "share of the contact whose shear is at the limit of the surface"};
 
 /// They end each row.
-inline constexpr std::array<Row, 9> ending{{
+inline constexpr std::array<Row, 10> ending{{
     {"work", "J", &StepRecord::work, "work of the drive since the start"},
     {"dissipation_lower", "J", &StepRecord::dissipation_lower, "plastic work in the lower body since the start"},
     {"dissipation_upper", "J", &StepRecord::dissipation_upper, "plastic work in the upper body since the start"},
+    {"dissipation_friction", "J", &StepRecord::dissipation_friction, "heat of friction since the start"},
     {"energy_residual", "J", &StepRecord::energy_residual, "elastic energy locked in by the plastic strain"},
-    {"energy_elastic", "J", &StepRecord::energy_elastic, "elastic energy of the contact pressure"},
+    {"energy_elastic", "J", &StepRecord::energy_elastic, "elastic energy of the contact, of pressure and shear"},
     {"max_residual_lower", "m", &StepRecord::max_residual_lower, "largest residual displacement of the lower surface"},
     {"max_residual_upper", "m", &StepRecord::max_residual_upper, "largest residual displacement of the upper surface"},
     {"max_equivalent_plastic_strain", "1", &StepRecord::max_equivalent_plastic_strain,
@@ -98,6 +105,8 @@ inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
     {"F_Z", "N", &TuggingRecord::F_Z, "force that separates the bodies"},
     {"F_X_macro", "N", &TuggingRecord::F_X_macro, "F_X without the slope of the residual surfaces"},
     {"F_Z_macro", "N", &TuggingRecord::F_Z_macro, "F_Z without the slope of the residual surfaces"},
+    common::F_friction,
+    common::share_at_shear_limit,
 });
 
 template <>
@@ -133,6 +142,8 @@ inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
     common::F_n,
     {"F_X", "N", &RollingRecord::F_X, "resistance to the motion"},
     {"friction", "1", &RollingRecord::friction, "F_X over F_n, 0 without contact"},
+    common::F_friction,
+    common::share_at_shear_limit,
     common::contact_area,
     common::max_pressure,
 });

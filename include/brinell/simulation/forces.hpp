@@ -2,33 +2,37 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
+#include "brinell/halfspace/surface_load.hpp"
 
 #include <span>
 
 namespace brinell::simulation
 {
 
-/// Forces on the upper body, read from the pressure in the plane of contact.
+/// Forces on the upper body, read from pressure and shear in the plane of contact.
 struct Forces
 {
-  double F_n = 0.0;                        ///< along the line of centres [N]
-  double F_X = 0.0, F_Y = 0.0, F_Z = 0.0;  ///< on the mean contact plane; F_X > 0 resists the motion [N]
-  double F_X_macro = 0.0, F_Z_macro = 0.0; ///< without pile-up, Eqs. 15 and 17 [N]
-  double F_X_lower = 0.0, F_X_upper = 0.0; ///< Eq. 18 on the slope of each body's own residual surface [N]
+  double F_n = 0.0;                              ///< along the line of centres [N]
+  double F_X = 0.0, F_Y = 0.0, F_Z = 0.0;        ///< on the mean contact plane; F_X > 0 resists the motion [N]
+  double F_X_macro = 0.0, F_Z_macro = 0.0;       ///< without pile-up, Eqs. 15 and 17 [N]
+  double F_X_lower = 0.0, F_X_upper = 0.0;       ///< Eq. 18 on the slope of each body's own residual surface [N]
+  double F_X_friction = 0.0, F_Z_friction = 0.0; ///< the shares of the shear in F_X and F_Z [N]
 };
 
 /// Depth of the surface of one body under the contact grid, and the body's share of the arc.
 struct ResidualSurface
 {
-  std::span<const double> displacement; ///< residual displacement and texture, into the body positive [m]
-  double share = 0.5;                   ///< R_i / (R1 + R2)
+  /// Residual displacement, texture and elastic depth under the shear, into the body positive [m].
+  std::span<const double> displacement;
+  double share = 0.5; ///< R_i / (R1 + R2)
 };
 
 /// Projection of the pressure to the global axes (paper, Eqs. 15-22, without the factor n: a sum over cells counts each
 /// cell once). The mean contact plane weighs both slopes with the arc that the contact moves on each body: this is the
 /// reading whose work is the energy that the bodies take up: docs/theory/simulation.md (pile-up).
-/// @param pressure  on the contact grid [Pa]
-[[nodiscard]] Forces project_forces(const SurfaceGrid& grid, std::span<const double> pressure, double theta,
+/// The shear acts along the same plane.
+/// @param load  on the contact grid: pressure, and the shear on the lower body along x, if there is any [Pa]
+[[nodiscard]] Forces project_forces(const SurfaceGrid& grid, const halfspace::SurfaceLoad& load, double theta,
                                     const ResidualSurface& lower, const ResidualSurface& upper);
 
 /// Resistance to rolling: the work that the pressure takes from the drive per distance on the lower body [N], by the slope of

@@ -41,7 +41,7 @@ struct RollingPlan : Plan
 };
 
 /// One row of the history.
-struct RollingRecord : StepRecord
+struct RollingRecord : SlidingRecord
 {
   double x = 0.0;        ///< of the contact's centre on the lower body [m]
   double approach = 0.0; ///< [m]

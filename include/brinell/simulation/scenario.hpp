@@ -84,9 +84,10 @@ private:
 /// Length over which two bodies press as one along y: that of the shorter roller, or the period; infinite without either [m].
 [[nodiscard]] double line_length(const Shape& lower, const Shape& upper, const Domain& domain);
 
-/// Cells and solver of a case.
+/// What the cases of all scenarios have besides their bodies: cells, solver, and what is between the surfaces.
 struct Numerics
 {
+  elastoplastic::Friction friction; ///< where the surfaces slide on each other
   Domain domain;
   std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
   double resolution = 8.0;                      ///< cells per contact radius along x if no spacing is given
@@ -120,8 +121,9 @@ struct RunningTotals
 {
   double work = 0.0;                                       ///< of the drive since the start [J]
   double dissipation_lower = 0.0, dissipation_upper = 0.0; ///< plastic work since the start [J]
-  double energy_residual = 0.0; ///< elastic energy locked in by the plastic strain of both bodies [J]
-  double energy_elastic = 0.0;  ///< recoverable energy of the contact pressure [J]
+  double dissipation_friction = 0.0; ///< heat of friction between the surfaces since the start [J]
+  double energy_residual = 0.0;      ///< elastic energy locked in by the plastic strain of both bodies [J]
+  double energy_elastic = 0.0;       ///< recoverable energy of pressure and shear [J]
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
   double max_equivalent_plastic_strain = 0.0;
   Coverage coverage;
@@ -136,6 +138,13 @@ struct StepRecord : RunningTotals
   double max_pressure = 0.0; ///< [Pa]
   double F_n = 0.0;          ///< sum of the pressure [N]
   int evaluations = 0;       ///< evaluations of the elastic-plastic operator in this step
+};
+
+/// What the rows of scenarios tell in which the surfaces may slide on each other.
+struct SlidingRecord : StepRecord
+{
+  double F_friction = 0.0;           ///< sum of the shear between the surfaces [N], >= 0: it resists the sliding
+  double share_at_shear_limit = 0.0; ///< of the contact: there the surface carries no more shear
 };
 
 /// A grid was enlarged, because pressure or plastic strain had reached its edge.
@@ -191,11 +200,12 @@ struct RunTotals : RunningTotals
 {
   int steps = 0;
   long evaluations = 0;
-  int split_increments = 0;             ///< steps that did not converge whole: split, or solved by plain descent
-  double energy_balance_error = 0.0;    ///< (work - dissipation - stored energy) / largest work reached
-  std::vector<GridChange> grid_changes; ///< in the course of the run
-  double memory_bytes = 0.0;            ///< of the grids at the end, estimate
-  Snapshot final_state;                 ///< has the grids of the end
+  int split_increments = 0;              ///< steps that did not converge whole: split, or solved by plain descent
+  double max_share_at_shear_limit = 0.0; ///< largest `SlidingRecord::share_at_shear_limit` of the run
+  double energy_balance_error = 0.0;     ///< (work - dissipation - stored energy) / largest work reached
+  std::vector<GridChange> grid_changes;  ///< in the course of the run
+  double memory_bytes = 0.0;             ///< of the grids at the end, estimate
+  Snapshot final_state;                  ///< has the grids of the end
 };
 
 /// The messages to a caller, and the questions, in the midst of a step. Empty functions are skipped.

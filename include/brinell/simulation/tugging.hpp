@@ -49,13 +49,14 @@ struct TuggingPlan : Plan
 };
 
 /// One row of the history. Its work is the integral of F_X dX - F_Z d height, without the way back from pass to pass.
-struct TuggingRecord : StepRecord
+struct TuggingRecord : SlidingRecord
 {
   double X = 0.0, theta = 0.0, interference = 0.0;
   double height = 0.0;                     ///< of the upper centre above the lower one [m]
   double F_X = 0.0, F_Y = 0.0, F_Z = 0.0;  ///< mean contact plane, pile-up included; F_X > 0 resists the motion [N]
   double F_X_macro = 0.0, F_Z_macro = 0.0; ///< Eqs. 15, 17: without the slope of the residual surfaces [N]
   double F_X_lower = 0.0, F_X_upper = 0.0; ///< Eq. 18 read on each body's own residual surface [N]
+  double F_X_friction = 0.0, F_Z_friction = 0.0; ///< the shares of the shear in F_X and F_Z [N]
 
   void exchange(Archive& archive);
 };

@@ -15,7 +15,7 @@ from brinell.plot.overlay import zero_line
 from brinell.plot.scales import Scales, si, twin_axis
 from brinell.results import History, Run
 
-__all__ = ["SINKS", "balance_error", "energy_balance"]
+__all__ = ["SINKS", "balance_error", "energy_balance", "sinks_of"]
 
 FloatArray = NDArray[np.float64]
 
@@ -33,15 +33,21 @@ class Sink:
 SINKS = (
     Sink("dissipation_lower", "dissipated, lower body", style.CATEGORIES[0]),
     Sink("dissipation_upper", "dissipated, upper body", style.CATEGORIES[1]),
+    Sink("dissipation_friction", "heat of friction", style.CATEGORIES[3]),
     Sink("energy_residual", "locked in", style.CATEGORIES[2]),
     Sink("energy_elastic", "recoverable", "#BBBBBB"),
 )
 """All that the work of the drive turns into."""
 
 
+def sinks_of(history: History) -> tuple[Sink, ...]:
+    """Those that a history tells; older ones have no friction."""
+    return tuple(sink for sink in SINKS if sink.column in history)
+
+
 def balance_error(history: History) -> FloatArray:
     """Work that is unaccounted for at each step, over the largest work reached in the run [-]."""
-    absorbed = np.sum([history[sink.column] for sink in SINKS], axis=0)
+    absorbed = np.sum([history[sink.column] for sink in sinks_of(history)], axis=0)
     most = float(np.max(np.abs(history["work"])))
     return np.asarray((history["work"] - absorbed) / most if most > 0.0 else np.zeros(history.steps), dtype=np.float64)
 
@@ -54,7 +60,7 @@ def energy_balance(run: Run) -> Figure:
     energy = si(float(np.max(np.abs(history["work"]))), "J")
     fig = style.new_figure(7.4, 5.0)
     top, bottom = fig.subplots(2, 1, sharex=True, height_ratios=[3.0, 1.0])
-    present = [sink for sink in SINKS if np.any(history[sink.column])]
+    present = [sink for sink in sinks_of(history) if np.any(history[sink.column])]
     if present:
         top.stackplot(
             step,

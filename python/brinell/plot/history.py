@@ -21,6 +21,7 @@ __all__ = ["run_history"]
 
 _LOWER: Mapping[str, Any] = {"color": style.LOWER}
 _UPPER: Mapping[str, Any] = {"color": style.UPPER, "linestyle": (0, (4, 2))}  # often equal to the lower: both must show
+_FRICTION: Mapping[str, Any] = {"color": style.CATEGORIES[3]}
 _ASIDE: Mapping[str, Any] = {"color": style.REFERENCE, "linestyle": ":", "linewidth": 1.4}
 
 
@@ -40,7 +41,9 @@ class _Course:
 
     def largest(self, *names: str) -> float:
         """Of some columns [SI]."""
-        return max(float(np.max(np.abs(one[name]))) for one in self.passes for name in names)
+        return max(
+            (float(np.max(np.abs(one[name]))) for one in self.passes for name in names if name in one), default=0.0
+        )
 
     def draw(self, ax: Axes, name: str, scale: Scale, label: str, look: Mapping[str, Any]) -> None:
         """One quantity over all passes, the line broken between two; nothing if it is zero throughout."""
@@ -86,6 +89,7 @@ def _tangential_force_and_slopes(ax: Axes, course: _Course) -> None:
     force = course.scales.force(course.largest("F_X"))
     course.draw(ax, "F_X", force, "with pile-up", _LOWER)
     course.draw(ax, "F_X_macro", force, "without", _ASIDE)
+    course.draw(ax, "F_friction", force, "friction", _FRICTION)
     ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
     ax.set_title("tangential force")
     ax.set_ylabel(force.label("", "F_X"))
@@ -103,8 +107,11 @@ def _force_across_and_slopes(ax: Axes, course: _Course) -> None:
 
 
 def _tangential_force(ax: Axes, course: _Course) -> None:
-    force = course.scales.force(course.largest("F_X"))
+    force = course.scales.force(course.largest("F_X", "F_friction"))
     course.draw(ax, "F_X", force, "resistance", _LOWER)
+    if course.largest("F_friction") > 0.0:
+        course.draw(ax, "F_friction", force, "friction", _FRICTION)
+        _legend(ax)
     ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
     ax.set_title("resistance to rolling")
     ax.set_ylabel(force.label("", "F_X"))
@@ -132,6 +139,7 @@ def _energy(ax: Axes, course: _Course) -> None:
     course.draw(ax, "work", energy, "work", {"color": "black"})
     course.draw(ax, "dissipation_lower", energy, "dissipated, lower", _LOWER)
     course.draw(ax, "dissipation_upper", energy, "dissipated, upper", _UPPER)
+    course.draw(ax, "dissipation_friction", energy, "heat of friction", _FRICTION)
     course.draw(ax, "energy_residual", energy, "locked in", {"color": style.LOCKED_IN})
     course.draw(ax, "energy_elastic", energy, "recoverable", _ASIDE)
     ax.set_title("energy since the start")

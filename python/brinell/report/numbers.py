@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brinell.plot.energy import SINKS, balance_error
+from brinell.plot.energy import balance_error, sinks_of
 from brinell.report import text
 from brinell.results import Run
 
@@ -104,10 +104,10 @@ def _of_rolling(run: Run) -> Iterator[Number]:
 def energies_of(run: Run) -> list[Number]:
     """What the work of the drive has turned into at the end, and what is missing."""
     last = {name: float(column[-1]) for name, column in run.history.items()}
-    missing = last["work"] - sum(last[sink.column] for sink in SINKS)
+    missing = last["work"] - sum(last[sink.column] for sink in sinks_of(run.history))
     values = [
         ("work of the drive", last["work"]),
-        *((sink.name, last[sink.column]) for sink in SINKS),
+        *((sink.name, last[sink.column]) for sink in sinks_of(run.history)),
         ("unaccounted for", missing),
     ]
     return [_number(run, name, value, "J", "energy", "U_c") for name, value in values]

@@ -40,7 +40,8 @@ Scenario = Literal["tugging", "indentation", "rolling"]
 OF_A_PERIOD = ("nominal_pressure", "contact_fraction", "mean_gap", "contact_stiffness")
 """Columns that are NaN unless both axes are periodic; the stiffness is infinite in full contact."""
 
-_ADDED_LATER = ("height", "friction", "contact_cells", *OF_A_PERIOD)
+_OF_FRICTION = ("dissipation_friction", "F_friction", "share_at_shear_limit")
+_ADDED_LATER = ("height", "friction", "contact_cells", *OF_A_PERIOD, *_OF_FRICTION)
 """Columns that the histories of older versions do not have."""
 
 HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(

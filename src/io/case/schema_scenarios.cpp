@@ -152,7 +152,8 @@ std::vector<Entry> rolling_entries()
              .range = up_to(-2.0, 2.0),
              .text = "Difference over mean of the speeds at which the surfaces of lower and upper body pass the "
                      "contact. 0: pure "
-                     "rolling; 2: the upper body slides without turning. Frictionless."},
+                     "rolling; 2: the upper body slides without turning. Without friction unless interface.friction "
+                     "says otherwise."},
             &Draft::rolling, &RollingCase::slide_to_roll),
       bound({.key = "rolling.passes",
              .range = between(1, 100000),

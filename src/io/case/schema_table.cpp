@@ -96,6 +96,38 @@ std::vector<Entry> grid_entries()
   };
 }
 
+std::vector<Entry> interface_entries()
+{
+  using elastoplastic::Friction;
+  const Condition sliding{"scenario", {"tugging", "rolling"}};
+  const auto entry = [&](Entry given, auto member)
+  {
+    given.when = sliding;
+    return bound(std::move(given), &Draft::numerics, &simulation::Numerics::friction, member);
+  };
+  return {
+      entry({.key = "interface.friction",
+             .range = at_least(0.0),
+             .text =
+                 "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
+                 "pressure on each of them, against its motion over the other, as far as it can carry it. "
+                 "In rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
+                 "lifted off."},
+            &Friction::coefficient),
+      entry({.key = "interface.shear_limit",
+             .dimension = dimension::pressure,
+             .range = above(0.0),
+             .unset = "the shear yield stress of the softer surface as it is, hardening included",
+             .text = "Largest shear that a surface can carry."},
+            &Friction::shear_limit),
+      entry({.key = "interface.coupling",
+             .text =
+                 "Whether the shear moves the surfaces apart or together where the two materials differ. false: as if "
+                 "both moved alike under it."},
+            &Friction::coupling),
+  };
+}
+
 std::vector<Entry> solver_entries()
 {
   using elastoplastic::Settings;
@@ -114,7 +146,7 @@ std::vector<Entry> solver_entries()
       entry("contact_tolerance", &Settings::contact_tolerance, inside(0.0, 0.1),
             "Complementarity of the contact: largest gap under pressure, relative to the largest approach."),
       entry("max_evaluations", &Settings::max_evaluations, between(1, 100000),
-            "Evaluations of an increment before it is split."),
+            "Evaluations of an increment before it is split; with friction four times as many."),
       entry("anderson_depth", &Settings::anderson_depth, between(0, 50),
             "Earlier iterates used to accelerate the iteration; 0: plain fixed point."),
       entry("integration", &Settings::integration, {},
@@ -166,8 +198,8 @@ std::vector<Entry> output_entries()
 std::vector<Entry> build_schema()
 {
   std::vector<Entry> schema;
-  for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(), grid_entries(),
-                    solver_entries(), output_entries()})
+  for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(),
+                    interface_entries(), grid_entries(), solver_entries(), output_entries()})
     schema.insert(schema.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return schema;
 }

@@ -109,6 +109,7 @@ Json energy_json(const RunTotals& s)
   return {{"net_J", s.work},
           {"dissipation_lower_J", s.dissipation_lower},
           {"dissipation_upper_J", s.dissipation_upper},
+          {"dissipation_friction_J", s.dissipation_friction},
           {"residual_J", s.energy_residual},
           {"elastic_J", s.energy_elastic},
           {"balance_error", s.energy_balance_error}};
@@ -308,6 +309,7 @@ std::string summary_text(const Case& c, const TuggingPlan& plan, const TuggingSu
   if (const auto& load = std::get<simulation::TuggingCase>(c.scenario).load)
     json["drive"] = {{"load_N", *load}};
   json["normalised"] = normalised_json(c, s);
+  json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
   json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
   json["forces"] = forces_json(s);
   json["energy"] = energy_json(s);
@@ -347,6 +349,7 @@ std::string summary_text(const Case& c, const simulation::RollingPlan& plan, con
   json["geometry"]["estimated_half_width_y_m"] = plan.half_width_y;
   const auto& drive = std::get<simulation::RollingCase>(c.scenario).drive;
   json["drive"] = {{drive.kind == contact::Drive::Kind::load ? "load_N" : "approach_m", drive.value}};
+  json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
   json["passes"] = Json::array();
   for (const simulation::RollingPass& pass : s.passes)
     json["passes"].push_back(pass_json(pass));

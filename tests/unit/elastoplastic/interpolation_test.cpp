@@ -64,7 +64,7 @@ TEST(InterpolationTest, PressureIsCarriedBackByTheTranspose)
     ASSERT_TRUE(
         contact.advance(distance, {contact::Drive::Kind::approach, 1.5}, {place, {column}}, Strategy{}).converged);
     std::vector<double> on_body;
-    ASSERT_TRUE(spread_pressure(contact.grid(), contact.pressure(), place, contact.lower().grid().surface, on_body));
+    ASSERT_TRUE(spread_traction(contact.grid(), contact.pressure(), place, contact.lower().grid().surface, on_body));
     std::vector<double> depth(contact_grid.size());
     contact.add_lower_depth(place, depth);
     const double on_contact = std::inner_product(depth.begin(), depth.end(), contact.pressure().begin(), 0.0);

@@ -18,6 +18,8 @@ struct PressOptions
   int spare_columns = 0; ///< of the material grids, beyond those of the contact
   bool lower_plastic = true, upper_plastic = true;
   double hardening_modulus = 0.0; ///< [Pa]
+  Friction friction{};            ///< the upper sphere slides towards +x
+  double upper_stiffness = 1.0;   ///< Young's modulus of the upper sphere over that of the lower one
 };
 
 /// Two spheres of radius 1 m pressed together on 13 x 13 cells, 12 layers: about 5 cells to the contact radius at six
@@ -32,8 +34,10 @@ public:
 
   explicit SpherePress(const PressOptions& options = {})
       : options_(options), grid_{n, n, 4.6e-3 / options.unit, 4.6e-3 / options.unit},
-        contact_(grid_, volume(), volume(), material(options.lower_plastic), material(options.upper_plastic),
-                 Scales{alpha_c / options.unit, 6.0 * alpha_c / options.unit}, options.settings)
+        contact_(grid_, volume(), volume(), material(options.lower_plastic),
+                 material(options.upper_plastic, options.upper_stiffness),
+                 Scales{alpha_c / options.unit, 6.0 * alpha_c / options.unit}, options.settings, Twin::none, {}, 0.0,
+                 {options.friction, 1})
   {
   }
 
@@ -89,10 +93,10 @@ public:
     v.surface.nx += options_.spare_columns;
     return v;
   }
-  [[nodiscard]] constitutive::Material material(bool plastic = true) const
+  [[nodiscard]] constitutive::Material material(bool plastic = true, double stiffness = 1.0) const
   {
     const double area = options_.unit * options_.unit;
-    constitutive::Material m{{200e9 * area, 0.32}, {}};
+    constitutive::Material m{{200e9 * area * stiffness, 0.32}, {}};
     if (plastic && options_.hardening_modulus > 0.0)
       m.hardening = constitutive::LinearHardening{yield_stress * area, options_.hardening_modulus * area};
     else if (plastic)

@@ -33,7 +33,7 @@ protected:
   }
   [[nodiscard]] Forces forces(double theta, double share = 0.5) const
   {
-    return project_forces(grid, pressure, theta, {lower, share}, {upper, 1.0 - share});
+    return project_forces(grid, {.pressure = pressure}, theta, {lower, share}, {upper, 1.0 - share});
   }
 
   const SurfaceGrid grid{7, 5, 2e-3, 3e-3};

@@ -16,6 +16,7 @@ namespace
 
 const constitutive::Material steel{{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
 
+/// Friction and slip: they have a state of their own.
 TuggingCase tugging()
 {
   TuggingCase c;
@@ -23,6 +24,7 @@ TuggingCase tugging()
   c.upper = {Paraboloid{1.5e-3, 1.5e-3}, steel};
   c.interference = 3e-7;
   c.resolution = 3.0;
+  c.friction.coefficient = 0.2;
   return c;
 }
 
@@ -48,6 +50,8 @@ RollingCase rolling()
   c.passes = 2;
   c.load_steps = 2;
   c.resolution = 3.0;
+  c.slide_to_roll = 0.3;
+  c.friction.coefficient = 0.2;
   return c;
 }
 
@@ -88,6 +92,7 @@ protected:
     EXPECT_EQ(a.evaluations, b.evaluations);
     EXPECT_EQ(a.work, b.work);
     EXPECT_EQ(a.energy_balance_error, b.energy_balance_error);
+    EXPECT_EQ(a.dissipation_friction, b.dissipation_friction);
     EXPECT_EQ(a.last.F_n, b.last.F_n);
     EXPECT_EQ(a.final_state.lower.equivalent_plastic_strain, b.final_state.lower.equivalent_plastic_strain);
     EXPECT_EQ(a.final_state.lower.contact_x, b.final_state.lower.contact_x);

@@ -103,7 +103,8 @@ TEST(SummaryTest, EnergyBalanceIsRelativeToTheLargestWork)
   last.work = 6.0;
   last.dissipation_lower = 2.0;
   last.dissipation_upper = 1.0;
-  last.energy_residual = 2.5;
+  last.dissipation_friction = 0.5;
+  last.energy_residual = 2.0;
   RunTotals totals;
   take_totals(last, 10.0, totals);
   EXPECT_NEAR(totals.energy_balance_error, (6.0 - 5.5) / 10.0, rounding);

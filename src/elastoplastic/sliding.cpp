@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/sliding.hpp"
+
+#include "foundation/sharing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+constexpr Elastic unit_body{1.0, 0.0};
+constexpr Elastic rigid_body{std::numeric_limits<double>::infinity(), 0.0};
+
+/// (1 - 2 nu)/(2 mu), which is 1 of the unit body.
+double coupling_weight(const Elastic& elastic)
+{
+  return elastic.is_rigid() ? 0.0 : (1.0 - 2.0 * elastic.poisson_ratio) / (2.0 * elastic.shear_modulus());
+}
+
+/// Sum of the shear times the slope along x of a displacement, by central differences [Pa].
+double stretch(const SurfaceGrid& grid, std::span<const double> shear, std::span<const double> displacement)
+{
+  double total = 0.0;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+    {
+      const double q = shear[grid.index(i, j)];
+      if (q == 0.0 || grid.nx == 1)
+        continue;
+      const bool wraps = grid.is_periodic_x();
+      const int before = i > 0 ? i - 1 : (wraps ? grid.nx - 1 : i);
+      const int after = i < grid.nx - 1 ? i + 1 : (wraps ? 0 : i);
+      const double cells = wraps ? 2.0 : after - before;
+      total += q * (displacement[grid.index(after, j)] - displacement[grid.index(before, j)]) / (cells * grid.dx);
+    }
+  return total;
+}
+
+/// to + factor * field.
+void add(double factor, std::span<const double> field, std::span<double> to)
+{
+  for (std::size_t i = 0; i < field.size(); ++i)
+    to[i] += factor * field[i];
+}
+
+} // namespace
+
+SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper,
+                                   const Friction& friction, int direction, double reference)
+    : pair_(grid, lower, upper, reference), unit_(grid, unit_body, rigid_body, reference), friction_(friction),
+      direction_(direction), lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
+      limit_(grid.size(), std::numeric_limits<double>::infinity())
+{
+  // Without coupling both bodies have the mean of their weights: no gap, and still a balance of energy.
+  if (!friction.coupling)
+    lower_weight_ = upper_weight_ = 0.5 * (lower_weight_ + upper_weight_);
+  for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.slip})
+    field->assign(grid.size(), 0.0);
+}
+
+void SlidingInterface::State::exchange(Archive& archive)
+{
+  archive("shear", shear);
+  archive("depth", depth);
+  archive("slip", slip);
+  archive("lower_stretch", lower_stretch);
+  archive("upper_stretch", upper_stretch);
+  archive("work", work);
+  archive("limited_share", limited_share);
+}
+
+void SlidingInterface::begin(bool slides, std::vector<double> limit)
+{
+  before_ = state_;
+  slides_ = slides;
+  if (!slides)
+    for (std::vector<double>* field : {&state_.shear, &state_.depth})
+      std::fill(field->begin(), field->end(), 0.0);
+  limit_ = std::move(limit);
+}
+
+SlidingInterface::Change SlidingInterface::follow(std::span<const double> pressure)
+{
+  Change change;
+  std::size_t pressed = 0, limited = 0;
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+  {
+    const double wanted = slides_ ? friction_.coefficient * pressure[i] : 0.0;
+    pressed += pressure[i] > 0.0 ? 1 : 0;
+    limited += wanted > limit_[i] ? 1 : 0;
+    const double shear = direction_ * std::min(wanted, limit_[i]);
+    change.shear = larger(change.shear, std::abs(shear - state_.shear[i]));
+    state_.shear[i] = shear;
+  }
+  state_.limited_share = pressed > 0 ? static_cast<double>(limited) / static_cast<double>(pressed) : 0.0;
+  if (!moves_gap())
+    return change;
+  const std::vector<double> before = state_.depth;
+  unit_.apply({.shear_x = state_.shear}, {.z = state_.depth});
+  const double weight = std::abs(lower_weight_ - upper_weight_);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    change.gap = larger(change.gap, weight * std::abs(state_.depth[i] - before[i]));
+  return change;
+}
+
+void SlidingInterface::add_to_gap(std::span<double> gap) const
+{
+  add(lower_weight_ - upper_weight_, state_.depth, gap);
+}
+
+/// Under the pressure both surfaces move the same way along x, in proportion to their weights; under the shear opposite ways,
+/// which has no stretch in sum, because the displacement along x is an even function of the distance from the load.
+void SlidingInterface::find_displacements(const Bodies& bodies)
+{
+  const SurfaceGrid& grid = pair_.grid();
+  std::vector<double> of_pressure(grid.size());
+  unit_.apply({.pressure = bodies.pressure}, {.x = of_pressure});
+  unit_.apply({.shear_x = state_.shear}, {.z = state_.depth});
+  pair_.apply({.shear_x = state_.shear}, {.x = state_.slip});
+  std::vector<double> lower(bodies.lower_x.begin(), bodies.lower_x.end());
+  std::vector<double> upper(bodies.upper_x.begin(), bodies.upper_x.end());
+  add(lower_weight_, of_pressure, lower);
+  add(upper_weight_, of_pressure, upper);
+  add(1.0, lower, state_.slip);
+  add(-1.0, upper, state_.slip);
+  state_.lower_stretch = stretch(grid, state_.shear, lower);
+  state_.upper_stretch = stretch(grid, state_.shear, upper);
+}
+
+/// The work of the shear on what the material under it has been displaced: by the change in a cell of the contact grid, and
+/// because that cell has moved along the bodies. Both by the trapezoidal rule.
+void SlidingInterface::settle(const Bodies& bodies)
+{
+  const SurfaceGrid& grid = pair_.grid();
+  find_displacements(bodies);
+  double in_cells = 0.0;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    in_cells += 0.5 * (before_.shear[i] + state_.shear[i]) * (state_.slip[i] - before_.slip[i]);
+  const double on_lower = 0.5 * (before_.lower_stretch + state_.lower_stretch) * bodies.lower_columns * grid.dx;
+  const double on_upper = 0.5 * (before_.upper_stretch + state_.upper_stretch) * bodies.upper_columns * grid.dx;
+  state_.work = before_.work + (in_cells - on_lower + on_upper) * grid.cell_area();
+}
+
+void SlidingInterface::add_depth(std::span<double> lower, std::span<double> upper) const
+{
+  add(lower_weight_, state_.depth, lower);
+  add(-upper_weight_, state_.depth, upper);
+}
+
+double SlidingInterface::elastic_energy(std::span<const double> pressure) const
+{
+  std::vector<double> along(state_.shear.size());
+  pair_.apply({.shear_x = state_.shear}, {.x = along});
+  const double together = (lower_weight_ - upper_weight_) * dot(pressure, state_.depth);
+  return (together + 0.5 * dot(state_.shear, along)) * pair_.grid().cell_area();
+}
+
+double SlidingInterface::force() const
+{
+  return sum(state_.shear) * pair_.grid().cell_area();
+}
+
+void SlidingInterface::embed(const State& state, const SurfaceGrid& from)
+{
+  const SurfaceGrid& grid = pair_.grid();
+  const int columns = (grid.nx - from.nx) / 2;
+  const int rows = (grid.ny - from.ny) / 2;
+  for (int j = 0; j < from.ny; ++j)
+    std::copy_n(state.shear.data() + from.index(0, j), from.nx, state_.shear.data() + grid.index(columns, j + rows));
+  state_.work = state.work;
+  state_.limited_share = state.limited_share;
+}
+
+} // namespace brinell::elastoplastic

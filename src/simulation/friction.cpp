@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "friction.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+void require_friction(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
+                      const std::string& reason)
+{
+  const auto& [coefficient, limit, coupling] = numerics.friction;
+  const std::string given = fmt::format("interface.friction = {:g}", coefficient);
+  if (!(coefficient >= 0.0 && std::isfinite(coefficient)))
+    throw KeyError("interface.friction", given + "; allowed: number >= 0");
+  if (limit && !(*limit > 0.0))
+    throw KeyError("interface.shear_limit", fmt::format("interface.shear_limit = {:g} Pa; allowed: > 0", *limit));
+  if (coefficient == 0.0)
+    return;
+  if (!reason.empty())
+    throw KeyError("interface.friction", given + ": " + reason);
+  if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
+    throw KeyError("interface.friction", given + " between two rigid bodies; allowed: one that deforms");
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/case_file.hpp"
+#include "brinell/simulation/rolling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+/// The table [interface]. What cannot be computed is refused with its line, its key and value, and what is allowed.
+namespace brinell::io
+{
+
+namespace
+{
+
+/// A case whose table [interface] has its first key in line 13.
+std::string sample(const std::string& scenario, const std::string& interface)
+{
+  return "scenario = \"" + scenario.substr(0, scenario.find('\n')) + R"("
+[lower]
+shape = {type = "flat"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
+[upper]
+shape = {type = "sphere", radius = "10 mm"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
+)" + scenario.substr(scenario.find('\n') + 1) +
+         "[interface]\n" + interface + "\n";
+}
+const std::string rolling = "rolling\n[rolling]\nload = \"10 N\"\ndistance = \"1 mm\"\nslide_to_roll = 0.5\n";
+const std::string pure_rolling = "rolling\n[rolling]\nload = \"10 N\"\ndistance = \"1 mm\"\nslide_to_roll = 0\n";
+const std::string indentation = "indentation\n[indentation]\nload = [\"10 N\"]\nsteps = 2\ncycles = 1\n";
+
+void expect_refused(const std::string& text, int line, const std::vector<std::string>& parts)
+{
+  std::string message = "not refused";
+  try
+  {
+    static_cast<void>(parse_case(text, "sample.toml", {}));
+  }
+  catch (const InputError& error)
+  {
+    message = error.what();
+  }
+  EXPECT_EQ(message.rfind("sample.toml:" + std::to_string(line) + ": ", 0), 0u) << "line " << line << " of\n"
+                                                                                << message;
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << part << "\n  in: " << message;
+}
+
+TEST(FrictionCase, WhatIsGoodIsRead)
+{
+  const auto read = [](const std::string& keys)
+  { return std::get<simulation::RollingCase>(parse_case(sample(rolling, keys), "sample.toml", {}).scenario).friction; };
+  EXPECT_EQ(read("friction = 0.25"), (elastoplastic::Friction{0.25, {}, true}));
+  EXPECT_EQ(read("friction = 0.4\nshear_limit = \"300 MPa\"\ncoupling = false"),
+            (elastoplastic::Friction{0.4, 300e6, false}));
+  EXPECT_NO_THROW(static_cast<void>(parse_case(sample(pure_rolling, "friction = 0"), "sample.toml", {})));
+}
+
+TEST(FrictionCase, WhatIsBadIsRefused)
+{
+  expect_refused(sample(rolling, "friction = -0.1"), 13, {"interface.friction", "-0.1", ">= 0"});
+  expect_refused(sample(rolling, "friction = 0.1\nshear_limit = 0"), 14, {"interface.shear_limit", "> 0"});
+  expect_refused(sample(rolling, "friction = 0.1\ncoupling = 3"), 14, {"interface.coupling"});
+  expect_refused(sample(pure_rolling, "friction = 0.1"), 13, {"interface.friction = 0.1", "slide_to_roll"});
+  expect_refused(sample(indentation, "friction = 0.1"), 13, {"interface.friction", "indentation"});
+  expect_refused(sample(rolling, "fricton = 0.1"), 13, {"interface.fricton", "interface.friction"});
+}
+
+} // namespace
+
+} // namespace brinell::io
