@@ -1,11 +1,12 @@
 #!/bin/bash
 # Makes dist/: the source distribution, and from it wheels that run on other machines, with OpenMP, FFTW and HDF5 inside: for every
 # x86-64 processor and for those with AVX2, each for the Pythons in PYTHONS (that of .venv by default). Then tries each wheel in
-# fresh virtual environments, away from the sources. docs/install.md says what the names mean.
+# fresh virtual environments, away from the sources. PROCESSORS=x86-64 makes the first ones alone. docs/install.md says what the names mean.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 read -ra pythons <<<"${PYTHONS:-$PWD/.venv/bin/python}"
+read -ra processors <<<"${PROCESSORS:-x86-64 x86-64-v3}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -59,7 +60,7 @@ for python in "${pythons[@]}"; do
   (( version >= 311 )) || fail "$python is too old: 3.11 is needed"
   kind=cp311
   (( version >= 312 )) && kind=abi3
-  for arch in x86-64 x86-64-v3; do
+  for arch in "${processors[@]}"; do
     [[ -n ${made[$kind-$arch]:-} ]] || make_wheel "$python" "$arch"
     made[$kind-$arch]=yes
     wheel=(dist/*-"${tag[$arch]}"-*"$kind"*.whl)
