@@ -80,7 +80,8 @@ TEST(SlidingTest, ShearMovesNoGapOfBodiesThatAreAlikeOrWithoutCoupling)
     SpherePress press(options), smooth(elastic_pair(0.0, stiffness));
     ASSERT_TRUE(press.press(6.0).converged);
     ASSERT_TRUE(smooth.press(6.0).converged);
-    EXPECT_EQ(copy(press.contact().pressure()), copy(smooth.contact().pressure())); // the same products
+    // The same products, but for the last digits of transforms, which depend on where the arrays lie.
+    expect_near(copy(press.contact().pressure()), copy(smooth.contact().pressure()), 1e-12, "pressure");
   }
 }
 
