@@ -37,10 +37,11 @@ std::string text_of(const fs::path& file)
 /// Size of the first cells of a series.
 double first_cells(const io::Case& c)
 {
-  const double cells =
+  const simulation::Resolution resolution =
       std::visit([](const auto& scenario)
-                 { return simulation::expected_quality(scenario, simulation::plan(scenario)).resolution.cells; },
+                 { return simulation::expected_quality(scenario, simulation::plan(scenario)).resolution; },
                  c.scenario);
+  const double cells = resolution.cells_per_wave.value_or(resolution.cells);
   return std::clamp(cells / fewest_cells, 1.0, coarsest);
 }
 

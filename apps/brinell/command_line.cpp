@@ -35,6 +35,19 @@ A first run:
   brinell check first.toml
   brinell run first.toml --set tugging.interference=2 -o results/first)";
 
+/// For who only types the name of the program.
+constexpr const char* usage =
+    R"(brinell computes the elastic-plastic contact of bodies that are pressed, rolled or slid.
+
+  brinell new indentation -o first.toml   write a case file to begin with; also: tugging, rolling
+  brinell check first.toml                what it comes to: grid, memory, time
+  brinell run first.toml -o results       compute it
+  brinell plot all results                draw figures of the results
+  brinell schema grid                     tell of the keys of a case file
+
+brinell --help lists all commands, brinell COMMAND --help the options of one.
+)";
+
 /// An error's lines on stderr, each with the name of the program.
 int report(std::string_view text, int exit_code)
 {
@@ -80,6 +93,17 @@ int guarded(const std::function<int()>& command)
   }
 }
 
+/// What CLI11 refuses, as any other error. @returns the exit code, that of success for --help and --version
+int parsing_ended(const CLI::App& app, const CLI::ParseError& error)
+{
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    return app.exit(error);
+  const auto chosen = app.get_subcommands();
+  return report(fmt::format("{}; brinell {}--help tells what is allowed", error.what(),
+                            chosen.empty() ? "" : chosen.front()->get_name() + " "),
+                exit_input);
+}
+
 /// CLI11 would only say that there is no command.
 int unknown_command(const std::string& word, const std::vector<std::string>& names)
 {
@@ -112,6 +136,11 @@ int run_chosen(const CLI::App& app, const Arguments& arguments)
 
 int command_line(std::vector<std::string> words)
 {
+  if (words.empty())
+  {
+    fmt::print(stderr, "{}", usage);
+    return exit_input;
+  }
   CLI::App app("brinell: elastic-plastic contact of bodies that are pressed, rolled or slid (semi-analytical method)",
                "brinell");
   app.require_subcommand(1);
@@ -130,7 +159,7 @@ int command_line(std::vector<std::string> words)
   }
   catch (const CLI::ParseError& error)
   {
-    return app.exit(error) == 0 ? exit_ok : exit_input;
+    return parsing_ended(app, error);
   }
   return guarded([&] { return run_chosen(app, arguments); });
 }

@@ -107,8 +107,9 @@ int run_command(const RunArguments& arguments)
 int check_command(const CaseArguments& arguments)
 {
   const io::Case c = io::read_case(arguments.file, arguments.overrides);
+  print_warnings(c, c.warnings); // before a refusal of the plan, whose reason they may be
   const io::ScenarioPlan plan = io::plan_case(c);
-  print_warnings(c, io::expected_warnings(c, plan));
+  print_warnings(c, new_warnings(c, io::expected_warnings(c, plan)));
   fmt::print("{}", io::check_report(c, plan));
   return exit_ok;
 }

@@ -33,16 +33,33 @@ std::string duration_text(double seconds)
   return fmt::format("{} h {:02} min", total / 3600, total / 60 % 60);
 }
 
+/// The text without as many of its parts as are too much; the last one stays.
+std::string fitting_text(std::string_view text, std::size_t width)
+{
+  constexpr std::string_view between = "  ";
+  std::string kept(text);
+  while (kept.size() > width)
+  {
+    const auto last = kept.rfind(between);
+    if (last == kept.npos || last == 0)
+      break;
+    const auto before = kept.rfind(between, last - 1);
+    kept = before == kept.npos ? kept.substr(last + between.size()) : kept.substr(0, before) + kept.substr(last);
+  }
+  return kept;
+}
+
 } // namespace
 
 std::string progress_line(double share, std::string_view text, std::size_t width)
 {
   constexpr std::size_t around = 3; // brackets and a blank
-  const std::size_t room = width > text.size() + around ? width - text.size() - around : 0;
-  const std::size_t bar = std::clamp(room, shortest_bar, longest_bar);
+  const std::string fitting = fitting_text(text, width > shortest_bar + around ? width - shortest_bar - around : 0);
+  if (fitting.size() + shortest_bar + around > width)
+    return fitting_text(text, width).substr(0, width);
+  const std::size_t bar = std::min(width - fitting.size() - around, longest_bar);
   const auto filled = static_cast<std::size_t>(static_cast<double>(bar) * std::clamp(share, 0.0, 1.0));
-  const std::string line = fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(bar - filled, '.'), text);
-  return line.substr(0, width);
+  return fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(bar - filled, '.'), fitting);
 }
 
 Progress::Progress(bool quiet, int done_before)

@@ -9,7 +9,9 @@
 namespace brinell::app
 {
 
-/// A bar with text behind it, of at most `width` characters: first the bar becomes shorter, then the text.
+/// A bar with text behind it, of at most `width` characters: first the bar becomes shorter, then parts of the text are left
+/// out, those before the last one first, as the last one, the time left, is what matters most; then the bar.
+/// @param text  in parts with two blanks between them
 [[nodiscard]] std::string progress_line(double share, std::string_view text, std::size_t width);
 
 /// Shows on stderr how far a run is: a bar on a terminal, one line per tenth of the steps elsewhere, nothing if quiet.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -69,6 +70,8 @@ std::string summary_text(const io::Case&, const simulation::IndentationSummary& 
   }
   if (s.indents.size() > most_rows)
     text += fmt::format("and {} more in summary.json\n", s.indents.size() - most_rows);
+  if (std::any_of(s.indents.begin(), s.indents.end(), [](const auto& i) { return i.max_approach < 0.0; }))
+    text += "approach: from where the mean planes meet; negative while peaks hold them apart\n";
   return text;
 }
 

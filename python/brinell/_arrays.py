@@ -52,7 +52,9 @@ def require_unmasked(values: object, name: str) -> None:
     """Raises InputError if an array is masked somewhere: NumPy would take what lies under the mask for values."""
     masked = int(np.count_nonzero(np.ma.getmaskarray(values))) if isinstance(values, np.ma.MaskedArray) else 0
     if masked > 0:
-        raise InputError(f"{name} has {masked} masked values; allowed: a value everywhere")
+        raise InputError(
+            f"{name} has {masked} masked values; allowed: a value everywhere, as numpy.ma.filled(values, 0.0) puts one"
+        )
 
 
 def number(value: object, name: str) -> float:

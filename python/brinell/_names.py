@@ -65,7 +65,8 @@ def level_of_caller() -> int:
     package = str(Path(__file__).parent)
     level = 1
     frame = inspect.currentframe()
-    while frame is not None and frame.f_code.co_filename.startswith(package):
+    # The __init__ of a dataclass has no file.
+    while frame is not None and frame.f_code.co_filename.startswith((package, "<string>")):
         frame = frame.f_back
         level += 1
     return max(1, level - 1)

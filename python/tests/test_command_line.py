@@ -140,7 +140,7 @@ def test_python_says_the_same(folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
 def test_citations_are_those_of_the_command(folder: Path) -> None:
     lines = brinell.Case.from_file(folder / "case.toml").citations()
     told = called(SCRIPT, "cite", "case.toml", folder=folder).stdout
-    assert lines[0].startswith("The brinell authors. brinell: ")
+    assert lines[0].startswith("The brinell authors (2026). brinell: ")
     assert len(lines) > 5
     for line in lines[1:]:
         reference, use = line.removesuffix("]").rsplit(" [", 1)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.legend import Legend
 
 import brinell
 from brinell.contact import ElasticContact
@@ -82,10 +83,24 @@ def test_a_rough_flat_is_pressed_by_a_mean_pressure() -> None:
     figure = brinell.plot.contact_fraction([run])
     assert figure is not None
     drawn = {line.get_label(): line for line in figure.axes[0].lines}
-    assert {"Persson", "Bush, Gibson, Thomas"} <= drawn.keys()
+    assert {"Persson, elastic", "Bush, Gibson, Thomas, elastic"} <= drawn.keys()
     np.testing.assert_array_equal(figure.axes[0].lines[0].get_ydata(), run.history["contact_fraction"])
     np.testing.assert_allclose(figure.axes[0].lines[0].get_xdata()[-1], 20e6 / (modulus * 0.02), rtol=1e-6)
     assert "contact-fraction" in [named.name for named in brinell.plot.standard_figures(run)]
+
+
+def test_the_figure_of_contact_tells_unloading_and_a_gap_of_less_than_a_decade() -> None:
+    run = rough_flat(pressure=["20 MPa", "1 MPa"]).run(in_memory=True)
+    figure = brinell.plot.contact_fraction([run])
+    assert figure is not None
+    share, gap = figure.axes[:2]
+    loading, unloading = share.lines[:2]
+    np.testing.assert_array_equal(np.isfinite(loading.get_ydata()), [True, True, False, False])
+    np.testing.assert_array_equal(np.isfinite(unloading.get_ydata()), [False, True, True, True])
+    assert loading.get_linestyle() != unloading.get_linestyle()
+    assert gap.get_yscale() == "linear"  # a mean gap falls by less than a half here
+    shown = [text.get_text() for legend in figure.findobj(Legend) for text in legend.get_texts()]
+    assert "unloading" in shown
 
 
 def test_a_rough_flat_is_pressed_to_a_mean_gap() -> None:

@@ -268,7 +268,7 @@ def test_a_map_of_surface_topography_is_a_texture() -> None:
     with pytest.raises(InputError, match="tells no unit; .*HeightMap.from_topography takes unit and fill"):
         Body(Flat(), steel, topography.Topography(heights.T, (80.0, 90.0)))
     gaps = topography.Topography(np.ma.masked_greater(heights.T, heights.mean()), (80.0, 90.0), unit="um")
-    with pytest.raises(InputError, match="not finite: fill what was not measured; .* unit and fill"):
+    with pytest.raises(InputError, match="not finite: fill what was not measured, .* unit and fill"):
         Body(Flat(), steel, gaps)
 
 

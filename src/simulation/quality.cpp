@@ -3,6 +3,7 @@
 
 #include "footprint.hpp"
 #include "period.hpp"
+#include "roughness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,10 @@ constexpr double largest_strain = 0.05; ///< products of strains are neglected: 
 constexpr double largest_imbalance = 0.02;   ///< of the energies, over the largest work
 constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
 constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
-constexpr double smallest_approach = 1e-9;   ///< [m], some atoms: no continuum
+/// Relative difference of the two quarters of the middle of a track: each is then as far from their mean as resistance and
+/// dissipation usually are from the limit of fine cells, 8 %, twice over.
+constexpr double largest_unsteadiness = 0.3;
+constexpr double smallest_approach = 1e-9;       ///< [m], some atoms: no continuum
 constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
 
@@ -62,6 +66,7 @@ struct Facts
   std::optional<double> shift; ///< if it is not one cell [m]
   bool is_plane = false;       ///< nothing varies along y
   bool is_patchy = false; ///< the contact may lie anywhere in a period, so that its extent says nothing of its patches
+  std::optional<double> cells_per_wave; ///< the shortest one, of rough flats over a period
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   elastoplastic::Settings solver;
 };
@@ -92,6 +97,7 @@ Facts shaped_facts(const ScenarioCase& c, const Plan& plan, const contact::Drive
   f.half_x = foot.half_x;
   f.half_y = foot.half_y;
   f.is_patchy = c.domain.is_periodic();
+  f.cells_per_wave = cells_per_wave(c.lower, c.upper, c.domain, f.cell[0], f.cell[1]);
   return f;
 }
 
@@ -158,6 +164,13 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
 {
   if (f.is_plane)
     cells_y = cells_x;
+  if (f.cells_per_wave && !std::isnan(cells_x))
+  {
+    Resolution of_patches; // the tables are of one indent
+    of_patches.plastic_layers = layers;
+    of_patches.cells_per_wave = f.cells_per_wave;
+    return of_patches;
+  }
   Resolution r{cells_x, cells_y, std::min(cells_x, cells_y), layers, {}};
   const bool yields = layers ? *layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
   if (!yields || std::isnan(r.cells))
@@ -279,6 +292,24 @@ public:
                                           totals.split_increments));
   }
 
+  /// Tells of the worst pass.
+  void of_passes(const std::vector<RollingPass>& passes)
+  {
+    const auto worst = std::max_element(passes.begin(), passes.end(),
+                                        [](const RollingPass& a, const RollingPass& b)
+                                        { return std::abs(a.unsteadiness) < std::abs(b.unsteadiness); });
+    if (worst == passes.end() || !(std::abs(worst->unsteadiness) > largest_unsteadiness))
+      return;
+    const bool is_rough = !f_.textures[0]->is_smooth() || !f_.textures[1]->is_smooth();
+    add("unsteady_track",
+        fmt::format(
+            "pass {}: the energy taken up per length differs by {} between the two quarters of the middle of the "
+            "track: its resistance, friction and mean F_X are those of this stretch and no average; take a "
+            "longer track{}",
+            worst - passes.begin() + 1, percent_text(std::abs(worst->unsteadiness)),
+            is_rough ? ", of many lengths of the texture" : ""));
+  }
+
   [[nodiscard]] Quality result() && { return std::move(result_); }
 
 private:
@@ -345,7 +376,7 @@ Quality before(const Facts& f)
   return std::move(judge).result();
 }
 
-Quality after(const Facts& f, const RunTotals& totals)
+Quality after(const Facts& f, const RunTotals& totals, const std::vector<RollingPass>& passes = {})
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Coverage& seen = totals.coverage;
@@ -359,6 +390,7 @@ Quality after(const Facts& f, const RunTotals& totals)
   judge.of_step();
   judge.of_size();
   judge.of_course(totals);
+  judge.of_passes(passes);
   judge.of_tolerances();
   return std::move(judge).result();
 }
@@ -397,11 +429,19 @@ Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTo
   return after(facts(rolling, plan), totals);
 }
 
+Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
+{
+  return after(facts(rolling, plan), summary, summary.passes);
+}
+
 std::string resolution_text(const Resolution& r)
 {
-  if (std::isnan(r.cells))
+  if (std::isnan(r.cells) && !r.cells_per_wave)
     return "resolution: no contact";
-  std::string text = fmt::format("resolution: {:.3g} x {:.3g} cells per contact radius", r.cells_x, r.cells_y);
+  std::string text =
+      r.cells_per_wave ? fmt::format("resolution: {:.3g} cells per shortest wave, of a contact in patches of any size",
+                                     *r.cells_per_wave)
+                       : fmt::format("resolution: {:.3g} x {:.3g} cells per contact radius", r.cells_x, r.cells_y);
   if (r.plastic_layers)
     text += *r.plastic_layers > 0 ? fmt::format(", {} layers through the plastic zone", *r.plastic_layers)
                                   : ", nothing yields";

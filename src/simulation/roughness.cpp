@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roughness.hpp"
 
+#include "footprint.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace brinell::simulation
 {
+
+namespace
+{
+
+/// Along an axis [m].
+struct ShortestWave
+{
+  bool along_x;
+  double operator()(const Dent& dent) const { return 2.0 * dent.radius; }
+  double operator()(const HeightMap& map) const { return 2.0 * (along_x ? map.dx : map.dy); }
+  double operator()(const Sinusoid& waves) const { return along_x ? waves.wavelength_x : waves.wavelength_y; }
+  double operator()(const RandomSurface& surface) const { return surface.parameters().cutoff; }
+};
+
+} // namespace
 
 double Roughness::wavelength() const
 {
@@ -35,6 +53,21 @@ Roughness roughness_of(std::span<const double> heights, const SurfaceGrid& grid)
   const double count_x = std::max(1.0, static_cast<double>(last_x) * grid.ny);
   const double count_y = std::max(1.0, static_cast<double>(last_y) * grid.nx);
   return {std::sqrt(squares / static_cast<double>(heights.size())), std::sqrt(slopes_x / count_x + slopes_y / count_y)};
+}
+
+std::optional<double> cells_per_wave(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain, double dx,
+                                     double dy)
+{
+  const auto curvature = relative_curvature(lower.shape, upper.shape);
+  const bool are_flat = curvature && (*curvature)[0] == 0.0 && (*curvature)[1] == 0.0;
+  if (!domain.is_periodic() || !are_flat || are_smooth(lower, upper))
+    return std::nullopt;
+  double fewest = std::numeric_limits<double>::infinity();
+  for (const Texture* texture : {&lower.texture, &upper.texture})
+    for (const TexturePart& part : texture->parts)
+      fewest =
+          std::min({fewest, std::visit(ShortestWave{true}, part) / dx, std::visit(ShortestWave{false}, part) / dy});
+  return fewest;
 }
 
 } // namespace brinell::simulation

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
+#include "brinell/simulation/scenario.hpp"
 
+#include <optional>
 #include <span>
 
 /// How rough heights are.
@@ -23,5 +25,11 @@ struct Roughness
 
 /// @param heights   on the points of the grid; slopes are differences of neighbours, around the period where it has one.
 [[nodiscard]] Roughness roughness_of(std::span<const double> heights, const SurfaceGrid& grid);
+
+/// Cells in the shortest wave that the textures of flats over a period have, or can have (two points of a height map). Such
+/// bodies touch in many patches of any size: a contact radius says nothing of them, this does.
+/// @returns nothing of other bodies
+[[nodiscard]] std::optional<double> cells_per_wave(const ShapedBody& lower, const ShapedBody& upper,
+                                                   const Domain& domain, double dx, double dy);
 
 } // namespace brinell::simulation

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program.hpp"
 
+#include <algorithm>
+
 namespace brinell::cli
 {
 
@@ -23,13 +25,63 @@ protected:
 
 TEST_F(Errors, CommandLine)
 {
-  expect_refused({}, {"subcommand is required", "--help"});
-  expect_refused({"run"}, {"case is required"});
+  expect_refused({"run"}, {"brinell: error: case is required; brinell run --help"});
   expect_refused({"walk", "case.toml"}, {"unknown command walk", "run, check, "});
   write("case.toml", quick_case);
   expect_refused({"run", "case.toml", "--treads", "3"}, {"--treads"});
   expect_refused({"run", "case.toml", "--threads", "0"}, {"--threads"});
   expect_refused({"run", "case.toml", "--set"}, {"--set"});
+}
+
+TEST_F(Errors, TheNameAloneShowsHowToBegin)
+{
+  expect_refused({}, {"brinell computes the elastic-plastic contact", "  brinell new ", "  brinell check ",
+                      "  brinell run ", "  brinell plot ", "  brinell schema ", "brinell --help"});
+}
+
+// Half a tougher steel's yield stress in MPa makes the contact, and so the track, enormous.
+TEST_F(Errors, AForgottenUnitComesBeforeWhatFollowsFromIt)
+{
+  ASSERT_EQ(run({"new", "tugging", "-o", "case.toml"}).exit_code, 0);
+  const Outcome outcome = run({"check", "case.toml", "--set", "grid.spacing=[1e-8, 1e-8, 1e-8]", "--set",
+                               "lower.material.hardening.yield_stress=900"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(
+      outcome.err.rfind("brinell: error: case.toml: warning: lower.material.hardening: the yield stress is 900 Pa", 0),
+      0u)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("\nbrinell: error: --set grid.spacing"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Errors, AQuoteThatIsMissing)
+{
+  write("case.toml", "title = \"a \\\" b\"\nscenario = \"indentation\n[lower]\n");
+  expect_refused({"check", "case.toml"}, {"case.toml:2:", "; is a quote missing at the end of the line?\n"});
+  write("case.toml", "scenario = \"indentation\"\n[lower\n");
+  EXPECT_EQ(run({"check", "case.toml"}).err.find("quote"), std::string::npos);
+}
+
+TEST_F(Errors, AnUnknownScenarioIsTheOnlyProblem)
+{
+  write("case.toml", "scenario = \"slide\"\n");
+  const Outcome outcome = run({"check", "case.toml"});
+  EXPECT_EQ(outcome.err.rfind("brinell: error: case.toml:1: scenario = \"slide\" is not known; allowed: ", 0), 0u);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(Errors, AWordInThePlaceOfATableNamesItsKey)
+{
+  write("case.toml", quick_case);
+  expect_refused({"check", "case.toml", "--set", "lower.material.hardening=none"},
+                 {"did you mean lower.material.hardening.law = \"none\"?"});
+  expect_refused({"check", "case.toml", "--set", "upper.shape=cylinder"},
+                 {"did you mean upper.shape.type = \"cylinder\"?"});
+}
+
+TEST_F(Errors, SchemaNamesTheKeysWithAWord)
+{
+  expect_refused({"schema", "hardening"}, {"there is no key hardening; with that word: lower.material.hardening\n"});
+  expect_refused({"schema", "yield"}, {"lower.material.hardening.yield_stress, lower.material.yield_profile, solver."});
 }
 
 TEST_F(Errors, MissingFile)

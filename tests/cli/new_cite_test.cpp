@@ -32,6 +32,14 @@ TEST_P(New, CaseIsAcceptedAndRuns)
   EXPECT_TRUE(fs::exists(folder() / "out" / "summary.json"));
 }
 
+TEST_P(New, TheFirstRunHasNoWarnings)
+{
+  ASSERT_EQ(run({"new", GetParam(), "-o", "first.toml"}).exit_code, 0);
+  const Outcome outcome = run({"run", "first.toml", "-q", "-o", "out"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
 TEST_P(New, PrintsWhatItWouldWrite)
 {
   ASSERT_EQ(run({"new", GetParam(), "-o", "first.toml"}).exit_code, 0);
@@ -50,7 +58,7 @@ TEST_F(Cite, ListsPapersAndTheirUse)
   write("case.toml", quick_case);
   const Outcome cite = run({"cite", "case.toml"});
   EXPECT_EQ(cite.exit_code, 0) << cite.err;
-  EXPECT_NE(cite.out.find("The brinell authors"), std::string::npos);
+  EXPECT_NE(cite.out.find("The brinell authors (2026). brinell: "), std::string::npos);
   EXPECT_NE(cite.out.find("https://doi.org/10.1098/rsta.1929.0009\n    for: surface displacement"), std::string::npos)
       << cite.out;
   EXPECT_EQ(cite.out.find("Chaboche"), std::string::npos);
@@ -65,6 +73,7 @@ TEST_F(Cite, BibtexHasAnEntryPerPaper)
   const Outcome cite = run({"cite", "--bibtex", "case.toml"});
   EXPECT_EQ(cite.exit_code, 0) << cite.err;
   EXPECT_EQ(cite.out.rfind("@misc{brinell,\n", 0), 0u) << cite.out;
+  EXPECT_NE(cite.out.find("  year = {2026},\n"), std::string::npos);
   EXPECT_NE(cite.out.find("\n@inproceedings{boucly2006,\n"), std::string::npos);
   EXPECT_EQ(std::count(cite.out.begin(), cite.out.end(), '{'), std::count(cite.out.begin(), cite.out.end(), '}'));
 }

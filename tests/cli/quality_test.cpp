@@ -89,6 +89,35 @@ TEST_F(QualityOfRuns, WarningsAreToldAlsoWhenQuiet)
   EXPECT_EQ(std::count(hard.begin(), hard.end(), "large_strain"), 1);
 }
 
+// Waves over a period, pressed so lightly that their mean planes stay apart.
+TEST_F(QualityOfRuns, RoughFlatsTellOfWavesAndOfMeanPlanes)
+{
+  write("case.toml", R"(scenario = "indentation"
+[lower]
+shape = {type = "flat"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
+[upper]
+shape = {type = "flat"}
+texture = {type = "sinusoid", amplitude = "1 um", wavelength_x = "40 um", wavelength_y = "40 um"}
+material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
+[indentation]
+pressure = ["5 MPa", 0]
+steps = 3
+[grid]
+boundary = "periodic"
+size = ["40 um", "40 um"]
+cells = [16, 16]
+)");
+  const Outcome rough = run({"run", "case.toml", "-o", "out"});
+  EXPECT_EQ(rough.exit_code, 0);
+  EXPECT_EQ(rough.err.find("cells per radius"), std::string::npos) << rough.err;
+  EXPECT_NE(rough.out.find("resolution: 16 cells per shortest wave"), std::string::npos) << rough.out;
+  EXPECT_NE(rough.out.find("approach: from where the mean planes meet; negative"), std::string::npos) << rough.out;
+  EXPECT_LT(summary().at("indents").at(0).at("max_approach_m").get<double>(), 0.0);
+  EXPECT_EQ(summary().at("resolution").at("cells_per_shortest_wave").get<double>(), 16.0);
+  EXPECT_TRUE(summary().at("resolution").at("cells_per_contact_radius").is_null());
+}
+
 TEST_F(QualityOfRuns, CheckTellsBefore)
 {
   const Outcome coarse = run({"check", "case.toml", "--set", "grid.resolution=2.5"});

@@ -40,6 +40,9 @@ struct Resolution
   double cells = std::numeric_limits<double>::quiet_NaN();   ///< per contact radius: the smaller of both
   std::optional<int>
       plastic_layers{}; ///< through the depth of the plastic zone, 0 if nothing yields; none: not known yet
+  /// Cells per shortest wave, two points of a height map, of rough flats over a period: their contact is in many patches, which
+  /// have no radius (NaN above), and the tables, of one indent, do not hold.
+  std::optional<double> cells_per_wave{};
   std::vector<ExpectedError> expected_errors{}; ///< none without plastic strain
 };
 
@@ -58,6 +61,8 @@ struct Quality
 [[nodiscard]] Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals);
 [[nodiscard]] Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals);
 [[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals);
+/// The same, and with what its passes say.
+[[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary);
 
 /// One line: "resolution: 9.5 x 9.5 cells per contact radius, 14 layers ...".
 [[nodiscard]] std::string resolution_text(const Resolution& resolution);

@@ -9,10 +9,12 @@ of any steepness and material lie on each other; with two lines of theory then: 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -61,6 +63,22 @@ def _pressure_scale(run: Run) -> float | None:
     return float(slope) * float(modulus) if slope and modulus else None
 
 
+_UNLOADING = {"linestyle": (0, (3, 1.5)), "linewidth": 0.9}
+_DECADE = 10.0
+"""Of the gap, from which on its axis is logarithmic."""
+
+
+def _draw(ax: Axes, pressure: FloatArray, values: FloatArray, look: Mapping[str, Any]) -> bool:
+    """The history as a line, with that of falling pressure thin and broken; whether there is any."""
+    falls = np.diff(pressure) < 0.0
+    unloading = np.concatenate([[False], falls]) | np.concatenate([falls, [False]])
+    loading = np.concatenate([[True], ~falls]) | np.concatenate([~falls, [False]])
+    ax.plot(pressure, np.where(loading, values, np.nan), **look)
+    if falls.any():
+        ax.plot(pressure, np.where(unloading, values, np.nan), **{**look, **_UNLOADING, "label": None})
+    return bool(falls.any())
+
+
 @style.figure
 def contact_fraction(runs: Sequence[Run]) -> Figure | None:
     """Real contact area over the nominal one, and mean gap, over the mean pressure on the period.
@@ -76,26 +94,31 @@ def contact_fraction(runs: Sequence[Run]) -> Figure | None:
     gap = si(largest(one.gap for one in closings), "m")
     fig = style.new_figure(8.6, 3.4)
     left, right = fig.subplots(1, 2)
-    for one, p in zip(closings, shown, strict=True):
-        left.plot(p, one.fraction, **one.entry.look)
-        right.plot(p, one.gap / gap.size, **one.entry.look)
+    unloads = [
+        _draw(ax, p, values, one.entry.look)
+        for one, p in zip(closings, shown, strict=True)
+        for ax, values in ((left, one.fraction), (right, one.gap / gap.size))
+    ]
     if relative:
         p = np.linspace(0.0, largest(shown), 201)
         theory = {"color": style.REFERENCE, "linewidth": 0.9}
         persson = [math.erf(0.5 * math.sqrt(math.pi) * PERSSON * one) for one in p]
-        left.plot(p, persson, label="Persson", linestyle="--", **theory)
+        left.plot(p, persson, label="Persson, elastic", linestyle="--", **theory)
         bound = p[p * SUMMITS <= 1.0]
-        left.plot(bound, SUMMITS * bound, label="Bush, Gibson, Thomas", linestyle=":", **theory)
+        left.plot(bound, SUMMITS * bound, label="Bush, Gibson, Thomas, elastic", linestyle=":", **theory)
         left.legend(handles=left.lines[-2:], loc="lower right")
     left.set_title("(a)  real contact")
     left.set_ylabel("contact area over nominal  $A/A_0$")
     left.set_ylim(0.0, min(1.0, 1.1 * max(largest(one.fraction for one in closings), 1e-3)))
     right.set_title("(b)  mean gap")
     right.set_ylabel(gap.label("", r"\bar g"))
-    right.set_yscale("log")
+    gaps = np.concatenate([one.gap[one.gap > 0.0] for one in closings])
+    if len(gaps) > 0 and gaps.max() >= _DECADE * gaps.min():
+        right.set_yscale("log")
     name = r"mean pressure  $\bar p\,/\,(E' h'_{rms})$" if relative else pressure.label("mean pressure", r"\bar p")
     for ax in (left, right):
         ax.set_xlabel(name)
         ax.set_xlim(left=0.0)
-    legend_beside(right, [one.entry.look for one in closings])
+    looks = [one.entry.look for one in closings]
+    legend_beside(right, looks + [{"color": style.REFERENCE, "label": "unloading", **_UNLOADING}] * any(unloads))
     return fig

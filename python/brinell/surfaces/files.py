@@ -8,7 +8,7 @@ import tomllib
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -16,22 +16,22 @@ from brinell.errors import InputError, IoError, MissingExtraError
 from brinell.surfaces.heightmap import FloatArray, HeightMap
 from brinell.surfaces.units import metres, one_unit, pair
 
+Spacing: TypeAlias = float | str | Sequence[float | str]
+"""Lengths along x and y in m or with a unit; one stands for both."""
 _TEXT = (".csv", ".txt", ".dat")
 """Endings of text files of heights as texture.file of a case takes them."""
 _LARGEST_TEXT = 100_000_000
 """Bytes, as of all texts that a case names."""
 
 
-def read(
-    path: str | Path, *, spacing: Sequence[float] | None = None, unit: str | None = None, fill: bool = False
-) -> HeightMap:
+def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None = None, fill: bool = False) -> HeightMap:
     """Reads a height map.
 
     Args:
         path: .npz as `write` makes it; .npy with heights [ny, nx]; .csv, .txt, .dat with a line per row, as
             texture.file of a case; of any other ending what SurfaceTopography reads.
-        spacing: (dx, dy) [m]; needed where the file has none: .npy, and text that neither `write` has made nor has
-            the header of Gwyddion.
+        spacing: (dx, dy) [m], as numbers or text such as "1 um", or one for both; needed where the file has none: .npy,
+            and text that neither `write` has made nor has the header of Gwyddion, in English or German.
         unit: of the heights, as "um", where the file tells none: text is in m otherwise, .npy and .npz always; in an
             instrument's file of the places as well.
         fill: replace points that the instrument has not measured by a smooth surface (harmonic) through their
@@ -106,9 +106,9 @@ def _head(heightmap: HeightMap) -> dict[str, str]:
     return {"spacing": f"[{dx!r}, {dy!r}]", "x": repr(heightmap.x), "y": repr(heightmap.y), "periodic": periodic}
 
 
-def _needed(spacing: Sequence[float] | None, path: Path) -> tuple[float, float]:
+def _needed(spacing: Spacing | None, path: Path) -> tuple[float, float]:
     if spacing is None:
-        raise InputError(f"a {path.suffix} file has no spacing; give spacing=(dx, dy) in m")
+        raise InputError(f"a {path.suffix} file has no spacing; give spacing=(dx, dy) in m, or as '1 um'")
     return pair(spacing)
 
 
@@ -129,13 +129,13 @@ def _from_npz(path: Path) -> HeightMap:
         return HeightMap(file["heights"], pair(file["spacing"]), x, y, periodic)
 
 
-def _from_text(path: Path, spacing: Sequence[float] | None, unit: str | None) -> HeightMap:
+def _from_text(path: Path, spacing: Spacing | None, unit: str | None) -> HeightMap:
     """Heights in m or in `unit`, after the lines of `write` or the header of Gwyddion, if there are some."""
     if path.stat().st_size > _LARGEST_TEXT:
         raise InputError(f"is too large; allowed: up to {_LARGEST_TEXT / 1e6:.0f} MB of text, or a .npy file")
     text = path.read_text(encoding="utf-8-sig", errors="replace")
-    header = dict(_GWYDDION.findall(text))
-    heights = _numbers(text) * metres(one_unit(header.get("Value units"), unit) if header or unit else "m")
+    header = _header_of_gwyddion(text)
+    heights = _numbers(text) * metres(_unit_of_header(header, unit))
     if spacing is None and {"Width", "Height"} <= header.keys():
         width, height = (_size_of_header(header[name]) for name in ("Width", "Height"))
         return HeightMap(heights, (width / heights.shape[1], height / heights.shape[0]))
@@ -154,22 +154,64 @@ def _told(text: str) -> dict[str, Any]:
         return {}
 
 
-_GWYDDION = re.compile(r"^#\s*(Width|Height|Value units):\s*(.*?)\s*$", re.MULTILINE)
+_WORDS = {
+    "Width": "Width",
+    "Breite": "Width",
+    "Height": "Height",
+    "Höhe": "Height",
+    "Value units": "Value units",
+    "Werteinheiten": "Value units",
+    "Werteinheit": "Value units",
+}
+"""Of Gwyddion's header, in English and in German."""
+_GWYDDION = re.compile(rf"^#\s*({'|'.join(_WORDS)}):\s*(.*?)\s*$", re.MULTILINE)
 """Lines of its header: "# Width: 100 µm"."""
+
+
+def _header_of_gwyddion(text: str) -> dict[str, str]:
+    """By the English words."""
+    return {_WORDS[word]: value for word, value in _GWYDDION.findall(text)}
+
+
+def _unit_of_header(header: dict[str, str], unit: str | None) -> str:
+    """Of the heights; a header that tells their places alone leaves that to the user."""
+    if header and "Value units" not in header and unit is None:
+        raise InputError(
+            "has no line '# Value units: m' in the header of Gwyddion; give unit='m'. Lines that are looked for begin "
+            f"with {', '.join(f'# {word}:' for word in _WORDS)}"
+        )
+    return one_unit(header.get("Value units"), unit) if header or unit else "m"
+
+
+_DECIMAL_COMMA = re.compile(r"[-+]?\d+(?:,\d+)?(?:[eE][-+]?\d+)?")
+
+
+def _has_decimal_commas(lines: list[str]) -> bool:
+    """Whether commas stand in the numbers of a text, which lie between tabs or semicolons, and not between them."""
+    words = [line.replace(";", "\t").split("\t") for line in lines]
+    return (
+        any("," in line for line in lines)
+        and all(len(row) > 1 for row in words)
+        and all(_DECIMAL_COMMA.fullmatch(word.strip()) for row in words for word in row if word.strip())
+    )
 
 
 def _size_of_header(text: str) -> float:
     """In m, of "100 µm"."""
     number, _, unit = text.replace("\N{NO-BREAK SPACE}", " ").partition(" ")
     try:
-        return float(number) * metres(unit.strip())
+        return float(number.replace(",", ".")) * metres(unit.strip())
     except ValueError as error:
         raise InputError(f"has the size {text!r} in its header; allowed: a length, as '100 um'") from error
 
 
 def _numbers(text: str) -> FloatArray:
-    """As the case reader does: numbers between commas, semicolons, tabs or blanks; # begins a comment line."""
-    text = text.translate(str.maketrans(",;\t", "   "))
+    """As the case reader does: numbers between commas, semicolons, tabs or blanks; # begins a comment line.
+
+    Commas between digits in a text with tabs or semicolons between its numbers are decimal commas.
+    """
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    text = text.translate(str.maketrans(",;\t", ".  " if _has_decimal_commas(lines) else "   "))
     rows: list[list[float]] = []
     for number, line in enumerate(text.splitlines(), start=1):
         if not line.strip() or line.lstrip().startswith("#"):
@@ -185,7 +227,7 @@ def _numbers(text: str) -> FloatArray:
     return np.array(rows)
 
 
-def _from_instrument(path: Path, spacing: Sequence[float] | None, unit: str | None, fill: bool) -> HeightMap:
+def _from_instrument(path: Path, spacing: Spacing | None, unit: str | None, fill: bool) -> HeightMap:
     try:
         from SurfaceTopography import read_topography
         from SurfaceTopography.Exceptions import ReadFileError

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -10,10 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brinell._arrays import require_unmasked
+from brinell._names import level_of_caller
 from brinell.errors import InputError
-from brinell.surfaces.units import metres, one_unit
+from brinell.surfaces.units import metres, one_unit, pair
 
 FloatArray = NDArray[np.float64]
+
+_SPACING = "allowed: (dx, dy), both > 0, in m or with a unit as '1 um'; or one length for both"
+_STEEPEST, _HIGHEST = 10.0, 1.0
+"""Root mean square slope, and height over the map's extent, that no measured surface has."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +46,7 @@ class HeightMap:
 
     Attributes:
         heights: [ny, nx], in m, out of the body positive.
-        spacing: distances dx, dy of the points [m].
+        spacing: distances dx, dy of the points [m]; given as such, as text with a unit, or one for both.
         x: centre of the map on the body's surface [m].
         y: the same along y [m].
         periodic: whether the map covers the surface, again and again, with the periods nx dx and ny dy, instead of
@@ -60,13 +66,34 @@ class HeightMap:
             raise InputError(f"heights have the shape {heights.shape}; allowed: [ny, nx] with one point or more")
         bad = int(np.count_nonzero(~np.isfinite(heights)))
         if bad > 0:
-            raise InputError(f"{bad} of {heights.size} heights are not finite: fill what was not measured")
-        spacing = tuple(float(d) for d in np.atleast_1d(self.spacing))
-        if len(spacing) != 2 or not all(np.isfinite(d) and d > 0 for d in spacing):
-            raise InputError(f"the spacing is {self.spacing}; allowed: (dx, dy), both > 0, in m")
+            raise InputError(
+                f"{bad} of {heights.size} heights are not finite: fill what was not measured, as "
+                "surfaces.read(file, fill=True) does of an instrument's file, or numpy.nan_to_num(heights, nan=0.0)"
+            )
+        try:
+            spacing = pair(self.spacing)
+        except (TypeError, ValueError) as error:
+            raise InputError(f"the spacing is {self.spacing!r}; {_SPACING}") from error
+        if not all(np.isfinite(d) and d > 0 for d in spacing):
+            raise InputError(f"the spacing is {self.spacing}; {_SPACING}")
         heights.setflags(write=False)
         object.__setattr__(self, "heights", heights)
         object.__setattr__(self, "spacing", spacing)
+        self._warn_of_units()
+
+    def _warn_of_units(self) -> None:
+        """Heights in nm or um that are taken for m make walls and towers."""
+        if self.Sq <= _HIGHEST * max(self.size) and self.Sdq <= _STEEPEST:
+            return
+        from brinell.case import CaseWarning
+
+        warnings.warn(
+            f"the height map has a root mean square height of {self.Sq:.3g} m and slope of {self.Sdq:.3g} on "
+            f"{self.size[0]:.3g} x {self.size[1]:.3g} m: is a unit missing? Heights and spacing are in m; "
+            "surfaces.read(file, unit='um') takes heights in another unit",
+            CaseWarning,
+            stacklevel=level_of_caller(),
+        )
 
     @classmethod
     def from_topography(cls, topography: Any, *, unit: str | None = None, fill: bool = False) -> HeightMap:

@@ -124,6 +124,11 @@ def _range_of(text: str) -> Range | None:
     if len(parts) not in (2, 3) or ends[0] is None or ends[1] is None:
         if logarithmic:
             raise InputError(f"{text!r} is not a range; allowed: log:START:STOP:COUNT, as in log:1:100:5")
+        if ends[0] is not None and len(parts) > 1 and not re.search(r"[,\"'\[{]", text):
+            raise InputError(
+                f"{text!r} is not a range; allowed: START:STOP:COUNT with both ends included, as in 10:50:3 or "
+                "'1 um:5 um:3', or values with commas between them"
+            )
         return None
     units = [match["unit"] or "" for match in ends if match]
     if units[0] != units[1]:

@@ -158,15 +158,31 @@ def _is_numerical(key: str) -> bool:
 
 def _axis_differences(earlier: Mapping[str, Any], now: Mapping[str, Any]) -> list[str]:
     keys = [key for key in {**earlier, **now} if earlier.get(key) != now.get(key)]
-    told = [f"the axis {key} was {_short(earlier.get(key))}, is {_short(now.get(key))}" for key in keys]
+    told = [f"the axis {key} was {_axis_text(earlier.get(key))}, is {_axis_text(now.get(key))}" for key in keys]
     if not told and list(earlier) != list(now):
         told = [f"the axes were in the order {', '.join(earlier)}, are in the order {', '.join(now)}"]
     return told
 
 
+def _axis_text(axis: Any) -> str:
+    """As it is written behind --over."""
+    if not isinstance(axis, Mapping) or "start" not in axis:
+        return _short(axis)
+    unit = f" {axis['unit']}" if axis.get("unit") else ""
+    count = f":{axis['count']}" if axis.get("count") is not None else ""
+    return f"{'log:' if axis.get('logarithmic') else ''}{axis['start']}{unit}:{axis['stop']}{unit}{count}"
+
+
+_LONGEST = 60
+"""Characters of a value in a message."""
+
+
 def _short(value: object) -> str:
     text = "not set" if value is None else json.dumps(value)
-    return text if len(text) <= 60 else text[:57] + "..."
+    if len(text) <= _LONGEST:
+        return text
+    end = max(text.rfind(mark, 0, _LONGEST) for mark in ", ")  # between two words
+    return text[: end if end > 0 else _LONGEST].rstrip(", ") + " ..."
 
 
 def flattened(entry: Mapping[str, Any], *, lists: bool = False) -> dict[str, Any]:

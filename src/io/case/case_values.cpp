@@ -338,8 +338,9 @@ private:
 
   void missing(const Entry& entry)
   {
-    problems_.add(raw_.place_for(entry.key),
-                  fmt::format("{} is missing; {}", entry.key, allowed(entry, is_pure(entry))));
+    if (!broken_.contains("scenario")) // else nobody knows what is needed
+      problems_.add(raw_.place_for(entry.key),
+                    fmt::format("{} is missing; {}", entry.key, allowed(entry, is_pure(entry))));
     broken_.insert(entry.key);
   }
 

@@ -30,6 +30,9 @@ public:
     problems_.push_back({line_number(place), at_place(place, what)});
   }
 
+  /// What may be the reason of all others: it comes before them.
+  void add_cause(std::string_view place, std::string_view what) { problems_.push_back({0, at_place(place, what)}); }
+
   [[nodiscard]] bool empty() const { return problems_.empty(); }
 
   /// @throws InputError if there is any problem; in the order of the file

@@ -44,6 +44,18 @@ Raw raw_value(const toml::node& node)
   return {Raw::Other{node.is_table() ? "table" : "date or time"}};
 }
 
+/// For a word in the place of a table: the key of that table that may have it, as hardening.law = "none".
+std::string key_of_word(const std::string& table, const Raw& raw)
+{
+  const auto* word = std::get_if<std::string>(&raw.value);
+  for (const Entry& entry : case_schema())
+    if (word && entry.key.starts_with(plain_key(table) + ".") &&
+        std::find(entry.choices.begin(), entry.choices.end(), *word) != entry.choices.end())
+      return fmt::format("; did you mean {}{} = {}?", table, entry.key.substr(plain_key(table).size()),
+                         toml_text(*word));
+  return "";
+}
+
 /// What a flattened tree is written into, and how it names its places.
 struct Target
 {
@@ -105,8 +117,9 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
     else if (is_list_of_tables(path) && node.is_array())
       flatten_list(*node.as_array(), path, target);
     else if (is_table(path))
-      target.problems.add(place, fmt::format("{} = {} is {}, but must be a table with the keys {}", path,
-                                             shown(raw_value(node)), type_name(raw_value(node)), known_keys(path)));
+      target.problems.add(place, fmt::format("{} = {} is {}, but must be a table with the keys {}{}", path,
+                                             shown(raw_value(node)), type_name(raw_value(node)), known_keys(path),
+                                             key_of_word(path, raw_value(node))));
     else if (node.is_table())
       target.problems.add(place, fmt::format("unknown table {}; {}", path, suggestion(path)));
     else
@@ -251,6 +264,15 @@ void apply_override(const std::string& text, RawCase& raw_case, Problems& proble
   take_old_names(target.by_old_names, raw_case, problems);
 }
 
+/// Whether a line, counted from 1, has a string that does not end there.
+bool has_odd_quotes(std::string_view text, std::size_t number)
+{
+  for (; number > 1 && !text.empty(); --number)
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  const std::string_view line = text.substr(0, text.find('\n'));
+  return std::count(line.begin(), line.end(), '"') % 2 == 1;
+}
+
 toml::table parse_toml(std::string_view text, const std::string& file)
 {
   if (const auto line = line_of_deep_key(text))
@@ -263,7 +285,8 @@ toml::table parse_toml(std::string_view text, const std::string& file)
   {
     const auto& position = error.source().begin;
     throw InputError(
-        fmt::format("{}:{}:{}: not valid TOML: {}", file, position.line, position.column, error.description()));
+        fmt::format("{}:{}:{}: not valid TOML: {}{}", file, position.line, position.column, error.description(),
+                    has_odd_quotes(text, position.line) ? "; is a quote missing at the end of the line?" : ""));
   }
 }
 

@@ -84,6 +84,7 @@ void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const sim
 void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper, simulation::Domain& domain,
                bool passing = false)
 {
+  const bool domain_is_known = reader.problems.empty(); // else its sizes are defaults that nobody has given
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
   {
     *body = read_body(reader, name);
@@ -99,7 +100,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
                                       length));
   }
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
-    if (const auto reason = simulation::reason_against_texture(body->texture, domain))
+    if (const auto reason = domain_is_known ? simulation::reason_against_texture(body->texture, domain) : std::nullopt)
       reader.problems.add(reader.place(fmt::format("{}.texture.type", name)),
                           fmt::format("{}.texture does not fit the period: {}", name, *reason));
   reader.problems.throw_if_any();

@@ -5,6 +5,7 @@
 #include "suggestion.hpp"
 #include "value_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -79,6 +80,22 @@ std::string section_note(std::string_view name)
   if (name == "tugging")
     return "With `scenario = \"tugging\"`.\n\n";
   return "";
+}
+
+/// Keys and tables of which a part between dots has that word in it. The upper body has the same as the lower one.
+std::vector<std::string> keys_with(std::string_view word)
+{
+  std::vector<std::string> keys;
+  for (const Entry& entry : case_schema())
+  {
+    const auto at = entry.key.find(word);
+    if (at == entry.key.npos || entry.key.starts_with("upper."))
+      continue;
+    const std::string key = entry.key.substr(0, entry.key.find('.', at + word.size()));
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      keys.push_back(key);
+  }
+  return keys;
 }
 
 constexpr std::string_view markdown_head = R"(<!-- Written by `brinell schema --markdown`; do not edit. -->
@@ -156,7 +173,12 @@ std::string schema_text(std::string_view part)
   if (const OldName* old = find_old_name(part))
     throw InputError(fmt::format("{} is now called {}", part, new_name_text(*old)));
   if (!part.empty() && !find_entry(part) && !is_table(part))
-    throw InputError(fmt::format("there is no key {}; {}", part, suggestion(part)));
+  {
+    const auto keys = keys_with(part);
+    throw InputError(
+        fmt::format("there is no key {}; {}", part,
+                    keys.empty() ? suggestion(part) : fmt::format("with that word: {}", fmt::join(keys, ", "))));
+  }
   std::string text;
   for (const Entry& entry : case_schema())
   {

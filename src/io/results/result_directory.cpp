@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/versions.hpp"
+#include "case_difference.hpp"
 #include "earlier_result.hpp"
 #include "hdf5.hpp"
 #include "io/files.hpp"
@@ -15,7 +16,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <limits>
-#include <sstream>
 #include <sys/file.h>
 #include <unistd.h>
 #include <utility>
@@ -136,32 +136,26 @@ InputError nothing_to_resume(const fs::path& folder)
   return InputError(fmt::format("{}: no run was stopped there that could be resumed", folder.string()));
 }
 
-/// A case without what only decides with which grids a run begins: they grow as far as they must.
-std::string without_extent(const std::string& text)
-{
-  std::string kept;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.starts_with("extent = "))
-      kept += line + "\n";
-  return kept;
-}
-
 /// What a run can go on from: nothing if it was stopped before its first checkpoint.
 std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
 {
-  if (fs::exists(folder / "summary.json"))
-    throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
+  const bool is_complete = fs::exists(folder / "summary.json");
   if (!fs::is_regular_file(folder / "resolved.toml"))
-    throw nothing_to_resume(folder);
-  const std::string text = input_text(folder / "resolved.toml", std::numeric_limits<std::size_t>::max());
-  if (without_extent(text) != without_extent(resolved_files(c.values).text))
   {
-    static_cast<void>(read_checkpoint(folder / checkpoint_file)); // of another program, whose keys may have other names
-    throw InputError(fmt::format("{}: the run that was stopped there is of another case: compare resolved.toml there "
-                                 "with what brinell check prints; without --resume it is replaced",
-                                 folder.string()));
+    if (!is_complete)
+      throw nothing_to_resume(folder);
+    throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
   }
+  const std::string text = input_text(folder / "resolved.toml", std::numeric_limits<std::size_t>::max());
+  if (const std::string difference = case_difference(text, resolved_files(c.values).text); !difference.empty())
+  {
+    if (!is_complete) // it may be of another program, whose keys have other names
+      static_cast<void>(read_checkpoint(folder / checkpoint_file));
+    throw InputError(fmt::format("{}: the run {} there is of another case: {}; without --resume it is replaced",
+                                 folder.string(), is_complete ? "that is complete" : "that was stopped", difference));
+  }
+  if (is_complete)
+    throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
   return read_checkpoint(folder / checkpoint_file);
 }
 

@@ -204,10 +204,13 @@ Json resolution_json(const simulation::Resolution& r)
   Json json = {{"cells_per_contact_radius", r.cells},
                {"cells_per_contact_radius_x", r.cells_x},
                {"cells_per_contact_radius_y", r.cells_y},
+               {"cells_per_shortest_wave", nullptr},
                {"layers_of_plastic_zone", nullptr},
                {"expected_errors", Json::object()},
                {"text", simulation::resolution_text(r)},
                {"source", "estimate from the convergence tables of brinell, docs/verification.md"}};
+  if (r.cells_per_wave)
+    json["cells_per_shortest_wave"] = *r.cells_per_wave;
   if (r.plastic_layers)
     json["layers_of_plastic_zone"] = *r.plastic_layers;
   for (const simulation::ExpectedError& e : r.expected_errors)

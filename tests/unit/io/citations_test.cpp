@@ -183,7 +183,7 @@ TEST(References, LinesBeginWithTheProgram)
   const Case c = sample::parsed();
   const auto lines = citation_lines(c);
   ASSERT_EQ(lines.size(), citations(c).size() + 1);
-  EXPECT_TRUE(lines.front().starts_with("The brinell authors. brinell: ")) << lines.front();
+  EXPECT_TRUE(lines.front().starts_with("The brinell authors (2026). brinell: ")) << lines.front();
   EXPECT_TRUE(lines[1].ends_with("[tugging of two asperities, their motion and forces]")) << lines[1];
 }
 

@@ -182,6 +182,23 @@ TEST(PeriodicCase, TexturesThatDoNotFitThePeriod)
                  18, {"upper.texture does not fit the period", "beyond the period of 0.001 x 0.001 m"});
 }
 
+// Without a size there is no period that a texture could not fit: the default of 1 m is nobody's.
+TEST(PeriodicCase, AMissingSizeIsTheOnlyProblem)
+{
+  const std::string text = indentation(wavy, "pressure = [\"1 MPa\"]", "boundary = \"periodic\"\ncells = [16, 16]");
+  try
+  {
+    static_cast<void>(parse_case(text, "sample.toml", {}));
+    FAIL() << "accepted";
+  }
+  catch (const InputError& error)
+  {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("grid.size is missing"), what.npos) << what;
+    EXPECT_EQ(what.find('\n'), what.npos) << what;
+  }
+}
+
 TEST(PeriodicCase, BodiesThatTouchInNoWay)
 {
   const std::string grid = std::string(both) + "cells = [16, 16]";

@@ -231,6 +231,53 @@ TEST(Texture, FinerThanTheCellsCountsWithItsMean)
   EXPECT_LT(cell_depth(bump, 0.0, 0.0, 10.5e-6, 10.5e-6), -1e-9);
 }
 
+// Half of the energy in one quarter is no average; a tenth more is what is called steady.
+TEST(Quality, UnsteadyTrack)
+{
+  const RollingCase c = ball_on_flat();
+  RollingSummary s;
+  static_cast<RunTotals&>(s) = good_totals(c);
+  s.passes.resize(2);
+  s.passes[1].unsteadiness = 0.1;
+  EXPECT_EQ(keys(quality(c, plan(c), s)), Keys{});
+  s.passes[1].unsteadiness = 0.5;
+  const Quality unsteady = quality(c, plan(c), s);
+  ASSERT_EQ(keys(unsteady), Keys{"unsteady_track"});
+  EXPECT_NE(unsteady.warnings[0].text.find("pass 2: the energy taken up per length differs by 50 %"),
+            std::string::npos);
+  EXPECT_EQ(unsteady.warnings[0].text.find("texture"), std::string::npos);
+}
+
+TEST(Quality, RoughFlatsHaveWavesAndNoContactRadius)
+{
+  IndentationCase c;
+  c.lower = {Plane{}, {{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}}};
+  c.upper = {Plane{}, {{210e9, 0.3}, {}}};
+  c.upper.texture = Sinusoid{.amplitude = 1e-6, .wavelength_x = 40e-6, .wavelength_y = 80e-6};
+  for (Domain::Axis* axis : {&c.domain.x, &c.domain.y})
+    *axis = {Boundary::periodic, 80e-6, 20}; // cells of 4 um
+  c.domain.layer = 2e-6;
+  c.sequence = {{contact::Drive::Kind::load, 0.1}};
+  const Resolution expected = expected_quality(c, plan(c)).resolution;
+  EXPECT_DOUBLE_EQ(expected.cells_per_wave.value(), 10.0);
+  EXPECT_TRUE(std::isnan(expected.cells));
+  EXPECT_TRUE(expected.expected_errors.empty());
+  RunTotals t;
+  t.coverage = {5, 5, 8};
+  t.max_equivalent_plastic_strain = 0.01;
+  t.energy_balance_error = 1e-3;
+  const Quality q = quality(c, plan(c), t);
+  EXPECT_EQ(keys(q), Keys{});
+  EXPECT_EQ(resolution_text(q.resolution),
+            "resolution: 10 cells per shortest wave, of a contact in patches of any size, "
+            "8 layers through the plastic zone");
+  t.coverage.contact_columns = t.coverage.contact_rows = 0;
+  EXPECT_EQ(resolution_text(quality(c, plan(c), t).resolution), "resolution: no contact");
+  c.upper.texture = {}; // one pile of cells for a ball in a period, as for one alone
+  c.upper.shape = Paraboloid{1e-4, 1e-4};
+  EXPECT_FALSE(expected_quality(c, plan(c)).resolution.cells_per_wave.has_value());
+}
+
 TEST(Quality, TexturesOfTugging)
 {
   const constitutive::Material steel{{200e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
