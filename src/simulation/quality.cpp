@@ -49,6 +49,7 @@ constexpr Documented of_indentation[] = {{"load", 0.014, 5.0, 2.0},
                                          {"residual depth", 0.022, 5.6, 1.5},
                                          {"hardness", 0.03, 5.6, 1.0},
                                          {"pile-up", 0.065, 5.6, 1.5},
+                                         {"residual stress at a depth", 0.05, 8.0, 1.5},
                                          {"largest pressure and strain", 0.09, 8.0, 1.0}};
 constexpr Documented of_rolling[] = {
     {"rut", 0.05, 4.0, 1.5}, {"resistance", 0.08, 4.0, 1.5}, {"dissipation", 0.07, 4.0, 1.5}};
