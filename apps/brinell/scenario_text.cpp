@@ -23,7 +23,7 @@ std::string step_text(const io::Case&, const simulation::IndentationRecord& reco
 
 std::string step_text(const io::Case&, const simulation::RollingRecord& record)
 {
-  return fmt::format("pass {}  x {:+.3e} m", record.pass + 1, record.x);
+  return fmt::format("pass {}  x {:+.3e} m", record.pass, record.x);
 }
 
 namespace

@@ -55,6 +55,17 @@ TEST_F(Commands, SchemaTellsAKeyATableOrAllToAnEditor)
   EXPECT_EQ(run({"schema", "grid", "--json"}).exit_code, 2);
 }
 
+TEST_F(Commands, ConsoleCountsPassesAsTheHistoryDoes)
+{
+  ASSERT_EQ(run({"new", "rolling", "-o", "case.toml"}).exit_code, 0);
+  const Outcome outcome =
+      run({"run", "case.toml", "-o", "out", "--set", "rolling.distance=0.2 mm", "--set", "grid.resolution=3"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string told = outcome.out + outcome.err;
+  EXPECT_NE(told.find("pass 1  x "), std::string::npos) << told;
+  EXPECT_EQ(told.find("pass 2"), std::string::npos) << told;
+}
+
 TEST_F(Commands, CheckPrintsACaseThatChecksTheSame)
 {
   write("case.toml", quick_case);
