@@ -28,8 +28,8 @@ def in_source(suite: str, test: str) -> tuple[str, str]:
 
 def words(name: str) -> str:
     """'PaperTugging' -> 'Paper tugging'."""
-    text = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)
-    return text[:1] + re.sub(r"\b[A-Z](?=[a-z])", lambda m: m.group().lower(), text[1:])
+    text = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
+    return text[:1] + re.sub(r"\b[A-Z](?=[a-z]|\b)", lambda m: m.group().lower(), text[1:])
 
 
 def tests_of(folder: Path) -> dict[tuple[str, str], bool]:

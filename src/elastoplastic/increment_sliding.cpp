@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-/// What friction adds to an increment: docs/theory/elastoplastic.md (friction).
+/// What friction adds to an increment: docs/theory/elastoplastic.md (coulomb).
 namespace brinell::elastoplastic
 {
 

@@ -12,7 +12,7 @@
 namespace brinell::elastoplastic
 {
 
-/// Coulomb friction of surfaces that slide everywhere where they touch: docs/theory/elastoplastic.md (friction).
+/// Coulomb friction of surfaces that slide everywhere where they touch: docs/theory/elastoplastic.md (coulomb).
 struct Friction
 {
   double coefficient = 0.0; ///< shear over pressure, >= 0; 0: none
