@@ -388,6 +388,6 @@ def test_the_schema_of_editors_takes_the_cases_of_new(scenario: str, folder: Pat
 
 def test_the_readme_installs_what_its_commands_need() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    (extras,) = re.findall(r'`pip install "\.\[([\w,]+)\]"`', readme)
+    (extras,) = re.findall(r'^pip install -v "\.\[([\w,]+)\]"', readme, re.MULTILINE)
     assert "brinell sweep" in readme
     assert "sweep" in extras.split(",")

@@ -227,7 +227,7 @@ def test_with_values_keeps_the_class() -> None:
 @pytest.mark.parametrize("scenario", [brinell.Tugging, brinell.Indentation, brinell.Rolling])
 def test_a_scenario_has_all_keys_of_its_table(scenario: type) -> None:
     arguments = set(inspect.signature(scenario.__init__).parameters)
-    shared = {"self", "lower", "upper", "title", "grid", "solver", "output"}
+    shared = {"self", "lower", "upper", "title", "interface", "grid", "solver", "output"}
     assert arguments - shared == keys_of(scenario.__name__.lower())
 
 

@@ -48,6 +48,7 @@ UNITS: Mapping[str, str] = {
         (
             "young_modulus",
             "yield_stress",
+            "shear_limit",
             "modulus",
             "coefficient",
             "saturation",
