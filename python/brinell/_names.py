@@ -49,7 +49,7 @@ def renamed(**names: str) -> Callable[[type[_T]], type[_T]]:
 
         kind.__init__ = initialise  # type: ignore[method-assign,assignment]
         for old, new in names.items():
-            setattr(kind, old, property(functools.partial(_attribute, old, new)))
+            setattr(kind, old, property(functools.partial(_attribute, old, new), doc=f"The old name of `{new}`."))
         return kind
 
     return decorate
