@@ -65,6 +65,7 @@ TEST(DepthWaves, SumToTheDecayOfHeatAtAllTimes)
       double sum = 0.0;
       for (const DepthWave& wave : waves)
         sum += wave.weight * std::exp(-kappa * wave.number * wave.number * t);
+      // The trapezoidal rule leaves some e^{-pi^2/(2 * 0.4)} = 4.4e-6, times a factor of order one.
       EXPECT_NEAR(sum * std::sqrt(pi * kappa * t), 1.0, 2e-5) << t << " of " << longest;
     }
   }
@@ -144,7 +145,9 @@ TEST_P(HeatInSteps, ManyStepsAreOne)
     error = std::max(error, std::abs(split[n] - whole[n]));
   }
   std::printf("%d steps, shift %d, heat %.2g cells: %.1e\n", steps, shift, heat_length, error / largest);
-  EXPECT_LT(error, 1e-3 * largest);
+  // The sum over waves in depth is good to some 1e-6; of the edges of the cells the memory does not know the waves beyond the
+  // shortest, of which exp(-(pi w/2)^2) is left after a step in which heat spreads by w cells: half of them for w = 1/2.
+  EXPECT_LT(error, (heat_length < 1.0 ? 1e-3 : 1e-5) * largest);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HeatInSteps,
