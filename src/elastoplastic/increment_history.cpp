@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+#include "brinell/foundation/error.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+/// What an increment leaves to the next one: in a checkpoint, and on larger grids.
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// A texture is a part of the case, not of the history: what is stored must be the same.
+void exchange_texture(Archive& archive, const std::string& name, const std::vector<double>& texture)
+{
+  std::vector<double> stored = texture;
+  archive.list(name, stored);
+  const auto alike = [](double a, double b)
+  { return std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b)); }; // rounding
+  if (!std::equal(stored.begin(), stored.end(), texture.begin(), texture.end(), alike))
+    throw InputError("the texture of a surface is not that of the stored state");
+}
+
+} // namespace
+
+void CoupledContact::exchange(Archive& archive)
+{
+  for (Side& side : sides_)
+    archive(&side == &sides_.front() ? "lower" : "upper", side.body);
+  exchange_texture(archive, "lower.texture", textures_.lower);
+  exchange_texture(archive, "upper.texture", textures_.upper);
+  for (const auto& [name, place] : {std::pair{"lower", &placement_.lower}, {"upper", &placement_.upper}})
+  {
+    constexpr int most_columns = 1 << 28; // differences stay whole numbers
+    archive(std::string(name) + ".column", place->column, -most_columns, most_columns);
+    archive(std::string(name) + ".fraction", place->fraction, 0.0, 1.0);
+  }
+  archive("approach", approach_);
+  archive("pressure", pressure_);
+  archive("gap", gap_);
+  if (sliding_)
+    archive("sliding", sliding_->state());
+}
+
+History CoupledContact::take_history() &&
+{
+  History history{grid(), lower().grid(), upper().grid(), {}, placement_, approach_, std::move(pressure_)};
+  for (Side& side : sides_)
+    history.solved.push_back(std::move(side.body).take_state());
+  if (sliding_)
+    history.sliding = sliding_->state();
+  return history;
+}
+
+void CoupledContact::continue_from(History history)
+{
+  const auto columns_added = [](int now, int before)
+  {
+    if (now < before || (now - before) % 2 != 0)
+      throw InternalError("CoupledContact: a history continues on larger grids with the same middle");
+    return (now - before) / 2;
+  };
+  const int columns = columns_added(grid().nx, history.contact.nx);
+  const int rows = columns_added(grid().ny, history.contact.ny);
+  for (int j = 0; j < history.contact.ny; ++j)
+    std::copy_n(history.pressure.data() + history.contact.index(0, j), history.contact.nx,
+                pressure_.data() + grid().index(columns, j + rows));
+  approach_ = history.approach;
+  placement_ = history.placement;
+  placement_.lower.column += columns_added(lower().grid().surface.nx, history.lower_grid.surface.nx) - columns;
+  placement_.upper.column += columns_added(upper().grid().surface.nx, history.upper_grid.surface.nx) - columns;
+  if (sliding_)
+    sliding_->embed(history.sliding, history.contact);
+  spread(placement_);
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid, sides_[i].load());
+  if (sliding_)
+    recall_sliding();
+}
+
+} // namespace brinell::elastoplastic
