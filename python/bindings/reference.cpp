@@ -5,6 +5,7 @@
 #include "brinell/reference/critical.hpp"
 #include "brinell/reference/elastic_tugging.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "brinell/reference/sliding_contact.hpp"
 #include "brinell/reference/spherical_indentation.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -47,8 +48,9 @@ auto as_tuple(const ref::LineContact& c, double contact_modulus, double referenc
                     ref::line_contact_approach(c, contact_modulus, reference)};
 }
 
+/// Of the pressure, and of the shear friction x pressure along x.
 Output point_contact_stress(const Input& x, const Input& y, const Input& z, double contact_radius, double peak_pressure,
-                            double poisson_ratio)
+                            double poisson_ratio, double friction)
 {
   const std::size_t n = x.size();
   const auto xs = values(x, {n}, "x");
@@ -59,14 +61,15 @@ Output point_contact_stress(const Input& x, const Input& y, const Input& z, doub
       [&]
       {
         for (std::size_t i = 0; i < n; ++i)
-          store(ref::point_contact_stress(xs[i], ys[i], zs[i], contact_radius, peak_pressure, poisson_ratio), stress, n,
-                i);
+          store(ref::sliding_point_contact_stress(xs[i], ys[i], zs[i], contact_radius, peak_pressure, poisson_ratio,
+                                                  friction),
+                stress, n, i);
       });
   return array(std::move(stress), {6, n});
 }
 
 Output line_contact_stress(const Input& x, const Input& z, double half_width, double peak_pressure,
-                           double poisson_ratio)
+                           double poisson_ratio, double friction)
 {
   const std::size_t n = x.size();
   const auto xs = values(x, {n}, "x");
@@ -76,7 +79,8 @@ Output line_contact_stress(const Input& x, const Input& z, double half_width, do
       [&]
       {
         for (std::size_t i = 0; i < n; ++i)
-          store(ref::line_contact_stress(xs[i], zs[i], half_width, peak_pressure, poisson_ratio), stress, n, i);
+          store(ref::sliding_line_contact_stress(xs[i], zs[i], half_width, peak_pressure, poisson_ratio, friction),
+                stress, n, i);
       });
   return array(std::move(stress), {6, n});
 }
@@ -181,25 +185,22 @@ void bind_reference(nb::module_& m)
       },
       "radius"_a, "contact_modulus"_a, "approach"_a, "reference"_a);
   m.def("point_contact_stress", &point_contact_stress, "x"_a, "y"_a, "z"_a, "contact_radius"_a, "peak_pressure"_a,
-        "poisson_ratio"_a);
-  m.def("line_contact_stress", &line_contact_stress, "x"_a, "z"_a, "half_width"_a, "peak_pressure"_a,
-        "poisson_ratio"_a);
+        "poisson_ratio"_a, "friction"_a);
+  m.def("line_contact_stress", &line_contact_stress, "x"_a, "z"_a, "half_width"_a, "peak_pressure"_a, "poisson_ratio"_a,
+        "friction"_a);
+  const auto as_tuple_of_yield = [](const ref::SlidingYield& y) {
+    return std::tuple{y.pressure_ratio, y.depth_ratio, y.x_ratio};
+  };
   m.def(
       "first_yield",
-      [](double poisson_ratio)
-      {
-        const ref::FirstYield y = ref::first_yield(poisson_ratio);
-        return std::tuple{y.pressure_ratio, y.depth_ratio};
-      },
-      "poisson_ratio"_a);
+      [=](double poisson_ratio, double friction)
+      { return as_tuple_of_yield(ref::sliding_first_yield(poisson_ratio, friction)); },
+      "poisson_ratio"_a, "friction"_a);
   m.def(
       "line_contact_first_yield",
-      [](double poisson_ratio)
-      {
-        const ref::FirstYield y = ref::line_contact_first_yield(poisson_ratio);
-        return std::tuple{y.pressure_ratio, y.depth_ratio};
-      },
-      "poisson_ratio"_a);
+      [=](double poisson_ratio, double friction)
+      { return as_tuple_of_yield(ref::line_sliding_first_yield(poisson_ratio, friction)); },
+      "poisson_ratio"_a, "friction"_a);
   m.def("critical_pressure_ratio", &ref::critical_pressure_ratio, "poisson_ratio"_a);
   m.def(
       "critical_values",

@@ -88,6 +88,22 @@ def test_first_yield_is_where_the_field_is_largest() -> None:
     assert (xx - zz).max() * first.pressure_ratio == pytest.approx(1.0, rel=1e-6)
 
 
+def test_friction_brings_first_yield_to_the_edge_behind_the_slider() -> None:
+    assert reference.first_yield(0.3, 0.0) == reference.first_yield(0.3)
+    beneath, edge = reference.first_yield(0.3, 0.2), reference.first_yield(0.3, 0.4)
+    assert beneath.pressure_ratio == pytest.approx(1.5684, abs=3e-4)  # Cerruti's point force, on a grid of a/50
+    assert beneath.x_ratio == pytest.approx(0.2, abs=0.05)
+    assert (edge.x_ratio, edge.depth_ratio) == (-1.0, 0.0)
+    xx, _, _, _, xz, _ = reference.point_contact_stress([-1.0, 0.0], 0.0, 0.0, 1.0, 1.0, 0.3, friction=0.4)
+    assert xx[0] == pytest.approx((1 - 2 * 0.3) / 3 + 0.4 * np.pi * 4.3 / 8, abs=1e-7)  # Hamilton 1983
+    assert xz[1] == pytest.approx(-0.4, rel=1e-9)
+    line = reference.line_contact_first_yield(0.3, 0.3)
+    stress = reference.line_contact_stress(line.x_ratio, line.depth_ratio, 1.0, 1.0, 0.3, friction=0.3)
+    xx, yy, zz, _, xz, _ = stress
+    von_mises = np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * xz**2)
+    assert von_mises * line.pressure_ratio == pytest.approx(1.0, rel=1e-10)
+
+
 def test_critical_values_are_those_of_hertz() -> None:
     critical = reference.critical_values(0.01, 1.1e11, 8e8, poisson_ratio=0.3)
     hertz = reference.point_contact(0.01, 1.1e11, approach=critical.interference)
@@ -172,6 +188,7 @@ def test_peak_and_work_of_elastic_tugging_are_those_of_its_forces() -> None:
         (lambda: reference.point_contact(0.01, 1e11, load=1.0, approach=1e-6), "either load or approach"),
         (lambda: reference.line_contact(0.0, 1e11, 1.0), "radius = 0"),
         (lambda: reference.first_yield(0.6), "0.6 is outside"),
+        (lambda: reference.first_yield(0.3, -0.1), "friction = -0.1"),
         (lambda: reference.kogut_etsion_load([1.0, 111.0]), "111"),
         (lambda: reference.critical_values(0.01, 1e11, 1e9), "either poisson_ratio or C"),
         (lambda: reference.critical_line_values(0.01, 1e11, 1e9), "either poisson_ratio or C"),

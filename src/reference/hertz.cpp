@@ -3,6 +3,7 @@
 
 #include "reference/bisection.hpp"
 #include "reference/require.hpp"
+#include "reference/spheroidal.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -96,20 +97,6 @@ void require_contact(double radius_x, double radius_y, double contact_modulus)
   require_positive(radius_x, "radius");
   require_positive(radius_y, "radius");
   require_positive(contact_modulus, "contact modulus");
-}
-
-/// Oblate spheroidal coordinates, both >= 0, of a point r, z in units of the contact radius.
-std::pair<double, double> spheroidal(double r2, double z)
-{
-  const double A = r2 + z * z - 1.0;
-  const double S = std::hypot(A, 2.0 * z);
-  if (A > 0.0)
-  {
-    const double xi = std::sqrt(0.5 * (S + A));
-    return {xi, z / xi};
-  }
-  const double eta = std::sqrt(0.5 * (S - A));
-  return {eta > 0.0 ? z / eta : 0.0, eta};
 }
 
 /// ln(2 l/a); 0 without a load, whose products with it vanish.

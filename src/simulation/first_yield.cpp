@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/first_yield.hpp"
 
-#include "brinell/reference/hertz.hpp"
+#include "brinell/reference/sliding_contact.hpp"
 #include "domain.hpp"
 
 #include <algorithm>
@@ -15,15 +15,26 @@ namespace
 
 using constitutive::Material;
 
+/// Peak pressure over yield stress.
+double pressure_ratio(double poisson_ratio, ContactKind kind, double friction)
+{
+  if (kind == ContactKind::line)
+    return reference::line_sliding_first_yield(poisson_ratio, friction).pressure_ratio;
+  // The fit without friction, as in the paper; its error of 0.15 % must not make the friction strengthen the body.
+  const double frictionless = reference::critical_pressure_ratio(poisson_ratio);
+  if (friction == 0.0)
+    return frictionless;
+  return std::min(frictionless, reference::sliding_first_yield(poisson_ratio, friction).pressure_ratio);
+}
+
 /// Of one body; empty if it stays elastic.
-std::optional<PairYield> yield_of(const Material& material, double factor, YieldsFirst body, ContactKind kind)
+std::optional<PairYield> yield_of(const Material& material, double factor, YieldsFirst body, ContactKind kind,
+                                  double friction = 0.0)
 {
   if (!material.is_plastic())
     return std::nullopt;
-  const double nu = material.elastic.poisson_ratio;
-  const double pressure_ratio = kind == ContactKind::line ? reference::line_contact_first_yield(nu).pressure_ratio
-                                                          : reference::critical_pressure_ratio(nu);
-  return PairYield{pressure_ratio, factor * constitutive::initial_yield_stress(*material.hardening), body};
+  return PairYield{pressure_ratio(material.elastic.poisson_ratio, kind, friction),
+                   factor * constitutive::initial_yield_stress(*material.hardening), body};
 }
 
 std::optional<PairYield> weaker(const std::optional<PairYield>& lower, const std::optional<PairYield>& upper)
@@ -77,10 +88,10 @@ std::optional<PairYield> nominal_yield(const Material& lower, const Material& up
   return weaker(yield_of(lower, 1.0, YieldsFirst::lower, kind), yield_of(upper, 1.0, YieldsFirst::upper, kind));
 }
 
-std::optional<PairYield> earliest_yield(const Material& lower, const Material& upper, ContactKind kind)
+std::optional<PairYield> earliest_yield(const Material& lower, const Material& upper, ContactKind kind, double friction)
 {
-  return weaker(yield_of(lower, smallest_yield_factor(lower), YieldsFirst::lower, kind),
-                yield_of(upper, smallest_yield_factor(upper), YieldsFirst::upper, kind));
+  return weaker(yield_of(lower, smallest_yield_factor(lower), YieldsFirst::lower, kind, friction),
+                yield_of(upper, smallest_yield_factor(upper), YieldsFirst::upper, kind, friction));
 }
 
 std::optional<std::string> reason_against_first_yield(const ShapedBody& lower, const ShapedBody& upper,
@@ -103,10 +114,11 @@ std::optional<FirstYield> nominal_first_yield(const ShapedBody& lower, const Sha
   return first_yield_of(lower, upper, domain, nominal_yield(lower.material, upper.material, kind));
 }
 
-std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
+std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
+                                               double friction)
 {
   const ContactKind kind = contact_kind(lower.shape, upper.shape, domain);
-  return first_yield_of(lower, upper, domain, earliest_yield(lower.material, upper.material, kind));
+  return first_yield_of(lower, upper, domain, earliest_yield(lower.material, upper.material, kind, friction));
 }
 
 double smallest_yield_factor(const Material& material)

@@ -38,13 +38,13 @@ struct Pair
   double flow_stress;    ///< at the representative strain [Pa]
 };
 
-Pair pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain)
+Pair pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain, double friction)
 {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Pair pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
-  if (const std::optional<PairYield> yield =
-          earliest_yield(lower.material, upper.material,
-                         touch_all_along_y(lower.shape, upper.shape, domain) ? ContactKind::line : ContactKind::point))
+  if (const std::optional<PairYield> yield = earliest_yield(
+          lower.material, upper.material,
+          touch_all_along_y(lower.shape, upper.shape, domain) ? ContactKind::line : ContactKind::point, friction))
     pair.yield_pressure = yield->peak_pressure();
   for (const ShapedBody* body : {&lower, &upper})
     if (body->material.is_plastic())
@@ -268,11 +268,12 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
                     reference, domain.reference > 0.0 ? "" : ", the default,", half));
 }
 
-Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
+Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain,
+                           double friction)
 {
   if (const auto reason = reason_against_contact(lower, upper, domain))
     throw InputError("the bodies " + *reason);
-  Footprint f = of_shapes(pair_of(lower, upper, domain), lower.shape, upper.shape, drive, domain);
+  Footprint f = of_shapes(pair_of(lower, upper, domain, friction), lower.shape, upper.shape, drive, domain);
   require_within_reference(f.half_x, f.half_y, lower, upper, domain);
   const double half_y = f.endless_y ? std::numeric_limits<double>::infinity() : f.half_y;
   f.depth = std::max(stressed_depth(f.half_x, half_y), 1.3 * f.plastic_reach);
@@ -281,14 +282,15 @@ Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, con
   return f;
 }
 
-Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain)
+Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain,
+                    double friction)
 {
   if (drive.kind == Drive::Kind::load)
     require_finite_depth(lower, upper, drive.value, domain);
-  const Pair pair = pair_of(lower, upper, domain);
+  const Pair pair = pair_of(lower, upper, domain, friction);
   if (domain.is_periodic() && are_flat(lower, upper) && !are_smooth(lower, upper))
     return of_flats(lower, upper, pair.modulus, pair.yield_pressure, domain);
-  Footprint f = smooth_footprint(lower, upper, drive, domain);
+  Footprint f = smooth_footprint(lower, upper, drive, domain, friction);
   if (!domain.is_periodic())
   {
     add_textures(lower, upper, drive, pair.modulus, domain, f);

@@ -24,13 +24,14 @@ struct Footprint
   double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
 };
 
+/// @param friction  of surfaces that slide: it counts for first yield.
 /// @throws InputError with reason_against_contact; KeyError: see require_within_reference.
 [[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
-                                  const Domain& domain);
+                                  const Domain& domain, double friction = 0.0);
 
 /// The same without the textures.
 [[nodiscard]] Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
-                                         const Domain& domain);
+                                         const Domain& domain, double friction = 0.0);
 
 /// With one periodic axis the displacement counts from the reference distance. As the half-width of the contact grows to twice
 /// that, the approach stops growing with the load, and the operator is no longer positive definite: half of it is allowed.

@@ -94,7 +94,7 @@ template <typename ScenarioCase>
 Facts shaped_facts(const ScenarioCase& c, const Plan& plan, const contact::Drive& drive)
 {
   Facts f = common_facts(c, plan);
-  const Footprint foot = footprint(c.lower, c.upper, drive, c.domain);
+  const Footprint foot = footprint(c.lower, c.upper, drive, c.domain, c.friction.coefficient);
   f.half_x = foot.half_x;
   f.half_y = foot.half_y;
   f.is_patchy = c.domain.is_periodic();

@@ -184,7 +184,8 @@ RollingPlan plan(const RollingCase& rolling)
                        : "");
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
-  const Footprint f = footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain);
+  const Footprint f =
+      footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain, rolling.friction.coefficient);
   RollingPlan plan;
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;

@@ -39,6 +39,7 @@ Pair pair_of(const TuggingCase& tugging)
 {
   const ShapedBody& lower = tugging.lower;
   const ShapedBody& upper = tugging.upper;
+  const double friction = tugging.friction.coefficient;
   if (const auto reason = reason_against_contact(lower, upper, tugging.domain))
     throw InputError("the bodies " + *reason);
   Pair pair;
@@ -52,12 +53,12 @@ Pair pair_of(const TuggingCase& tugging)
     const double a = std::sqrt(*radius * tugging.interference);
     pair.contact = {a, a};
     require_within_reference(a, a, lower, upper, tugging.domain);
-    if (const auto yield = earliest_first_yield(lower, upper, tugging.domain))
+    if (const auto yield = earliest_first_yield(lower, upper, tugging.domain, friction))
       pair.first_yield = std::min(pair.first_yield, yield->critical.interference);
     return pair;
   }
   const Footprint f =
-      smooth_footprint(lower, upper, {contact::Drive::Kind::approach, tugging.interference}, tugging.domain);
+      smooth_footprint(lower, upper, {contact::Drive::Kind::approach, tugging.interference}, tugging.domain, friction);
   pair.contact = {f.elastic_x, f.elastic_y, f.straight_y};
   pair.first_yield = std::min(pair.first_yield, f.first_yield_approach);
   return pair;

@@ -9,9 +9,9 @@
 
 /// Where a pair of bodies begins to yield. Materials may change with depth, so there are two answers, side by side here:
 /// nominal ones by the yield stress of the hardening law, whatever its profile over depth, the unit of all that is normalised
-/// (Boucly, Nelias, Green 2006, Eqs. 24-28); and the earliest ones by the smallest yield stress at any depth: up to there
-/// nothing yields, but for initial stresses, however deep the softest layer lies. Grids, tolerances and warnings go by these.
-/// Without profiles both are the same.
+/// (Boucly, Nelias, Green 2006, Eqs. 24-28); and the earliest ones by the smallest yield stress at any depth, and with friction: up to
+/// there nothing yields, but for initial stresses, however deep the softest layer lies. Grids, tolerances and warnings go by these.
+/// Without profiles and friction both are the same.
 namespace brinell::simulation
 {
 
@@ -35,7 +35,7 @@ enum class ContactKind
 /// First yield of an elastic contact: at the peak pressure C(nu) S_y of the weaker body.
 struct PairYield
 {
-  double pressure_ratio = 0.0; ///< C(nu) of the weaker body: Green's (2005) fit of a point contact, exact of a line
+  double pressure_ratio = 0.0; ///< C of the weaker body: Green's (2005) fit of a point contact, exact of a line and with friction
   double yield_stress = 0.0;   ///< its S_y [Pa]
   YieldsFirst body = YieldsFirst::both;
 
@@ -47,8 +47,10 @@ struct PairYield
                                                      const constitutive::Material& upper, ContactKind kind);
 
 /// Earliest. Empty if both bodies stay elastic.
+/// @param friction  of surfaces that slide: their shear brings yield on, and at the surface from about 0.3 on.
 [[nodiscard]] std::optional<PairYield> earliest_yield(const constitutive::Material& lower,
-                                                      const constitutive::Material& upper, ContactKind kind);
+                                                      const constitutive::Material& upper, ContactKind kind,
+                                                      double friction);
 
 /// First yield of the normal contact of two smooth bodies, in a point or along a line.
 struct FirstYield
@@ -67,8 +69,9 @@ struct FirstYield
                                                             const Domain& domain);
 
 /// Earliest. Empty if there is a reason against it.
+/// @param friction  as of `earliest_yield`
 [[nodiscard]] std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const ShapedBody& upper,
-                                                             const Domain& domain);
+                                                             const Domain& domain, double friction);
 
 /// Smallest factor on the yield stress at any depth; 1 without a profile.
 [[nodiscard]] double smallest_yield_factor(const constitutive::Material& material);

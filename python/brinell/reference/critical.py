@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""First yield of frictionless contacts: where, and at which load and approach."""
+"""First yield of contacts: where, with friction too, and at which load and approach without."""
 
 from __future__ import annotations
 
@@ -13,41 +13,45 @@ from brinell.reference.hertz import approach_origin
 
 @dataclass(frozen=True)
 class FirstYield:
-    """Where a frictionless contact yields first.
+    """Where a contact yields first, in the plane y = 0.
 
     Attributes:
         pressure_ratio: C = p0/S_y = p0/(largest von Mises stress) [-].
         depth_ratio: depth over contact radius, or half-width of a line contact [-].
+        x_ratio: x over the same; 0 without friction, -1 is the edge behind a slider that moves towards +x [-].
     """
 
     pressure_ratio: float
     depth_ratio: float
+    x_ratio: float
 
 
-def first_yield(poisson_ratio: float) -> FirstYield:
-    """First yield by von Mises on the axis of a point contact, exact.
+def first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
+    """First yield by von Mises of a point contact, exact: on its axis without friction, else as in Hamilton (1983).
 
     Args:
         poisson_ratio: nu, in [0, 0.5].
+        friction: shear on the body towards +x, over the pressure, >= 0. From about 0.3 on the surface yields first.
 
     Raises:
-        InputError: nu is out of range.
+        InputError: a value is out of range.
     """
-    return FirstYield(*_core.first_yield(poisson_ratio))
+    return FirstYield(*_core.first_yield(poisson_ratio, friction))
 
 
-def line_contact_first_yield(poisson_ratio: float) -> FirstYield:
-    """First yield by von Mises of a line contact in plane strain, exact: on its axis, up to nu = 0.1938 at the surface.
+def line_contact_first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
+    """First yield by von Mises of a line contact in plane strain, exact.
 
-    Green's (2005) fits are within 0.15 % of it.
+    Without friction it is on the axis, up to nu = 0.1938 at the surface; Green's (2005) fits are within 0.15 % of it.
 
     Args:
         poisson_ratio: nu, in (-1, 0.5].
+        friction: shear on the body towards +x, over the pressure, >= 0.
 
     Raises:
-        InputError: nu is out of range.
+        InputError: a value is out of range.
     """
-    return FirstYield(*_core.line_contact_first_yield(poisson_ratio))
+    return FirstYield(*_core.line_contact_first_yield(poisson_ratio, friction))
 
 
 def critical_pressure_ratio(poisson_ratio: float) -> float:

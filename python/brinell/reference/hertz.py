@@ -166,9 +166,15 @@ def line_contact(
 
 
 def point_contact_stress(
-    x: ArrayLike, y: ArrayLike, z: ArrayLike, contact_radius: float, peak_pressure: float, poisson_ratio: float
+    x: ArrayLike,
+    y: ArrayLike,
+    z: ArrayLike,
+    contact_radius: float,
+    peak_pressure: float,
+    poisson_ratio: float,
+    friction: float = 0.0,
 ) -> Array:
-    """Stress under a point contact (Huber 1904; Hamilton 1983 without friction).
+    """Stress under a point contact (Huber 1904), also one that slides (Hamilton 1983).
 
     Args:
         x: points along x, from the contact's centre [m]; broadcast against y and z to the shape (...).
@@ -177,6 +183,7 @@ def point_contact_stress(
         contact_radius: a [m].
         peak_pressure: p0 [Pa].
         poisson_ratio: nu [-].
+        friction: shear on the body towards +x, over the pressure [-]; below 0 towards -x.
 
     Returns:
         (6, ...) [Pa].
@@ -185,13 +192,18 @@ def point_contact_stress(
     require_below(z)
     require_positive(contact_radius=contact_radius)
     require_poisson(poisson_ratio)
-    return _core.point_contact_stress(x, y, z, contact_radius, peak_pressure, poisson_ratio).reshape(6, *shape)
+    return _core.point_contact_stress(x, y, z, contact_radius, peak_pressure, poisson_ratio, friction).reshape(6, *shape)
 
 
 def line_contact_stress(
-    x: ArrayLike, z: ArrayLike, half_width: float, peak_pressure: float, poisson_ratio: float
+    x: ArrayLike,
+    z: ArrayLike,
+    half_width: float,
+    peak_pressure: float,
+    poisson_ratio: float,
+    friction: float = 0.0,
 ) -> Array:
-    """Stress under a line contact in plane strain (McEwen 1949; Johnson 1985, Eqs. 4.49).
+    """Stress under a line contact in plane strain (McEwen 1949; Johnson 1985, Eqs. 4.49), also one that slides (7.8).
 
     Args:
         x: points across the line, from its middle [m]; broadcast against z to the shape (...).
@@ -199,6 +211,7 @@ def line_contact_stress(
         half_width: a [m].
         peak_pressure: p0 [Pa].
         poisson_ratio: nu [-].
+        friction: shear on the body towards +x, over the pressure [-]; below 0 towards -x.
 
     Returns:
         (6, ...) [Pa].
@@ -207,4 +220,4 @@ def line_contact_stress(
     require_below(z)
     require_positive(half_width=half_width)
     require_poisson(poisson_ratio)
-    return _core.line_contact_stress(x, z, half_width, peak_pressure, poisson_ratio).reshape(6, *shape)
+    return _core.line_contact_stress(x, z, half_width, peak_pressure, poisson_ratio, friction).reshape(6, *shape)

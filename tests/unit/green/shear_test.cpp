@@ -3,6 +3,7 @@
 #include "brinell/green/strip.hpp"
 
 #include "gauss.hpp"
+#include "point_force.hpp"
 #include "tensors.hpp"
 
 #include <gtest/gtest.h>
@@ -22,20 +23,6 @@ using std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 16.0 * epsilon; // a few operations in each of four corner terms of order one
 
-/// Stress of a point force along x on the surface (Cerruti; Johnson 1985, Eqs. 3.76).
-SymTensor point_force(double x, double y, double z, double nu)
-{
-  const double r = std::sqrt(x * x + y * y + z * z), h = r + z;
-  const double r3 = r * r * r, r5 = r3 * r * r, b = 1.0 - 2.0 * nu, f = 0.5 / pi;
-  const double a1 = 1.0 / (r * h * h), a2 = 1.0 / (r3 * h * h), a3 = 2.0 / (r * r * h * h * h);
-  return {f * (-3.0 * x * x * x / r5 + b * (x / r3 - 3.0 * x * a1 + x * x * x * (a2 + a3))),
-          f * (-3.0 * x * y * y / r5 + b * (x / r3 - x * a1 + x * y * y * (a2 + a3))),
-          -3.0 * f * x * z * z / r5,
-          -3.0 * f * x * y * z / r5,
-          -3.0 * f * x * x * z / r5,
-          f * (-3.0 * x * x * y / r5 + b * (-y * a1 + x * x * y * (a2 + a3)))};
-}
-
 TEST(ShearedRectangleTest, StressIsTheIntegralOfPointForces)
 {
   const double dx = 1.0, dy = 0.6, nu = 0.28;
@@ -46,7 +33,7 @@ TEST(ShearedRectangleTest, StressIsTheIntegralOfPointForces)
     for (std::size_t i = 0; i < along_x.point.size(); ++i)
       for (std::size_t j = 0; j < along_y.point.size(); ++j)
       {
-        const SymTensor part = point_force(x - along_x.point[i], y - along_y.point[j], z, nu);
+        const SymTensor part = test::point_force_along_x(x - along_x.point[i], y - along_y.point[j], z, nu);
         for (std::size_t c = 0; c < 6; ++c)
           sum[c] += along_x.weight[i] * along_y.weight[j] * part[c];
       }
@@ -94,7 +81,7 @@ TEST(ShearedRectangleTest, FarFieldIsThePointForce)
   // Next term of the multipole series: second moments dx^2/12 times second derivatives, of relative size 6 (dx/R)^2.
   const double x = 120.0, y = -160.0, z = 150.0, R = std::sqrt(x * x + y * y + z * z);
   const SymTensor far = rectangle_stress(x, y, z, 1.0, 1.0, 0.3, Traction::shear_x);
-  const SymTensor force = point_force(x, y, z, 0.3);
+  const SymTensor force = test::point_force_along_x(x, y, z, 0.3);
   for (std::size_t c = 0; c < 6; ++c)
     EXPECT_NEAR(far[c], force[c], 12.0 / (R * R) * std::abs(force[c]) + rounding) << "component " << c;
 }

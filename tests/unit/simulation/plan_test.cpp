@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "brinell/reference/sliding_contact.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/quality.hpp"
@@ -170,9 +171,9 @@ TEST(PlanTest, FirstYieldOfAHardenedLayerIsThatOfItsCoreInEveryScenario)
   EXPECT_NEAR(plan(i).scales.displacement, of_core, 1e-5 * of_core);
   // The units of the paper stay those of the nominal yield stress.
   EXPECT_EQ(nominal_yield(t.lower.material, t.upper.material, ContactKind::point)->yield_stress, 0.9115e9);
-  EXPECT_EQ(earliest_yield(t.lower.material, t.upper.material, ContactKind::point)->yield_stress, 0.5 * 0.9115e9);
+  EXPECT_EQ(earliest_yield(t.lower.material, t.upper.material, ContactKind::point, 0.0)->yield_stress, 0.5 * 0.9115e9);
   EXPECT_NEAR(nominal_first_yield(t.lower, t.upper, t.domain)->critical.interference, critical_interference, 1e-10);
-  EXPECT_NEAR(earliest_first_yield(t.lower, t.upper, t.domain)->critical.interference, of_core, 1e-10);
+  EXPECT_NEAR(earliest_first_yield(t.lower, t.upper, t.domain, 0.0)->critical.interference, of_core, 1e-10);
   // A layer that is hard throughout yields late.
   t.lower.material.yield_factor = t.upper.material.yield_factor = constitutive::DepthProfile({0.0}, {1.2});
   EXPECT_NEAR(plan(t).scales.displacement, 1.44 * critical_interference, 1e-5 * critical_interference);
@@ -240,7 +241,7 @@ TEST(FirstYield, HasAReasonWhereItIsNotInClosedForm)
   t.domain.reference = 1e-3; // a_c is 22 mm
   EXPECT_EQ(reason(t), "grid.reference = 0.001 m is too short beside the contact at first yield");
   EXPECT_FALSE(nominal_first_yield(t.lower, t.upper, t.domain));
-  EXPECT_FALSE(earliest_first_yield(t.lower, t.upper, t.domain));
+  EXPECT_FALSE(earliest_first_yield(t.lower, t.upper, t.domain, 0.0));
   t = cylinders();
   t.upper.shape = Roller{3.0, 0.5}; // shorter than the period
   EXPECT_NE(reason(t).find("nor cylinders in plane strain"), std::string::npos) << reason(t);
@@ -251,6 +252,17 @@ TEST(FirstYield, HasAReasonWhereItIsNotInClosedForm)
   t = cylinders();
   t.lower.material.hardening = t.upper.material.hardening = {};
   EXPECT_EQ(reason(t), "neither body can yield");
+}
+
+TEST(PlanTest, FrictionBringsFirstYieldForward)
+{
+  const TuggingCase t = spheres(4.0);
+  const double without = earliest_first_yield(t.lower, t.upper, t.domain, 0.0)->critical.interference;
+  const double with = earliest_first_yield(t.lower, t.upper, t.domain, 0.4)->critical.interference;
+  const double C = reference::critical_pressure_ratio(t.lower.material.elastic.poisson_ratio);
+  const double sliding = reference::sliding_first_yield(t.lower.material.elastic.poisson_ratio, 0.4).pressure_ratio;
+  EXPECT_NEAR(with / without, std::pow(sliding / C, 2), 1e-12); // Hertz: the approach goes as the square of the pressure
+  EXPECT_LT(with, 0.7 * without);
 }
 
 TEST(PlanTest, AnyShiftIsPossible)
