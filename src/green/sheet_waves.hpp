@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <complex>
 
 /// The waves of stress that a thin sheet of plastic strain sends through a half space, in the frame of its wavevector:
@@ -22,6 +23,13 @@ struct WaveDirection
 {
   Real lx{}, ly{}, lx2{}, ly2{}, lxly{};
 };
+
+/// @param m, n  not both zero
+inline WaveDirection<double> direction_of(double m, double n)
+{
+  const double k = std::hypot(m, n);
+  return {m / k, n / k, m * m / (k * k), n * n / (k * k), m * n / (k * k)};
+}
 
 /// Plastic strain in the frame of the wavevector.
 template <typename Cplx>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspace/image_samples.hpp"
 
-#include "brinell/green/eigenstrain_sheet.hpp"
+#include "foundation/lane_functions.hpp"
+#include "green/sheet_stress.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 namespace brinell::halfspace::images
@@ -15,46 +15,110 @@ namespace
 {
 
 constexpr double pi = std::numbers::pi;
-constexpr int pairs = stresses * strains;
+constexpr int components = stresses * strains;
 
 double chebyshev(int order, double t)
 {
   return std::cos(order * std::acos(std::clamp(t, -1.0, 1.0)));
 }
 
-/// Adds the stress at depth z of a sheet at depth z_source with one wave, [stress][strain][distance in x].
-void add_wave(const WaveRow::Wave& k, double n, double z, double z_source, const Elastic& elastic, double* sum)
+/// Pairs of depths, of the point and of the sheet, one in each lane.
+struct DepthPairs
 {
-  const auto stresses_of = green::unit_sheet_stresses(k.m, n, z, z_source, elastic);
-  const std::size_t along_x = k.in_x[0].size();
-  for (int c = 0; c < stresses; ++c)
-    for (int e = 0; e < strains; ++e)
+  Lanes z{}, z_source{}, down_share{};
+
+  /// Those from the pair `first` on; what is missing at the end repeats the last one.
+  DepthPairs(const std::vector<double>& depths, std::size_t first)
+  {
+    const std::size_t count = depths.size();
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
     {
-      const green::SheetStress& stress = stresses_of[static_cast<std::size_t>(e)];
-      const auto value = c < strains ? stress.deviator[static_cast<std::size_t>(c)] : stress.trace;
+      const std::size_t pair = std::min(first + lane, count * count - 1);
+      z[lane] = depths[pair / count];
+      z_source[lane] = depths[pair % count];
+      down_share[lane] = z[lane] > z_source[lane] ? 1.0 : z[lane] < z_source[lane] ? 0.0 : 0.5;
+    }
+  }
+};
+
+Lanes decay(const Lanes& distance)
+{
+  Lanes result;
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    result[lane] = std::exp(-distance[lane]);
+  return result;
+}
+
+green::SheetPath<Lanes> path_of(double k, const DepthPairs& pairs)
+{
+  const Lanes kz = k * pairs.z, kz_source = k * pairs.z_source, down = kz - kz_source;
+  const Lanes s = down < 0.0 ? -down : down;
+  return {s, kz, kz_source, decay(s), decay(kz), decay(kz_source), pairs.down_share, 1.0 - pairs.down_share};
+}
+
+ComplexLanes in_all_lanes(const Complex& value)
+{
+  return {value.real() - Lanes{}, value.imag() - Lanes{}};
+}
+
+/// The waves of a sheet with 1 in one component of the strain alone.
+green::SheetSource<ComplexLanes> unit_sheet(int component, const green::WaveDirection<double>& towards, double nu)
+{
+  std::array<Complex, strains> strain{};
+  strain[static_cast<std::size_t>(component)] = 1.0;
+  using D = Deviator;
+  const green::SheetSource<Complex> sheet(green::in_wave_frame<double, Complex>(
+      towards, nu, strain[D::xx], strain[D::yy], strain[D::yz], strain[D::xz], strain[D::xy]));
+  const auto spread = [](const green::SheetWave<Complex>& wave) -> green::SheetWave<ComplexLanes> {
+    return {in_all_lanes(wave.a), in_all_lanes(wave.c), in_all_lanes(wave.w)};
+  };
+  return {spread(sheet.down), spread(sheet.up)};
+}
+
+/// Adds the stress of sheets with one wave, [strain][stress][distance in x].
+void add_wave(const WaveRow::Wave& wave, double n, const DepthPairs& depths, const Elastic& elastic, Lanes* sum)
+{
+  const double k = std::hypot(wave.m, n);
+  const green::SheetPath<Lanes> path = path_of(k, depths);
+  const green::WaveDirection<double> towards = green::direction_of(wave.m, n);
+  const green::SheetStiffness stiffness(k, elastic);
+  for (int e = 0; e < strains; ++e)
+  {
+    const auto [xx, yy, yz, xz, xy, trace] = green::sheet_stress(unit_sheet(e, towards, elastic.poisson_ratio), path,
+                                                                 stiffness, towards, elastic.poisson_ratio);
+    const std::array<const ComplexLanes*, stresses> values{&xx, &yy, &yz, &xz, &xy, &trace};
+    for (int c = 0; c < stresses; ++c)
+    {
       const bool odd_x = is_odd(odd_in_x, c, e);
       const bool odd_y = is_odd(odd_in_y, c, e);
       // Sum of K e^{ik.r} over the signs of m and n, K being real if odd in both or none, else imaginary.
-      const double amplitude = k.weight * (odd_x == odd_y ? (odd_x ? -value.real() : value.real()) : -value.imag());
-      const double* in_x = k.in_x[odd_x ? 1 : 0].data();
-      for (std::size_t ox = 0; ox < along_x; ++ox)
-        *sum++ += amplitude * in_x[ox];
+      const ComplexLanes& value = *values[static_cast<std::size_t>(c)];
+      const Lanes amplitude = wave.weight * (odd_x == odd_y ? (odd_x ? -value.re : value.re) : -value.im);
+      for (const double in_x : wave.in_x[odd_x ? 1 : 0])
+        *sum++ += in_x * amplitude;
     }
+  }
 }
 
-/// Adds the stress of a row of waves, [stress][strain][distance in y][distance in x].
-void add_row(const WaveRow& row, double z, double z_source, const Elastic& elastic, double* sum)
+/// Sums of the waves for the pairs of depths, [strain][stress][distance in y][distance in x].
+std::vector<Lanes> sum_of_waves(std::span<const WaveRow> rows, const DepthPairs& depths, const Elastic& elastic)
 {
-  const std::size_t along_x = row.waves.front().in_x[0].size();
-  std::vector<double> in_row(pairs * along_x, 0.0);
-  for (const WaveRow::Wave& wave : row.waves)
-    add_wave(wave, row.n, z, z_source, elastic, in_row.data());
-  const double* from = in_row.data();
-  for (int c = 0; c < stresses; ++c)
-    for (int e = 0; e < strains; ++e, from += along_x)
-      for (const double in_y : row.in_y[is_odd(odd_in_y, c, e) ? 1 : 0])
-        for (std::size_t ox = 0; ox < along_x; ++ox)
-          *sum++ += in_y * from[ox];
+  const std::size_t along_x = rows.front().waves.front().in_x[0].size(), along_y = rows.front().in_y[0].size();
+  std::vector<Lanes> sums(components * along_x * along_y), in_row(components * along_x);
+  for (const WaveRow& row : rows)
+  {
+    std::fill(in_row.begin(), in_row.end(), Lanes{});
+    for (const WaveRow::Wave& wave : row.waves)
+      add_wave(wave, row.n, depths, elastic, in_row.data());
+    const Lanes* from = in_row.data();
+    Lanes* sum = sums.data();
+    for (int e = 0; e < strains; ++e)
+      for (int c = 0; c < stresses; ++c, from += along_x)
+        for (const double in_y : row.in_y[is_odd(odd_in_y, c, e) ? 1 : 0])
+          for (std::size_t ox = 0; ox < along_x; ++ox)
+            *sum++ += in_y * from[ox];
+  }
+  return sums;
 }
 
 /// Polynomials of z that resolve fields which vary over the length `distance`, on a grid of the given thickness. A field
@@ -129,15 +193,18 @@ Phases phases(double k, double largest)
 
 std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths, const Elastic& elastic)
 {
-  const auto count = static_cast<int>(depths.size());
-  const std::size_t block = pairs * rows.front().waves.front().in_x[0].size() * rows.front().in_y[0].size();
-  std::vector<double> value(static_cast<std::size_t>(count * count) * block, 0.0);
-#pragma omp parallel for schedule(dynamic) collapse(2)
-  for (int zi = 0; zi < count; ++zi)
-    for (int zj = 0; zj < count; ++zj)
-      for (const WaveRow& row : rows)
-        add_row(row, depths[static_cast<std::size_t>(zi)], depths[static_cast<std::size_t>(zj)], elastic,
-                value.data() + static_cast<std::size_t>(zi * count + zj) * block);
+  const std::size_t depth_pairs = depths.size() * depths.size();
+  const std::size_t block = components * rows.front().waves.front().in_x[0].size() * rows.front().in_y[0].size();
+  std::vector<double> value(depth_pairs * block);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t first = 0; first < depth_pairs; first += lane_count)
+  {
+    const std::vector<Lanes> sums = sum_of_waves(rows, DepthPairs(depths, first), elastic);
+    const std::size_t used = std::min<std::size_t>(lane_count, depth_pairs - first);
+    for (std::size_t lane = 0; lane < used; ++lane)
+      for (std::size_t i = 0; i < block; ++i)
+        value[(first + lane) * block + i] = sums[i][lane];
+  }
   return value;
 }
 
@@ -158,7 +225,7 @@ std::vector<Eigen::MatrixXd> fitted(const std::vector<double>& samples, int c, i
   Eigen::MatrixXd right(places, depth_pairs);
   for (int z = 0; z < depth_pairs; ++z)
     for (int o = 0; o < places; ++o)
-      right(o, z) = samples[static_cast<std::size_t>((z * pairs + c * strains + e) * places + o)];
+      right(o, z) = samples[static_cast<std::size_t>((z * components + e * stresses + c) * places + o)];
   const Eigen::MatrixXd at_nodes = basis.colPivHouseholderQr().solve(right);
   std::vector<Eigen::MatrixXd> result;
   for (Eigen::Index t = 0; t < terms; ++t)

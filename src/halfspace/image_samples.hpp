@@ -68,7 +68,7 @@ inline constexpr double shortest = 7.0;
 /// cos and sin of k times the distances `offsets() * largest`.
 [[nodiscard]] Phases phases(double k, double largest);
 
-/// Sum of the waves. @returns [depth of stress][depth of strain][stress][strain][distance in y][distance in x].
+/// Sum of the waves. @returns [depth of stress][depth of strain][strain][stress][distance in y][distance in x].
 [[nodiscard]] std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths,
                                           const Elastic& elastic);
 

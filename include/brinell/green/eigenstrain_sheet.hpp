@@ -27,8 +27,4 @@ struct SheetStress
 [[nodiscard]] SheetStress eigenstrain_sheet_stress(double m, double n, double z, double z_source,
                                                    const Deviator& strain, const Elastic& elastic);
 
-/// The same for each component of the strain, 1 of that one alone, in the order of Deviator.
-[[nodiscard]] std::array<SheetStress, Deviator::size> unit_sheet_stresses(double m, double n, double z, double z_source,
-                                                                          const Elastic& elastic);
-
 } // namespace brinell::green
