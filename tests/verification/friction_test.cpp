@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <omp.h>
 #include <string>
 #include <vector>
@@ -109,6 +111,44 @@ TEST(Friction, PlasticShareOfTheBalanceConverges)
                       "bound: mesh and steps");
   test::expect_within("the same with 8 cells, over that with 4", errors[1] / errors[0], 0.0, 0.6,
                       "at least first order");
+}
+
+/// A cylinder that does not turn slides over a steel flat in plane strain, and yields itself nothing: p0/k = 4.5, friction 0.25.
+/// @param step  in cells
+RollingCase slid_track(double cells, double step)
+{
+  RollingCase c;
+  c.domain.y = {Boundary::periodic, 1.0, 1};
+  c.lower = {simulation::Plane{}, track_steel(20e9)};
+  c.upper = {simulation::Roller{0.01, std::numeric_limits<double>::infinity()}, elastic_material()};
+  const double E = contact_modulus(c.lower.material.elastic, c.upper.material.elastic);
+  const double p0 = 4.5e9, a = 2.0 * 0.01 * p0 / E;
+  c.drive = load(0.5 * std::numbers::pi * p0 * a);
+  c.friction.coefficient = 0.25;
+  c.slide_to_roll = 2.0;
+  c.distance = 6.0 * a;
+  c.spacing = {{a / cells, 1.0, 0.5 * a / cells}};
+  c.shift = step * a / cells;
+  return c;
+}
+
+TEST(Friction, SlidTrackConvergesWithCellsAndStep)
+{
+  if (slow_build)
+    GTEST_SKIP() << "needs fine cells: too slow in this build";
+  // The energy that a length of track takes up. With the step of one cell both errors fall together, at nearly second order;
+  // that of the step alone is larger, since the path of the strain bends where the contact's edge passes.
+  const auto resistance = [](double cells, double step)
+  { return computed(slid_track(cells, step)).summary.passes.front().resistance; };
+  const auto differences = [](const std::vector<double>& values) {
+    return std::vector{(values[1] - values[0]) / values[2], (values[2] - values[1]) / values[2]};
+  };
+  const std::vector<double> by_cells = differences({resistance(4, 1), resistance(8, 1), resistance(16, 1)});
+  EXPECT_GT(test::Orders("resistance, slid track: 4, 8, 16 cells", by_cells).last, 1.6);
+  test::expect_close("resistance, slid track, 16 cells over 8, less 1", by_cells[1], 0.0, 0.04,
+                     "bound: mesh and steps");
+  const std::vector<double> by_steps = differences({resistance(8, 4), resistance(8, 2), resistance(8, 1)});
+  EXPECT_GT(test::Orders("the same, 8 cells: steps of 4, 2, 1 cells", by_steps).last, 1.3);
 }
 
 TEST(Friction, SwappingTheBodiesMirrorsTheResult)
