@@ -21,7 +21,7 @@ from brinell import _processor  # noqa: F401 (looks at this machine before the e
 # OpenMP reads this when the extension is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
-from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, surfaces
+from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, scenarios, surfaces
 from brinell.bodies import (
     Berkovich,
     Body,
@@ -49,7 +49,7 @@ from brinell.errors import (
 from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect, Swift, SwiftMicrostrain, Table, Voce
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
-from brinell.scenarios import Indentation, Rolling, Tugging
+from brinell.scenarios import *  # noqa: F403 (a class for each)
 from brinell.settings import Grid, Interface, Output, Solver
 from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
@@ -82,7 +82,6 @@ __all__ = [
     "GridError",
     "HeightMap",
     "Hollomon",
-    "Indentation",
     "InputError",
     "Interface",
     "InternalError",
@@ -95,7 +94,6 @@ __all__ = [
     "Perfect",
     "RandomSurface",
     "ResolutionWarning",
-    "Rolling",
     "Run",
     "RunError",
     "RunWarning",
@@ -106,7 +104,6 @@ __all__ = [
     "Swift",
     "SwiftMicrostrain",
     "Table",
-    "Tugging",
     "Vickers",
     "Voce",
     "__version__",
@@ -125,6 +122,7 @@ __all__ = [
     "sweep",
     "sweeps",
 ]
+__all__ += scenarios.__all__
 
 
 def __getattr__(name: str) -> Any:

@@ -132,8 +132,7 @@ class TangentialContact:
         drive = tangential_drive_of(shift_x, shift_y, force_x, force_y, spin)
         limit = contiguous(bound, "bound")
         if tolerance is None:
-            length = math.sqrt(limit.size * self.grid.cell_area)
-            tolerance = 1e-7 * float(limit.sum()) * self.grid.cell_area / (self.compliance.contact_modulus * length)
+            tolerance = load_tolerance(self.compliance, float(limit.sum()) * self.grid.cell_area)
         *fields, report = _core.solve_tangential(
             self.compliance._traction_engine,
             limit,
@@ -147,6 +146,12 @@ class TangentialContact:
         if not report.converged:
             raise ConvergenceError(no_convergence(report))
         return tangential_result(self.grid, limit, fields, report)
+
+
+def load_tolerance(compliance: SurfaceCompliance, load: float) -> float:
+    """Largest residual if none is given: less than a load [N] presses the bodies together, or pushes them along [m]."""
+    length = math.sqrt(math.prod(compliance.grid.shape) * compliance.grid.cell_area)
+    return 1e-7 * load / (compliance.contact_modulus * length)
 
 
 def tangential_result(

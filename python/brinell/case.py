@@ -10,7 +10,7 @@ import weakref
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any, Self, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar
 
 import numpy as np
 import tomli_w
@@ -19,14 +19,15 @@ from numpy.typing import NDArray
 from brinell import _core
 from brinell._names import level_of_caller
 from brinell.errors import InputError
-from brinell.results import Run, RunWarning, open_run
-from brinell.results.opening import run_of_image
 from brinell.stepping import Stepping
 from brinell.surfaces.heightmap import HeightMap
 
 with warnings.catch_warnings():  # a notebook without ipywidgets gets the bar of a terminal, without a word
     warnings.simplefilter("ignore")
     from tqdm.auto import tqdm
+
+if TYPE_CHECKING:
+    from brinell.results import Run, RunWarning
 
 __all__ = ["Case", "CaseWarning", "HeightMaps", "OldNameWarning", "Progress", "ResolutionWarning"]
 
@@ -127,7 +128,7 @@ class Case:
 
     @property
     def scenario(self) -> str:
-        """Which one: "tugging", "indentation" or "rolling"."""
+        """Its name, as in the case file."""
         return self._core.scenario
 
     @property
@@ -201,6 +202,8 @@ class Case:
         Raises:
             InputError: the grid does not fit this machine.
         """
+        from brinell.results import RunWarning  # results know the scenarios, which are cases
+
         return [RunWarning(key, text) for key, text in self._core.expected_warnings]
 
     def citations(self) -> list[str]:
@@ -241,6 +244,8 @@ class Case:
             ConvergenceError: a step did not converge; those before are in the folder.
             IoError: the results cannot be written.
         """
+        from brinell.results.opening import open_run, run_of_image
+
         if in_memory and (output is not None or resume or accuracy is not None):
             raise InputError("in_memory = True has no folder; allowed: without output, resume and accuracy")
         if accuracy is not None:

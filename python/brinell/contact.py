@@ -11,7 +11,6 @@ Surfaces that go on without end: SurfaceGrid(..., boundary="periodic").
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
@@ -22,6 +21,7 @@ from brinell._reprs import cells
 from brinell._tangential import (
     TangentialContact,
     TangentialResult,
+    load_tolerance,
     no_convergence,
     tangential_drive_of,
     tangential_result,
@@ -138,22 +138,9 @@ class ElasticContact:
             max_iterations,
             None if guess is None else contiguous(guess, "guess"),
         )
-        residual = max(report.gap_error, report.penetration)
         if not report.converged:
-            raise ConvergenceError(
-                f"no convergence after {report.iterations} iterations: the contact's residual is {residual:.2e} m. "
-                "A larger tolerance or max_iterations may help"
-            )
-        return ContactResult(
-            pressure,
-            gap,
-            report.approach,
-            float(pressure.sum()) * self.grid.cell_area,
-            report.iterations,
-            report.converged,
-            residual,
-            contact_area(self.grid, pressure, gap, self.compliance.contact_modulus),
-        )
+            raise ConvergenceError(f"{_not_solved(report)}. A larger tolerance or max_iterations may help")
+        return _result(self.compliance, pressure, gap, report)
 
     def stiffness(self, pressure: ArrayLike) -> float:
         """Elastic stiffness of a solved contact [N/m]: load per approach as they begin to change.
@@ -301,30 +288,38 @@ class FrictionalContact:
         slip = tangential_result(self.grid, self.friction * pressure, fields, report.tangential)
         shift, dissipated = ((0.0, 0.0), 0.0) if before is None else (before.shift, before.dissipated)
         return FrictionResult(
-            self._contact(pressure, gap, report.normal),
+            _result(self.compliance, pressure, gap, report.normal),
             slip,
             (shift[0] + slip.shift[0], shift[1] + slip.shift[1]),
             dissipated + slip.dissipated,
             report.alternations,
         )
 
-    def _contact(self, pressure: Array, gap: Array, report: _core.ContactReport) -> ContactResult:
-        return ContactResult(
-            pressure,
-            gap,
-            report.approach,
-            float(pressure.sum()) * self.grid.cell_area,
-            report.iterations,
-            report.converged,
-            max(report.gap_error, report.penetration),
-            contact_area(self.grid, pressure, gap, self.compliance.contact_modulus),
-        )
+
+def _result(compliance: SurfaceCompliance, pressure: Array, gap: Array, report: _core.ContactReport) -> ContactResult:
+    return ContactResult(
+        pressure,
+        gap,
+        report.approach,
+        float(pressure.sum()) * compliance.grid.cell_area,
+        report.iterations,
+        report.converged,
+        _residual(report),
+        contact_area(compliance.grid, pressure, gap, compliance.contact_modulus),
+    )
+
+
+def _residual(report: _core.ContactReport) -> float:
+    return max(report.gap_error, report.penetration)
+
+
+def _not_solved(report: _core.ContactReport) -> str:
+    return f"no convergence after {report.iterations} iterations: the contact's residual is {_residual(report):.2e} m"
 
 
 def _reason(report: _core.FrictionReport) -> str:
     if not report.normal.converged:
-        residual = max(report.normal.gap_error, report.normal.penetration)
-        return f"no convergence after {report.normal.iterations} iterations: the contact's residual is {residual:.2e} m"
+        return _not_solved(report.normal)
     if not report.tangential.converged:
         return no_convergence(report.tangential)
     return (
@@ -338,8 +333,7 @@ def default_tolerance(
 ) -> float:
     """Largest residual of a contact if none is given: see `ElasticContact.solve`."""
     if load is not None:
-        length = math.sqrt(distance.size * compliance.grid.cell_area)
-        return 1e-7 * load / (compliance.contact_modulus * length)
+        return load_tolerance(compliance, load)
     overlap = (approach or 0.0) - float(distance.min())
     return 1e-7 * max(overlap, 0.0)
 

@@ -24,6 +24,7 @@ from click.shell_completion import ShellComplete
 
 import brinell
 from brinell import _core, cli, completion
+from brinell.scenarios import SCENARIOS
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = Path(sys.executable).with_name("brinell")
@@ -272,7 +273,7 @@ def test_keys_are_completed() -> None:
 
 
 def test_scenarios_are_completed() -> None:
-    assert offered("new", "") == ["tugging", "indentation", "rolling"]
+    assert offered("new", "") == list(SCENARIOS)
 
 
 def test_case_files_are_completed(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -373,7 +374,7 @@ def test_a_grid_that_outgrows_the_memory_is_no_bad_input(capsys: pytest.CaptureF
     assert capsys.readouterr().err == "brinell: error: larger grids would need 31 GB\n"
 
 
-@pytest.mark.parametrize("scenario", ["tugging", "indentation", "rolling"])
+@pytest.mark.parametrize("scenario", SCENARIOS)
 def test_the_schema_of_editors_takes_the_cases_of_new(scenario: str, folder: Path) -> None:
     jsonschema = pytest.importorskip("jsonschema")
     schema = json.loads(called(SCRIPT, "schema", "--json", folder=folder).stdout)

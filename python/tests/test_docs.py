@@ -15,6 +15,7 @@ import pytest
 import brinell
 from brinell import _core
 from brinell.results import Indent, RollingPass
+from brinell.scenarios import SCENARIOS
 
 ROOT = Path(__file__).resolve().parents[2]
 # docs/_*: what the build of the site writes.
@@ -109,7 +110,7 @@ def columns_on_the_page() -> dict[str, list[tuple[str, str]]]:
     }
 
 
-@pytest.mark.parametrize("scenario", ["tugging", "indentation", "rolling"])
+@pytest.mark.parametrize("scenario", SCENARIOS)
 def test_the_page_of_the_results_has_the_columns_of_the_history(scenario: str) -> None:
     tables = columns_on_the_page()
     shown = tables[scenario.capitalize()] + tables["All scenarios, after these"]

@@ -11,7 +11,9 @@ from matplotlib.figure import Figure
 import brinell
 from brinell.plot import indentation
 from brinell.plot.cells import contact_edge
+from brinell.plot.rough import contact_fraction
 from brinell.results import RunError, open_run
+from brinell.scenarios.indentation import TRAITS
 from figure_parts import curve, legend_of, texts
 
 MakeRun = Callable[..., Path]
@@ -106,10 +108,10 @@ def _drop_steps(path: Path) -> None:
 
 
 def test_no_contact_fraction_without_a_period(make_indentation: MakeRun) -> None:
-    assert indentation.contact_fraction([open_run(make_indentation())]) is None
+    assert contact_fraction([open_run(make_indentation())]) is None
 
 
-@pytest.mark.parametrize("draw", list(indentation.FIGURES.values()))
+@pytest.mark.parametrize("draw", [one.draw for one in TRAITS.drawings().figures.values()])
 def test_other_scenarios_are_refused(make_rolling: MakeRun, draw: Callable) -> None:
     with pytest.raises(RunError, match="is of scenario 'rolling', this figure needs 'indentation'"):
         draw([open_run(make_rolling())])

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 import pickle
 import tempfile
-import time
-import warnings
 from pathlib import Path
 
 import numpy as np
@@ -87,29 +85,3 @@ def test_a_run_in_memory_is_watched_and_stopped(real_case: str) -> None:
     with pytest.raises(KeyboardInterrupt):
         brinell.Case(real_case).run(in_memory=True, progress=watch)
     assert steps == [0, 1, 2, 3, 4, 5]
-
-
-def test_what_a_small_run_costs_beside_its_steps() -> None:
-    """Reading the case, plan, result and its opening; half spaces and steps are needed by `case.steps()` as well.
-
-    It was 100 ms when each run went through a folder. CPU time, and the least of several, because others compute here.
-    """
-    steel = brinell.Material("210 GPa", 0.3, brinell.Linear("600 MPa", "2 GPa"))
-    ball = brinell.Body(brinell.Sphere("10 um"), steel)
-    grid, output = brinell.Grid(resolution=3), brinell.Output(snapshots="none")
-
-    def case() -> brinell.Case:
-        return brinell.Tugging(ball, ball, interference=1.05, grid=grid, output=output)
-
-    whole, steps = [], []
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of few cells
-        for _ in range(8):
-            begin = time.process_time()
-            case().run(in_memory=True, threads=1)
-            middle = time.process_time()
-            for _ in case().steps():
-                pass
-            whole.append(middle - begin)
-            steps.append(time.process_time() - middle)
-    assert min(whole) - min(steps) < 0.020

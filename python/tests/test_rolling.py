@@ -7,6 +7,7 @@ import pytest
 
 from brinell.plot import rolling
 from brinell.results import RunError, open_run
+from brinell.scenarios.rolling import TRAITS
 from figure_parts import curve, legend_of, texts
 
 MakeRun = Callable[..., Path]
@@ -102,7 +103,7 @@ def test_legend_of_many_passes_is_thinned(make_rolling: MakeRun) -> None:
     assert (labels[0], labels[-1]) == ("1", "20")
 
 
-@pytest.mark.parametrize("draw", list(rolling.FIGURES.values()))
+@pytest.mark.parametrize("draw", [one.draw for one in TRAITS.drawings().figures.values()])
 def test_other_scenarios_are_refused(make_run: MakeRun, draw: Callable) -> None:
     with pytest.raises(RunError, match="is of scenario 'tugging', this figure needs 'rolling'"):
         draw([open_run(make_run())])

@@ -11,21 +11,17 @@ import contextlib
 import difflib
 import functools
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, get_args
 
 import click
 import matplotlib
-from matplotlib.figure import Figure
 
 from brinell.commands import folder_of, tells_errors
 from brinell.plot import animation as moving
 from brinell.plot import fields as state
 from brinell.plot import history as course
-from brinell.plot import indentation as indents
-from brinell.plot import paper as of_paper
-from brinell.plot import rolling as tracks
 from brinell.plot import style
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import QUANTITIES, needs_tensors, quantity_of
@@ -33,7 +29,9 @@ from brinell.plot.scales import in_si
 from brinell.plot.sections import section as draw_section
 from brinell.plot.standard import standard_figures
 from brinell.plot.states import Bodies
-from brinell.results import Run, open_run
+from brinell.results import open_run
+from brinell.scenarios import SCENARIOS
+from brinell.scenarios.traits import Drawings
 
 __all__ = ["plot"]
 
@@ -170,8 +168,8 @@ def _all(run: Path, output: Path | None, formats: list[str]) -> None:
         _print(style.save(named.figure, output or folder_of(run) / "figures", named.name, formats))
 
 
-def _several(text: str, figures: Mapping[str, Callable[[Sequence[Run]], Figure | None]]) -> click.Command:
-    """A command that takes several runs: what it draws, and its figures by file name."""
+def _several(drawings: Drawings) -> click.Command:
+    """The command of a scenario, which takes several runs."""
 
     @_run_folders
     @_into_figures
@@ -179,35 +177,17 @@ def _several(text: str, figures: Mapping[str, Callable[[Sequence[Run]], Figure |
     @tells_errors
     def draw_them(runs: Sequence[Path], output: Path, formats: list[str]) -> None:
         opened = [open_run(path) for path in runs]
-        for name, draw in figures.items():
-            figure = draw(opened)
+        for name, drawing in drawings.figures.items():
+            figure = drawing.draw(opened)
             if figure is not None:
                 _print(style.save(figure, output, name, formats))
 
-    return click.command(help=text)(draw_them)
+    return click.command(name=drawings.command, help=drawings.help)(draw_them)
 
 
-plot.add_command(
-    _several(
-        "Figures 11 to 15 of Boucly, Nelias, Green (2006) and an overview, from one run per interference.",
-        of_paper.FIGURES,
-    ),
-    "paper",
-)
-plot.add_command(
-    _several(
-        "Load over approach, imprint, contact pressure and, over a period, contact fraction of indentations.",
-        indents.FIGURES,
-    ),
-    "indentation",
-)
-plot.add_command(
-    _several(
-        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it.",
-        tracks.FIGURES,
-    ),
-    "rolling",
-)
+for _traits in SCENARIOS.values():
+    if _traits.drawings is not None:
+        plot.add_command(_several(_traits.drawings()))
 
 
 def _state_name(which: int | str) -> str:

@@ -19,6 +19,7 @@ from brinell.plot.scales import Scale, Scales
 from brinell.plot.sections import section
 from brinell.plot.states import Side, sides, state_title
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
+from brinell.scenarios import SCENARIOS
 
 __all__ = ["FIGURES", "NEED_CONTACT", "gap_map", "pressure_map", "residual_surfaces", "section"]
 
@@ -76,7 +77,7 @@ def _row(
     ax.plot(x[shown], values[0, shown] / scale.size, drawstyle="steps-mid" if cells else "default")
     ax.set_xlim(left, right)
     ax.set_ylim(bottom=0.0)
-    ax.set_xlabel(length.label("along the motion" if snapshot.scenario != "indentation" else "", "x'"))
+    ax.set_xlabel(length.label("along the motion" if SCENARIOS[snapshot.scenario].motion else "", "x'"))
     ax.set_ylabel(label)
     ax.set_title(title)
     return fig
@@ -181,7 +182,7 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
 
 def _name_axes(ax: Axes, length: Scale, snapshot: Snapshot) -> None:
     """Of a map of the contact."""
-    moves = snapshot.scenario != "indentation"
+    moves = SCENARIOS[snapshot.scenario].motion is not None
     ax.set_xlabel(length.label("along the motion" if moves else "", "x'"))
     ax.set_ylabel(length.label("across" if moves else "", "y'", value=False))
 

@@ -15,9 +15,19 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.scales import Scale, Scales
-from brinell.results import History, Run, Scenario
+from brinell.results import History, Run
+from brinell.scenarios import SCENARIOS
 
-__all__ = ["run_history"]
+__all__ = [
+    "Course",
+    "Panel",
+    "approach",
+    "force_across_and_slopes",
+    "normal_force",
+    "resistance_to_rolling",
+    "run_history",
+    "tangential_force_and_slopes",
+]
 
 _LOWER: Mapping[str, Any] = {"color": style.LOWER}
 _UPPER: Mapping[str, Any] = {"color": style.UPPER, "linestyle": (0, (4, 2))}  # often equal to the lower: both must show
@@ -26,7 +36,7 @@ _ASIDE: Mapping[str, Any] = {"color": style.REFERENCE, "linestyle": ":", "linewi
 
 
 @dataclass(frozen=True, eq=False)
-class _Course:
+class Course:
     """The passes of a run over a common abscissa."""
 
     passes: list[History]
@@ -37,6 +47,7 @@ class _Course:
 
     @property
     def several(self) -> bool:
+        """Whether there is more than one pass."""
         return len(self.passes) > 1
 
     def largest(self, *names: str) -> float:
@@ -53,23 +64,25 @@ class _Course:
             ax.plot(x, one[name] / scale.size, label=label if index == 0 else "_", **look)
 
 
-def _course(run: Run) -> _Course:
+def _course(run: Run) -> Course:
     passes = run.history.passes()
     scales = Scales(run)
-    if run.scenario != "tugging":  # the contact may rest in one place for many steps
-        return _Course(passes, [one["step"] for one in passes], "step", scales)
-    slid = _distance_slid(passes) if len(passes) > 1 else [passes[0]["X"]]
+    abscissa = SCENARIOS[run.scenario].abscissa
+    if abscissa is None:
+        return Course(passes, [one["step"] for one in passes], "step", scales)
+    places = [one[abscissa] for one in passes]
+    slid = _distance_slid(places) if len(passes) > 1 else places
     scale = scales.radius(max(float(np.max(np.abs(x))) for x in slid))
-    name, symbol = ("distance slid", "s") if len(passes) > 1 else ("sliding coordinate", "X")
-    return _Course(passes, [x / scale.size for x in slid], scale.label(name, symbol), scales)
+    name, symbol = ("distance slid", "s") if len(passes) > 1 else ("sliding coordinate", abscissa)
+    return Course(passes, [x / scale.size for x in slid], scale.label(name, symbol), scales)
 
 
-def _distance_slid(passes: list[History]) -> list[NDArray[np.float64]]:
+def _distance_slid(passes: list[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
     """Since the start of the first pass [m]."""
     result = []
     offset = 0.0
     for one in passes:
-        slid = one["X"] - one["X"][0]
+        slid = one - one[0]
         result.append(offset + slid)
         offset += slid[-1]
     return result
@@ -85,7 +98,8 @@ def _legend(ax: Axes, **place: Any) -> None:
         ax.legend(**place)
 
 
-def _tangential_force_and_slopes(ax: Axes, course: _Course) -> None:
+def tangential_force_and_slopes(ax: Axes, course: Course) -> None:
+    """F_X of two slopes that pass each other, with and without pile-up, and the part of friction."""
     force = course.scales.force(course.largest("F_X"))
     course.draw(ax, "F_X", force, "with pile-up", _LOWER)
     course.draw(ax, "F_X_macro", force, "without", _ASIDE)
@@ -97,7 +111,8 @@ def _tangential_force_and_slopes(ax: Axes, course: _Course) -> None:
     _legend(ax, loc="upper right", ncol=2)
 
 
-def _force_across_and_slopes(ax: Axes, course: _Course) -> None:
+def force_across_and_slopes(ax: Axes, course: Course) -> None:
+    """F_Z likewise."""
     force = course.scales.force(course.largest("F_Z"))
     course.draw(ax, "F_Z", force, "with pile-up", _LOWER)
     course.draw(ax, "F_Z_macro", force, "without", _ASIDE)
@@ -106,7 +121,8 @@ def _force_across_and_slopes(ax: Axes, course: _Course) -> None:
     ax.set_ylim(bottom=0.0)
 
 
-def _tangential_force(ax: Axes, course: _Course) -> None:
+def resistance_to_rolling(ax: Axes, course: Course) -> None:
+    """F_X, and the part of friction."""
     force = course.scales.force(course.largest("F_X", "F_friction"))
     course.draw(ax, "F_X", force, "resistance", _LOWER)
     if course.largest("F_friction") > 0.0:
@@ -117,7 +133,8 @@ def _tangential_force(ax: Axes, course: _Course) -> None:
     ax.set_ylabel(force.label("", "F_X"))
 
 
-def _normal_force(ax: Axes, course: _Course) -> None:
+def normal_force(ax: Axes, course: Course) -> None:
+    """F_n."""
     force = course.scales.force(course.largest("F_n"))
     course.draw(ax, "F_n", force, "load", _LOWER)
     ax.set_title("normal force")
@@ -125,7 +142,8 @@ def _normal_force(ax: Axes, course: _Course) -> None:
     ax.set_ylim(bottom=0.0)
 
 
-def _approach(ax: Axes, course: _Course) -> None:
+def approach(ax: Axes, course: Course) -> None:
+    """How far the bodies approach."""
     depth = course.scales.displacement(course.largest("approach"))
     course.draw(ax, "approach", depth, "approach", _LOWER)
     ax.set_title("approach")
@@ -134,7 +152,7 @@ def _approach(ax: Axes, course: _Course) -> None:
         ax.set_ylim(bottom=0.0)
 
 
-def _energy(ax: Axes, course: _Course) -> None:
+def _energy(ax: Axes, course: Course) -> None:
     energy = course.scales.energy(course.largest("work", "dissipation_lower", "dissipation_upper"))
     course.draw(ax, "work", energy, "work", {"color": "black"})
     course.draw(ax, "dissipation_lower", energy, "dissipated, lower", _LOWER)
@@ -149,7 +167,7 @@ def _energy(ax: Axes, course: _Course) -> None:
     _legend(ax, loc="upper left", ncol=2)
 
 
-def _pressure(ax: Axes, course: _Course) -> None:
+def _pressure(ax: Axes, course: Course) -> None:
     pressure = course.scales.pressure(course.largest("max_pressure"))
     course.draw(ax, "max_pressure", pressure, "largest pressure", _LOWER)
     ax.set_title("largest pressure")
@@ -157,7 +175,7 @@ def _pressure(ax: Axes, course: _Course) -> None:
     ax.set_ylim(bottom=0.0)
 
 
-def _residual_depth(ax: Axes, course: _Course) -> None:
+def _residual_depth(ax: Axes, course: Course) -> None:
     depth = course.scales.displacement(course.largest("max_residual_lower", "max_residual_upper"))
     course.draw(ax, "max_residual_lower", depth, "lower body", _LOWER)
     course.draw(ax, "max_residual_upper", depth, "upper body", _UPPER)
@@ -168,7 +186,7 @@ def _residual_depth(ax: Axes, course: _Course) -> None:
     _legend(ax, loc="upper left", ncol=2)
 
 
-def _cost(ax: Axes, course: _Course) -> None:
+def _cost(ax: Axes, course: Course) -> None:
     for x, one in zip(course.x, course.passes, strict=True):
         ax.plot(x, one["evaluations"], linestyle="none", marker="o", color=style.LOWER)
     ax.set_title("cost")
@@ -177,13 +195,9 @@ def _cost(ax: Axes, course: _Course) -> None:
     ax.set_ylim(bottom=0.0)
 
 
-_Panel = Callable[[Axes, _Course], None]
-_COMMON: tuple[_Panel, ...] = (_energy, _pressure, _residual_depth, _cost)
-_PANELS: Mapping[Scenario, tuple[_Panel, ...]] = {
-    "tugging": (_tangential_force_and_slopes, _force_across_and_slopes, *_COMMON),
-    "indentation": (_normal_force, _approach, *_COMMON),
-    "rolling": (_tangential_force, _approach, *_COMMON),
-}
+Panel = Callable[[Axes, Course], None]
+"""Draws one of the six."""
+_COMMON: tuple[Panel, ...] = (_energy, _pressure, _residual_depth, _cost)
 
 
 @style.figure
@@ -192,15 +206,16 @@ def run_history(run: Run) -> Figure:
 
     Works for a run that has not finished: the axes are then in SI.
     """
-    course = _course(run)
+    course, traits = _course(run), SCENARIOS[run.scenario]
+    panels = (*traits.panels(), *_COMMON)
     fig = style.new_figure(12.0, 6.6)
     axes = fig.subplots(2, 3, sharex=True)
-    for ax, draw, letter in zip(axes.flat, _PANELS[run.scenario], "abcdef", strict=True):
+    for ax, draw, letter in zip(axes.flat, panels, "abcdef", strict=True):
         draw(ax, course)
         ax.set_title(f"({letter})  {ax.get_title(loc='left')}")
         for x in course.x[1:]:
             ax.axvline(x[0], color="0.8", linewidth=0.8, zorder=0.5)
-        if run.scenario == "tugging" and not course.several:
+        if traits.abscissa is not None and not course.several:
             ax.axvline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
     for ax in axes[1]:
         ax.xaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))

@@ -7,7 +7,7 @@ imprint are out of the lower body: pile-up positive.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,11 +19,10 @@ from numpy.typing import NDArray
 from brinell.plot import style
 from brinell.plot.cells import at_centre
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, looks, zero_line
-from brinell.plot.rough import contact_fraction
 from brinell.plot.scales import Scale, common_scales, si, twin_axis
 from brinell.results import BodyFields, History, Run
 
-__all__ = ["FIGURES", "contact_pressure", "imprint", "load_depth"]
+__all__ = ["contact_pressure", "imprint", "load_depth"]
 
 FloatArray = NDArray[np.float64]
 
@@ -58,15 +57,11 @@ def _load_lines(entry: Entry, *, alone: bool) -> list[_Line]:
     places = entry.run.history.split("place")
     each = [{**entry.look, "linestyle": "-"}] * len(places)  # cycles on each other would fill the gaps of a dash
     if alone and len(places) > 1:
-        each = looks([f"$x$ = {_length(rows['x'][0])}" for rows in places])
+        each = looks([f"$x$ = {style.length(rows['x'][0])}" for rows in places])
     return [
         _Line(*_curve(entry.run, rows, is_first=index == 0), look)
         for index, (rows, look) in enumerate(zip(places, each, strict=True))
     ]
-
-
-def _length(value: float) -> str:
-    return style.quantity(value, "m") if value else "0"
 
 
 def _elastic_depth(run: Run, load: FloatArray) -> FloatArray | None:
@@ -216,7 +211,7 @@ def _cut(imprints: Sequence[_Imprint]) -> str:
     places = {one.place for one in imprints}
     if len(places) > 1:
         return "the first place"
-    return f"$x$ = {_length(places.pop())}"
+    return f"$x$ = {style.length(places.pop())}"
 
 
 @style.figure
@@ -250,12 +245,3 @@ def contact_pressure(runs: Sequence[Run]) -> Figure | None:
     left.set_ylabel(pressure.label("contact pressure", "p"))
     legend_beside(right, shown)
     return fig
-
-
-FIGURES: dict[str, Callable[[Sequence[Run]], Figure | None]] = {
-    "load-depth": load_depth,
-    "imprint": imprint,
-    "contact-pressure": contact_pressure,
-    "contact-fraction": contact_fraction,
-}
-"""What the command `indentation` writes: file name and function; None: the runs have nothing to draw there."""

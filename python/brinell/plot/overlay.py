@@ -13,7 +13,8 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 
 from brinell.plot import style
-from brinell.results import Run, RunError, Scenario
+from brinell.results import Run, RunError
+from brinell.scenarios import Scenario
 
 __all__ = ["Entry", "Look", "entries", "largest", "legend_beside", "looks", "require_scenario", "zero_line"]
 

@@ -10,7 +10,7 @@ geometry (Hertz). What the paper says of its spheres is drawn beside spheres onl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,7 +25,7 @@ from brinell.plot import style
 from brinell.plot.overlay import require_scenario
 from brinell.results import History, Run, RunError
 
-__all__ = ["FIGURES", "PAPER_LOAD_RATIO", "fig11", "fig12", "fig13", "fig14", "fig15", "overview"]
+__all__ = ["PAPER_LOAD_RATIO", "fig11", "fig12", "fig13", "fig14", "fig15", "overview"]
 
 PAPER_LOAD_RATIO = -0.045
 """F_X/F_Z at the end of the contact that the paper reports, with the sign of F_X used here."""
@@ -358,14 +358,3 @@ def overview(runs: Sequence[Run]) -> Figure:
     panels[5].legend(loc="lower right", bbox_to_anchor=(1.0, 0.05))
     _family_legend_row(fig.add_subplot(grid[0, :]), curves)
     return fig
-
-
-FIGURES: dict[str, Callable[[Sequence[Run]], Figure]] = {
-    "fig11-tangential-force": fig11,
-    "fig12-normal-force": fig12,
-    "fig13-net-energy": fig13,
-    "fig14-load-ratio": fig14,
-    "fig15-residual-displacement": fig15,
-    "overview": overview,
-}
-"""What the command `paper` writes: file name and function."""

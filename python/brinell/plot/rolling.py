@@ -7,7 +7,7 @@ where the drive must push. Stresses are positive in tension.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -21,7 +21,7 @@ from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, z
 from brinell.plot.scales import PERCENT, Scale, si
 from brinell.results import BodyFields, History, Run
 
-__all__ = ["FIGURES", "along_track", "depth_profiles", "pass_by_pass", "track_profile"]
+__all__ = ["along_track", "depth_profiles", "pass_by_pass", "track_profile"]
 
 FloatArray = NDArray[np.float64]
 
@@ -226,12 +226,3 @@ def _scale_of(values: Sequence[FloatArray], unit: str) -> Scale:
     if unit == "m²":  # a prefix of it would count twice
         return Scale(1e-12, "", "µm²") if largest(values) < 1e-7 else Scale(1e-6, "", "mm²")
     return si(largest(values), unit)
-
-
-FIGURES: dict[str, Callable[[Sequence[Run]], Figure | None]] = {
-    "passes": pass_by_pass,
-    "depth-profiles": depth_profiles,
-    "track-profile": track_profile,
-    "along-track": along_track,
-}
-"""What the command `rolling` writes: file name and function; None: the runs have nothing to draw there."""

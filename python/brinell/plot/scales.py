@@ -18,6 +18,7 @@ from matplotlib.axes import Axes
 
 from brinell.plot import style
 from brinell.results import Run
+from brinell.scenarios import SCENARIOS
 
 __all__ = ["PERCENT", "Scale", "Scales", "common_scales", "draws_si", "in_si", "si", "twin_axis"]
 
@@ -109,7 +110,7 @@ class Scales:
     def __init__(self, run: Run):
         normalised = run.complete and not draws_si()
         self._critical = run.critical if normalised and run.has_critical_values else None
-        self._radius = run.equivalent_radius if normalised and run.scenario == "tugging" else None
+        self._radius = run.equivalent_radius if normalised and SCENARIOS[run.scenario].abscissa else None
 
     @property
     def normalised(self) -> bool:
@@ -117,7 +118,7 @@ class Scales:
         return self._critical is not None
 
     def radius(self, largest: float) -> Scale:
-        """Of the sliding coordinate of a tugging: the equivalent radius R."""
+        """Of the abscissa of the history, if it is a length: the equivalent radius R."""
         return Scale(self._radius, "R", "m") if self._radius is not None else si(largest, "m")
 
     def length(self, largest: float) -> Scale:

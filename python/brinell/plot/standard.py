@@ -11,8 +11,9 @@ from typing import Literal
 import numpy as np
 from matplotlib.figure import Figure
 
-from brinell.plot import depth, energy, fields, history, indentation, rolling
+from brinell.plot import depth, energy, fields, history
 from brinell.results import Run, Snapshot
+from brinell.scenarios import SCENARIOS
 
 __all__ = ["Named", "standard_figures"]
 
@@ -27,20 +28,6 @@ class Named:
     group: Literal["result", "loaded", "residual", "course", "energy"]
     """What it is about: the result of the scenario, a loaded state, what is left, step by step, or the energies."""
     figure: Figure
-
-
-_INDENTATION = {
-    "load-depth": "Load over the approach, all cycles; dashed, elastic spheres, if that is what touches.",
-    "imprint": "Residual surface of the lower body in two planes through the first place; below, its pile-up enlarged.",
-    "contact-pressure": "Contact pressure in two planes at the largest load whose fields are stored.",
-    "contact-fraction": "Real contact area over the nominal one, and mean gap, over the mean pressure on the period.",
-}
-_ROLLING = {
-    "passes": "Pass by pass: rut, shoulders, resistance, plastic strain under the track, its growth, and dissipation.",
-    "depth-profiles": "Residual stress along and across the motion and plastic strain under the middle of the track.",
-    "track-profile": "Residual surface of the lower body across the track, after the last pass.",
-    "along-track": "Resistance and approach along the track, pass by pass.",
-}
 
 
 def standard_figures(run: Run) -> Iterator[Named]:
@@ -61,22 +48,23 @@ def standard_figures(run: Run) -> Iterator[Named]:
     yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
 
 
+def _moves(run: Run) -> bool:
+    """Whether the contact does."""
+    return SCENARIOS[run.scenario].motion is not None
+
+
 def _of_scenario(run: Run) -> Iterator[Named]:
     """What only this scenario has."""
-    if run.scenario == "tugging":
-        return
-    figures, captions = (
-        (indentation.FIGURES, _INDENTATION) if run.scenario == "indentation" else (rolling.FIGURES, _ROLLING)
-    )
-    for name, draw in figures.items():
-        figure = draw([run])
+    drawings = SCENARIOS[run.scenario].drawings
+    for name, drawing in drawings().figures.items() if drawings is not None else ():
+        figure = drawing.draw([run]) if drawing.caption else None
         if figure is not None:
-            yield Named(name, captions[name], "result", figure)
+            yield Named(name, drawing.caption, "result", figure)
 
 
 def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     """The contact, and the stress under it."""
-    where = "at the largest load" if run.scenario == "indentation" else "in the middle of the first pass"
+    where = "in the middle of the first pass" if _moves(run) else "at the largest load"
     if not snapshot.in_contact:
         return
     drawn: dict[str, tuple[str, Callable[[], Figure]]] = {
@@ -100,7 +88,6 @@ def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     caption = "Residual stress and plastic strain in the plane y = 0 after unloading."
     yield Named("residual-section", caption, "residual", fields.section(run, snapshot))
     if any(np.any(stress) for body in (snapshot.lower, snapshot.upper) for stress in body.stress.values()):
-        x = float(run.history["x"][0]) if run.scenario == "indentation" else 0.0
-        under = "the first place" if run.scenario == "indentation" else "the point x = y = 0"
+        x, under = (0.0, "the point x = y = 0") if _moves(run) else (float(run.history["x"][0]), "the first place")
         caption = f"Residual stress and plastic strain over the depth under {under}."
         yield Named("residual-depth", caption, "residual", depth.stress_over_depth(run, snapshot, x=x))

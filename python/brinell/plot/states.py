@@ -8,8 +8,8 @@ from typing import Any, Literal
 
 from brinell.errors import InputError
 from brinell.plot import style
-from brinell.plot.scales import Scales
 from brinell.results import BodyFields, Run, RunError, Snapshot
+from brinell.scenarios import SCENARIOS
 
 __all__ = ["Bodies", "Side", "both_sides", "chosen_sides", "sides", "state_title"]
 
@@ -62,31 +62,18 @@ def chosen_sides(run: Run, snapshot: Snapshot, bodies: Bodies) -> list[Side]:
 def state_title(run: Run, snapshot: Snapshot) -> str:
     """One line that says which state is drawn."""
     parts = ["final state" if snapshot.is_final else f"step {snapshot.step}"]
-    if snapshot.scenario == "tugging":
-        parts += _course_of_tugging(run, snapshot)
+    own = SCENARIOS[snapshot.scenario].state_text
+    if own is not None:
+        parts += own(run, snapshot)
     elif not snapshot.is_final:
         parts += _drive(snapshot)
     return ",  ".join(parts)
 
 
-def _course_of_tugging(run: Run, snapshot: Snapshot) -> list[str]:
-    X = snapshot.row["X"]
-    scales = Scales(run)
-    position = scales.radius(abs(X) or 1.0)
-    parts = [rf"$\alpha^*$ = {style.number(run.normalised_interference)}"] if scales.normalised else []
-    if position.symbol:
-        return [*parts, f"$X/{position.symbol}$ = {style.number(X / position.size)}"]
-    return [*parts, f"$X$ = {_length(X)}"]
-
-
 def _drive(snapshot: Snapshot) -> list[str]:
-    """Pass, place and load of an indentation or a rolling."""
+    """Pass, place and load."""
     return [
         f"pass {snapshot.pass_}",
-        f"$x$ = {_length(snapshot.row['x'])}",
+        f"$x$ = {style.length(snapshot.row['x'])}",
         f"$F_n$ = {style.quantity(snapshot.row['F_n'], 'N') if snapshot.in_contact else 0}",
     ]
-
-
-def _length(value: float) -> str:
-    return style.quantity(value, "m") if value else "0"

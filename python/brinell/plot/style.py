@@ -37,6 +37,7 @@ __all__ = [
     "UPPER",
     "family_colours",
     "figure",
+    "length",
     "look",
     "new_figure",
     "number",
@@ -220,3 +221,12 @@ def quantity(value: float, unit: str, digits: int = 3) -> str:
         if abs(float(f"{value:.{digits}g}")) >= scale * (1.0 - 1e-12):
             return f"{number(value / scale, digits)} {prefix}{unit}"
     return f"{number(value, digits)} {unit}"
+
+
+def length(value: float) -> str:
+    """A place, which may be 0.
+
+    >>> length(2.214e-4), length(0.0)
+    ('221 µm', '0')
+    """
+    return quantity(value, "m") if value else "0"

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -11,7 +10,9 @@ import numpy as np
 
 from brinell.plot.energy import balance_error, sinks_of
 from brinell.report import text
-from brinell.results import Run
+from brinell.results import History, Run
+from brinell.scenarios import SCENARIOS
+from brinell.scenarios.traits import KeyNumber
 
 __all__ = ["Interval", "Number", "accuracies_of", "cost_of", "energies_of", "key_numbers"]
 
@@ -27,78 +28,35 @@ class Number:
     """Over its value at first yield, if there is one: "7.32 P_c"."""
 
 
-def _critical(run: Run, name: str) -> float | None:
-    """A value at first yield, where it exists."""
-    return float(getattr(run.critical, name)) if run.complete and run.has_critical_values else None
+_SYMBOLS = {"load": "P_c", "interference": "α_c", "energy": "U_c", "peak_pressure": "p0_c"}
+"""Of the values at first yield."""
 
 
-def _number(run: Run, name: str, value: float, unit: str, scale: str, symbol: str) -> Number:
-    size = _critical(run, scale)
-    over = f"{text.number(value / size)} {symbol}" if size else ""
-    return Number(name, text.quantity(value, unit), over)
-
-
-def _force(run: Run, name: str, value: float) -> Number:
-    return _number(run, name, value, "N", "load", "P_c")
-
-
-def _depth(run: Run, name: str, value: float) -> Number:
-    return _number(run, name, value, "m", "interference", "α_c")
+def _shown(run: Run, one: KeyNumber) -> Number:
+    """As text, over the value at first yield where that exists."""
+    if isinstance(one.value, int):
+        return Number(one.name, str(one.value))
+    if one.unit == "%":
+        return Number(one.name, text.percent(one.value, one.digits))
+    size = getattr(run.critical, one.over) if one.over and run.complete and run.has_critical_values else None
+    over = f"{text.number(one.value / size)} {_SYMBOLS[one.over]}" if one.over and size else ""
+    return Number(one.name, text.quantity(one.value, one.unit, one.digits), over)
 
 
 def key_numbers(run: Run) -> list[Number]:
     """The results that tell most, those of the scenario first; also of a run that has not finished."""
-    of_scenario = {"tugging": _of_tugging, "indentation": _of_indentation, "rolling": _of_rolling}[run.scenario]
-    history = run.history
-    strain = float(history["max_equivalent_plastic_strain"].max())
-    return [
-        *of_scenario(run),
-        _number(run, "Largest pressure", float(history["max_pressure"].max()), "Pa", "peak_pressure", "p0_c"),
-        Number("Largest equivalent plastic strain", text.percent(strain, 3)),
-        *(
-            _depth(run, f"Residual depth, {body} body", float(history[f"max_residual_{body}"][-1]))
-            for body in ("lower", "upper")
-            if history[f"max_residual_{body}"].any()
-        ),
-        Number("Energy unaccounted for, at the end", text.percent(float(balance_error(history)[-1]))),
-    ]
+    found = [*SCENARIOS[run.scenario].key_numbers(run), *_of_all_scenarios(run.history)]
+    return [_shown(run, one) for one in found]
 
 
-def _of_tugging(run: Run) -> Iterator[Number]:
-    history = run.history
-    if run.complete and run.case("tugging", "load") is None:
-        yield _depth(run, "Interference", run.interference)
-    yield _force(run, "Largest resistance F_X", float(history["F_X"].max()))
-    yield _force(run, "Smallest F_X", float(history["F_X"].min()))
-    yield _force(run, "Largest normal force F_Z", float(history["F_Z"].max()))
-    yield _number(run, "Net work", float(history["work"][-1]), "J", "energy", "U_c")
-
-
-def _of_indentation(run: Run) -> Iterator[Number]:
-    history = run.history
-    yield _force(run, "Largest load", float(history["F_n"].max()))
-    yield _depth(run, "Largest approach", float(history["approach"].max()))
-    if run.complete:
-        first = run.indents[0]
-        yield Number("Hardness, first indent", text.quantity(first.hardness, "Pa"))
-        if first.unloading_stiffness:
-            yield Number("Unloading stiffness, first indent", text.quantity(first.unloading_stiffness, "N/m"))
-        yield _depth(run, "Pile-up, first indent", first.pile_up)
-
-
-def _of_rolling(run: Run) -> Iterator[Number]:
-    yield _force(run, "Largest load", float(run.history["F_n"].max()))
-    if run.complete:
-        last = run.passes[-1]
-        yield Number("Passes", str(len(run.passes)))
-        yield _depth(run, "Rut depth after the last pass", last.rut_depth)
-        yield _depth(run, "Height of its shoulders", last.shoulder_height)
-        steady = "" if last.steady else ", not steady"
-        yield _force(run, f"Resistance, last pass{steady}", last.resistance)
-        yield Number("Growth of strain in the last pass", text.percent(last.track_plastic_increment, 3))
-        if run.case("rolling", "slide_to_roll") and not math.isnan(last.friction):
-            yield Number("Friction F_X / F_n, last pass", text.number(last.friction))
-            yield Number("Area of contact, last pass", text.quantity(last.contact_area, "m²"))
+def _of_all_scenarios(history: History) -> Iterator[KeyNumber]:
+    yield KeyNumber("Largest pressure", float(history["max_pressure"].max()), "Pa", "peak_pressure")
+    yield KeyNumber("Largest equivalent plastic strain", float(history["max_equivalent_plastic_strain"].max()), "%")
+    for body in ("lower", "upper"):
+        residual = history[f"max_residual_{body}"]
+        if residual.any():
+            yield KeyNumber(f"Residual depth, {body} body", float(residual[-1]), "m", "interference")
+    yield KeyNumber("Energy unaccounted for, at the end", float(balance_error(history)[-1]), "%", digits=2)
 
 
 def energies_of(run: Run) -> list[Number]:
@@ -110,7 +68,7 @@ def energies_of(run: Run) -> list[Number]:
         *((sink.name, last[sink.column]) for sink in sinks_of(run.history)),
         ("unaccounted for", missing),
     ]
-    return [_number(run, name, value, "J", "energy", "U_c") for name, value in values]
+    return [_shown(run, KeyNumber(name, value, "J", "energy")) for name, value in values]
 
 
 def cost_of(run: Run) -> list[Number]:

@@ -13,18 +13,22 @@ that says where and what.
     brinell.open("results/vickers").indents[0].hardness      # "indentation"
     brinell.open("results/raceway").passes[-1].rut_depth     # "rolling"; also .profile.residual_xx over .profile.depth
 
-Modules: `opening`, `run` (the result and its summary), `history`, `result_file` (result.vtkhdf), `snapshots` (the
-fields of a state), `fields` and `labelled` (a field over all states), `scenarios` (what differs between them).
+Modules: `opening`, `run` (the result; what only one scenario has is in `brinell.scenarios`), `history`, `result_file`
+(result.vtkhdf), `snapshots` (the fields of a state), `fields` and `labelled` (a field over all states).
 """
 
 from brinell.results.accuracy import Accuracy, RunWarning
+from brinell.results.columns import HISTORY_COLUMNS
 from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.history import History
 from brinell.results.labelled import Labelled
 from brinell.results.opening import open_run
-from brinell.results.run import CriticalValues, Run
-from brinell.results.scenarios import HISTORY_COLUMNS, Indent, RollingPass, Scenario, TrackProfile
+from brinell.results.run import Run
 from brinell.results.snapshots import COMPONENTS, BodyFields, ContactFields, Snapshot
+from brinell.scenarios import Scenario
+from brinell.scenarios.indentation import Indent
+from brinell.scenarios.rolling import RollingPass, TrackProfile
+from brinell.summary import CriticalValues
 
 __all__ = [
     "COMPONENTS",

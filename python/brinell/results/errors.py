@@ -5,19 +5,14 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 from brinell import _core
-from brinell.errors import InputError
+from brinell.summary import RunError
 
-__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "summary_place", "tells_damage", "unfinished"]
+__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "tells_damage"]
 
 FORMAT_VERSION: int = _core.FORMAT_VERSION
 """Version of the results format that this package reads."""
-
-
-class RunError(InputError):
-    """A folder or file is not a readable result, or does not hold what was asked for; the text is one line."""
 
 
 def one_line(error: BaseException) -> str:
@@ -44,16 +39,3 @@ def tells_damage(path: object, part: str = "it") -> Iterator[None]:
 def listed(names: Sequence[object]) -> str:
     """Names for a message, separated by commas; "none" if there is none."""
     return ", ".join(map(str, names)) if names else "none"
-
-
-def summary_place(path: Path) -> str:
-    """Of the summary of a folder, or of a file alone, in messages."""
-    return f"{path}: /summary" if path.is_file() else str(path / "summary.json")
-
-
-def unfinished(path: Path, steps: int) -> RunError:
-    """What a run without summary is refused with."""
-    return RunError(
-        f"{path}: no {'/summary' if path.is_file() else 'summary.json'}, the run has not finished ({steps} steps); "
-        "allow_unfinished=True opens it as far as it is"
-    )

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from brinell._names import tell_old_name
 from brinell._reprs import column_table
 from brinell.errors import MissingExtraError
+from brinell.results.columns import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, scenario_of
 from brinell.results.errors import RunError, listed
 from brinell.results.old_format import OLD_COLUMNS, columns_of_today, has_old_columns
-from brinell.results.scenarios import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, Scenario, scenario_of
+from brinell.scenarios import Scenario
 
 if TYPE_CHECKING:
     import pandas

@@ -9,12 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from brinell.results.errors import FORMAT_VERSION, RunError, summary_place, unfinished
+from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.history import History, read_history
 from brinell.results.old_format import OLD_VERSION, summary_of_today
 from brinell.results.result_file import FILE_NAME, MemoryFile, ResultFile
 from brinell.results.run import Run
-from brinell.results.scenarios import Scenario
+from brinell.scenarios import Scenario
+from brinell.summary import summary_place, unfinished
 
 __all__ = ["open_run", "run_of_image"]
 

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, tells_damage
 from brinell.results.history import History
 from brinell.results.old_format import OLD_VERSION, columns_of_today
-from brinell.results.scenarios import Scenario, distance_from_middle
 from brinell.results.snapshots import Snapshot, row_of, snapshot_of
+from brinell.scenarios import SCENARIOS, Scenario
 
 __all__ = ["FILE_NAME", "MemoryFile", "ResultFile", "Source"]
 
@@ -191,4 +191,5 @@ class ResultFile:
             raise RunError(f"{self.path}: no stored step; [output] of the case chooses them")
         with tells_damage(self.path, "/steps"):
             rows = {name: self._row(self.group(name)) for name in names}
-            return min(names, key=lambda name: (rows[name]["pass"], distance_from_middle(scenario, rows[name])))
+            distance = SCENARIOS[scenario].distance_from_middle
+            return min(names, key=lambda name: (rows[name]["pass"], distance(rows[name])))

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from brinell._reprs import cells
 from brinell.results.errors import listed
-from brinell.results.scenarios import Scenario
+from brinell.scenarios import Scenario
 
 __all__ = [
     "COMPONENTS",

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The columns of the histories of all scenarios, as the core tells them, and which scenario a history is of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+
+from brinell import _core
+from brinell.results.errors import RunError
+from brinell.scenarios import SCENARIOS, Scenario
+
+__all__ = [
+    "COLUMN_UNITS",
+    "HISTORY_COLUMNS",
+    "INTEGER_COLUMNS",
+    "OF_A_PERIOD",
+    "scenario_of",
+]
+
+OF_A_PERIOD = ("nominal_pressure", "contact_fraction", "mean_gap", "contact_stiffness")
+"""Columns that are NaN unless both axes are periodic; the stiffness is infinite in full contact."""
+
+_OF_FRICTION = ("dissipation_friction", "F_friction", "share_at_shear_limit")
+_ADDED_LATER = ("height", "friction", "contact_cells", *OF_A_PERIOD, *_OF_FRICTION)
+"""Columns that the histories of older versions do not have."""
+
+HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(
+    {
+        scenario: tuple(column.name for column in _core.columns()[scenario] if column.name not in _ADDED_LATER)
+        for scenario in SCENARIOS
+    }
+)
+"""Columns that history.csv must have in each scenario, in order; a file may have more."""
+
+INTEGER_COLUMNS: Mapping[Scenario, frozenset[str]] = MappingProxyType(
+    {
+        scenario: frozenset(column.name for column in _core.columns()[scenario] if column.is_integer)
+        for scenario in SCENARIOS
+    }
+)
+"""Those that count or number something."""
+
+COLUMN_UNITS: Mapping[Scenario, Mapping[str, str]] = MappingProxyType(
+    {
+        scenario: MappingProxyType({column.name: column.unit for column in _core.columns()[scenario]})
+        for scenario in SCENARIOS
+    }
+)
+"""Units of the columns; "1" for a pure number."""
+
+
+def scenario_of(columns: Iterable[str]) -> Scenario:
+    """The scenario that a history with these columns belongs to.
+
+    Raises:
+        RunError: none has all of its columns; the text names the likeliest one and what it lacks.
+    """
+    present = set(columns)
+    missing = {name: [c for c in HISTORY_COLUMNS[name] if c not in present] for name in SCENARIOS}
+    # The columns of one may be among those of another.
+    likeliest: Scenario = min(missing, key=lambda name: (len(missing[name]), len(present - COLUMN_UNITS[name].keys())))
+    if missing[likeliest]:
+        raise RunError(f"the header is not that of a history (of {likeliest} without {', '.join(missing[likeliest])})")
+    return likeliest

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenarios as Python classes: each makes a `Case`.
+
+    steel = brinell.Material("210 GPa", 0.3, brinell.Linear("600 MPa", "2 GPa"))
+    ball = brinell.Body(brinell.Sphere("10 um"), steel)
+    run = brinell.Tugging(lower=ball, upper=ball, interference=4).run(progress=True)
+
+What is None is left to the case file's defaults, as docs/reference/case-file.md has them.
+"""
+
+# A module for each scenario holds all that Python knows of it alone. This one lists them; nothing else names them.
+
+from collections.abc import Mapping
+from typing import Literal
+
+from brinell.scenarios import indentation, rolling, tugging
+from brinell.scenarios.indentation import Indentation
+from brinell.scenarios.rolling import Rolling
+from brinell.scenarios.traits import Traits
+from brinell.scenarios.tugging import Tugging
+
+__all__ = ["Indentation", "Rolling", "Tugging"]
+
+Scenario = Literal["tugging", "indentation", "rolling"]
+"""Names of the scenarios, as in the case file."""
+
+SCENARIOS: Mapping[Scenario, Traits] = {one.name: one for one in (tugging.TRAITS, indentation.TRAITS, rolling.TRAITS)}
+"""What is known of each, in the order of the case file."""
+
+
+class OfScenarios(tugging.TuggingResult, indentation.IndentationResult, rolling.RollingResult):
+    """What a result has that only one scenario has."""

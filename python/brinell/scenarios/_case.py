@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the classes of all scenarios share: a case whose text is made of arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import tomli_w
+
+from brinell.bodies import Body
+from brinell.case import Case, HeightMaps, in_arguments, plain
+from brinell.errors import InputError
+from brinell.settings import Grid, Interface, Output, Solver
+
+__all__ = ["ScenarioCase"]
+
+
+class ScenarioCase(Case):
+    """A case whose text is made of arguments."""
+
+    _table: str
+
+    def __init__(
+        self,
+        lower: Body,
+        upper: Body,
+        table: Mapping[str, Any],
+        *,
+        title: str | None,
+        grid: Grid | Mapping[str, Any] | None,
+        solver: Solver | Mapping[str, Any] | None,
+        output: Output | Mapping[str, Any] | None,
+        interface: Interface | Mapping[str, Any] | None = None,
+    ):
+        for name, body in (("lower", lower), ("upper", upper)):
+            if not isinstance(body, Body):
+                raise InputError(f"{name} = {body!r}; allowed: a brinell.Body")
+        parts = (
+            ("interface", interface, Interface),
+            ("grid", grid, Grid),
+            ("solver", solver, Solver),
+            ("output", output, Output),
+        )
+        for name, part, kind in parts:
+            if not (part is None or isinstance(part, kind | Mapping)):
+                raise InputError(f"{name} = {part!r}; allowed: a brinell.{kind.__name__}, a dictionary, or None")
+        values = {
+            "scenario": self._table,
+            "title": title,
+            "lower": lower.parts(),
+            "upper": upper.parts(),
+            self._table: table,
+            "interface": interface,
+            "grid": grid,
+            "solver": solver,
+            "output": output,
+        }
+        try:
+            maps: HeightMaps = {}
+            text = tomli_w.dumps(plain(values, maps))
+            super().__init__(text, file=Path(f"{self._table}.toml"), names_lines=False, maps=maps)
+        except InputError as error:  # the keys of the scenario's own table are arguments
+            raise type(error)(in_arguments(str(error), self._table)) from None

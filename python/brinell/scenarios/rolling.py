@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rolling: all that Python knows of it alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from brinell.bodies import Body, Quantity
+from brinell.scenarios._case import ScenarioCase
+from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
+from brinell.settings import Grid, Interface, Output, Solver
+from brinell.summary import FloatArray, RunSummary
+
+if TYPE_CHECKING:
+    from brinell.plot.history import Panel
+    from brinell.results import Run
+
+__all__ = ["TRAITS", "Rolling", "RollingPass", "RollingResult", "TrackProfile"]
+
+
+class Rolling(ScenarioCase):
+    """The upper body, pressed on the lower one, rolls over it along x, pass after pass."""
+
+    _table = "rolling"
+
+    def __init__(
+        self,
+        lower: Body,
+        upper: Body,
+        distance: Quantity,
+        *,
+        load: Quantity | None = None,
+        hertz_pressure: Quantity | None = None,
+        approach: Quantity | None = None,
+        passes: int | None = None,
+        slide_to_roll: float | None = None,
+        shift: Quantity | None = None,
+        load_steps: int | None = None,
+        interface: Interface | Mapping[str, Any] | None = None,
+        title: str | None = None,
+        grid: Grid | Mapping[str, Any] | None = None,
+        solver: Solver | Mapping[str, Any] | None = None,
+        output: Output | Mapping[str, Any] | None = None,
+    ):
+        """Describes a rolling; one of load, hertz_pressure and approach is given.
+
+        Args:
+            lower: the body that is rolled over.
+            upper: the body that rolls.
+            distance: length of the track on the lower body.
+            load: kept while rolling.
+            hertz_pressure: the load by the peak pressure that it would have in elastic contact.
+            approach: kept while rolling, instead of a load.
+            passes: how often the track is rolled over.
+            slide_to_roll: difference over mean of the speeds of both surfaces; 0: pure rolling.
+            shift: by which the contact moves on the lower body per step.
+            load_steps: in which the upper body is pressed on before a pass and lifted off after it.
+            interface: friction, `brinell.Interface` or a dictionary.
+            title: copied into the results.
+            grid: its cells, `brinell.Grid` or a dictionary.
+            solver: `brinell.Solver` or a dictionary.
+            output: what is stored, `brinell.Output` or a dictionary.
+
+        Raises:
+            InputError: with all problems found.
+        """
+        table = {
+            "distance": distance,
+            "load": load,
+            "hertz_pressure": hertz_pressure,
+            "approach": approach,
+            "passes": passes,
+            "slide_to_roll": slide_to_roll,
+            "shift": shift,
+            "load_steps": load_steps,
+        }
+        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output, interface=interface)
+
+
+@dataclass(frozen=True)
+class RollingPass:
+    """What one pass has left, under the middle of the track."""
+
+    pass_: int
+    """Which one; counts from 1."""
+    rut_depth: float
+    """Residual displacement of the lower body at x = y = 0, into the body positive [m]."""
+    shoulder_height: float
+    """Largest height of its residual surface in the section x = 0, outwards positive [m]."""
+    max_equivalent_plastic_strain: float
+    """Largest over both bodies [-]."""
+    track_plastic_strain: float
+    """Largest equivalent plastic strain of the lower body under x = y = 0 [-]."""
+    track_plastic_increment: float
+    """Largest growth of it in this pass [-]."""
+    dissipation: float
+    """Plastic work in both bodies in this pass [J]."""
+    resistance: float
+    """Energy that both bodies take up, dissipated and locked in, per length over the middle half of the track [N]."""
+    max_pressure: float
+    """Mean over the same of the largest pressure [Pa]."""
+    steady: bool = False
+    """Whether the resistance was the same all along: then it does not depend on the length of the track."""
+    unsteadiness: float = math.nan
+    """Difference of it between the two quarters of the middle half, over the larger of them; steady up to 0.1 [-]."""
+    mean_F_X: float = math.nan
+    """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
+    friction: float = math.nan
+    """Mean F_X over mean F_n over the same [-]."""
+    contact_area: float = math.nan
+    """Mean over the same [m^2]."""
+
+
+@dataclass(frozen=True, eq=False)
+class TrackProfile:
+    """Under x = y = 0 of the lower body after the last pass, unloaded; one value per layer of cells."""
+
+    depth: FloatArray
+    """Of the layers' centres, > 0 [m]."""
+    residual_xx: FloatArray
+    """Residual stress along the motion, positive in tension [Pa]."""
+    residual_yy: FloatArray
+    """Residual stress across it, positive in tension [Pa]."""
+    equivalent_plastic_strain: FloatArray
+    """[-]."""
+
+
+class RollingResult(RunSummary):
+    """What only a rolling has in its summary."""
+
+    @cached_property
+    def passes(self) -> list[RollingPass]:
+        """Of a rolling, in the order of time."""
+        return self._entries_of("rolling", "passes", RollingPass)
+
+    @cached_property
+    def profile(self) -> TrackProfile:
+        """What rolling has left in the depth under the middle of the track."""
+        return self._entry_of("rolling", "profile", TrackProfile)
+
+
+def _key_numbers(run: Run) -> Iterator[KeyNumber]:
+    yield KeyNumber("Largest load", float(run.history["F_n"].max()), "N", "load")
+    if run.complete:
+        last = run.passes[-1]
+        yield KeyNumber("Passes", len(run.passes))
+        yield KeyNumber("Rut depth after the last pass", last.rut_depth, "m", "interference")
+        yield KeyNumber("Height of its shoulders", last.shoulder_height, "m", "interference")
+        steady = "" if last.steady else ", not steady"
+        yield KeyNumber(f"Resistance, last pass{steady}", last.resistance, "N", "load")
+        yield KeyNumber("Growth of strain in the last pass", last.track_plastic_increment, "%")
+        if run.case("rolling", "slide_to_roll") and not math.isnan(last.friction):
+            yield KeyNumber("Friction F_X / F_n, last pass", last.friction)
+            yield KeyNumber("Area of contact, last pass", last.contact_area, "m²")
+
+
+def _panels() -> tuple[Panel, Panel]:
+    from brinell.plot import history
+
+    return history.resistance_to_rolling, history.approach
+
+
+def _drawings() -> Drawings:
+    from brinell.plot import rolling
+
+    return Drawings(
+        "rolling",
+        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it.",
+        {
+            "passes": Drawing(
+                rolling.pass_by_pass,
+                "Pass by pass: rut, shoulders, resistance, plastic strain under the track, its growth, and "
+                "dissipation.",
+            ),
+            "depth-profiles": Drawing(
+                rolling.depth_profiles,
+                "Residual stress along and across the motion and plastic strain under the middle of the track.",
+            ),
+            "track-profile": Drawing(
+                rolling.track_profile,
+                "Residual surface of the lower body across the track, after the last pass.",
+            ),
+            "along-track": Drawing(rolling.along_track, "Resistance and approach along the track, pass by pass."),
+        },
+    )
+
+
+TRAITS = Traits(name="rolling", motion="x", key_numbers=_key_numbers, panels=_panels, drawings=_drawings)

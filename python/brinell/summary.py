@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a result tells in its summary, whatever its scenario: the base of `Run` and of what only one scenario has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, fields
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brinell.errors import InputError
+
+if TYPE_CHECKING:  # these modules know the scenarios, which know this one
+    from brinell.results.history import History
+    from brinell.results.result_file import MemoryFile
+    from brinell.scenarios import Scenario
+
+__all__ = ["CriticalValues", "FloatArray", "RunError", "RunSummary", "summary_place", "unfinished"]
+
+FloatArray = NDArray[np.float64]
+
+_T = TypeVar("_T")
+
+
+class RunError(InputError):
+    """A folder or file is not a readable result, or does not hold what was asked for; the text is one line."""
+
+
+@dataclass(frozen=True, eq=False)
+class CriticalValues:
+    """First yield of the normal contact of the two bodies (Green 2005)."""
+
+    C: float
+    """Peak pressure over yield stress [-]."""
+    interference: float
+    """alpha_c [m]."""
+    load: float
+    """P_c [N]."""
+    energy: float
+    """U_c [J]."""
+    contact_radius: float
+    """a_c, of cylinders the half-width [m]."""
+    contact_area: float
+    """A_c = pi a_c², of cylinders of the length L 2 a_c L [m²]."""
+    peak_pressure: float
+    """p0_c = C S_y [Pa]."""
+
+    @property
+    def yield_stress(self) -> float:
+        """S_y of the body that yields first [Pa]."""
+        return self.peak_pressure / self.C
+
+
+@dataclass(frozen=True, eq=False)
+class RunSummary:
+    """Reads the summary of a run."""
+
+    path: Path
+    """The folder, or the file if that was opened alone; of a run in memory only a name."""
+    history: History
+    summary: dict[str, Any] | None
+    """Key results and the case, docs/reference/results-format.md; None if the run has not finished."""
+    memory: MemoryFile | None = None
+    """Of a run in memory: what would be its file."""
+
+    @property
+    def complete(self) -> bool:
+        """Whether the run reached its end."""
+        return self.summary is not None
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was computed."""
+        return self.history.scenario
+
+    def _value(self, *keys: str) -> Any:
+        """An entry of the summary."""
+        if self.summary is None:
+            raise unfinished(self.path, self.history.steps)
+        entry: Any = self.summary
+        for key in keys:
+            if not isinstance(entry, Mapping) or key not in entry:
+                raise RunError(f"{summary_place(self.path)}: no entry {'.'.join(keys)}")
+            entry = entry[key]
+        return entry
+
+    def _number(self, *keys: str) -> float:
+        value = self._value(*keys)
+        if value is None or isinstance(value, bool) or not isinstance(value, int | float) or not np.isfinite(value):
+            raise RunError(f"{self._place('.'.join(keys))} = {value!r} is not a number")
+        return float(value)
+
+    def case(self, *keys: str) -> Any:
+        """A value of the case as computed, SI; None if it does not apply there.
+
+        `run.case("upper", "shape", "radius")` is upper.shape.radius of the case file.
+        """
+        entry = self._value("case")
+        for key in keys:
+            entry = entry.get(key) if isinstance(entry, Mapping) else None
+        return entry
+
+    @property
+    def has_critical_values(self) -> bool:
+        """Whether there is a first yield in closed form: of round bodies, or cylinders in plane strain."""
+        return self._value("critical", "load_N") is not None
+
+    @cached_property
+    def critical(self) -> CriticalValues:
+        """Values at first yield, the scales of dimensionless results."""
+        if not self.has_critical_values:
+            raise RunError(
+                f"{self.path}: no critical values to normalise with: both bodies are elastic, or they are neither "
+                "round nor cylinders in plane strain"
+            )
+        radius = self._number("critical", "contact_radius_m")
+        from_before_lines = "contact_area_m2" not in self._value("critical")  # then it is that of spheres
+        return CriticalValues(
+            C=self._number("critical", "C"),
+            interference=self._number("critical", "interference_m"),
+            load=self._number("critical", "load_N"),
+            energy=self._number("critical", "energy_J"),
+            contact_radius=radius,
+            contact_area=np.pi * radius**2 if from_before_lines else self._number("critical", "contact_area_m2"),
+            peak_pressure=self._number("critical", "peak_pressure_Pa"),
+        )
+
+    @property
+    def line_reference(self) -> float | None:
+        """Distance from which the approach of cylinders in plane strain counts [m]; None of other bodies."""
+        exists = self._value("critical").get("line_reference_m") is not None
+        return self._number("critical", "line_reference_m") if exists else None
+
+    @property
+    def equivalent_radius(self) -> float:
+        """R = 1 / (1/R1 + 1/R2) of round bodies, or cylinders in plane strain [m]."""
+        return self._number("geometry", "equivalent_radius_m")
+
+    def _value_of(self, scenario: Scenario, key: str) -> Any:
+        """An entry of the summary that only one scenario has."""
+        if self.scenario != scenario:
+            raise RunError(f"{self.path}: is of scenario {self.scenario!r}; {key} are of {scenario!r}")
+        return self._value(key)
+
+    def _entry_of(self, scenario: Scenario, key: str, kind: type[_T]) -> _T:
+        """The same as a dataclass."""
+        return _parsed(kind, self._value_of(scenario, key), self._place(key))
+
+    def _entries_of(self, scenario: Scenario, key: str, kind: type[_T]) -> list[_T]:
+        """The same of a list of them."""
+        value = self._value_of(scenario, key)
+        if not isinstance(value, list):
+            raise RunError(f"{self._place(key)} is not a list")
+        return [_parsed(kind, entry, self._place(f"{key}[{i}]")) for i, entry in enumerate(value)]
+
+    def _place(self, key: str) -> str:
+        return f"{summary_place(self.path)}: {key}"
+
+
+def _parsed(kind: type[_T], entry: Any, where: str) -> _T:
+    """An object of summary.json as a dataclass.
+
+    Args:
+        kind: the class; its fields are of the kinds in `_READERS`, those with a default may be missing.
+        entry: the object; null stands for NaN.
+        where: file and key, for the message.
+
+    Raises:
+        RunError: a key is missing, or its value is not of the right kind.
+    """
+    values = {}
+    for one in fields(kind):  # type: ignore[arg-type]
+        name = one.name.rstrip("_")  # of `pass_`, which is no name in Python
+        if one.default is not MISSING and not any(name + unit in entry for unit in _UNITS):
+            continue  # a result of an older version
+        try:
+            key = next(name + unit for unit in _UNITS if name + unit in entry)
+            values[one.name] = _READERS[str(one.type)](entry[key])
+        except (StopIteration, OverflowError, TypeError, ValueError) as error:
+            raise RunError(f"{where}: no {name} that can be read") from error
+    return kind(**values)
+
+
+_UNITS = ("", "_m", "_m2", "_N", "_N_per_m", "_J", "_Pa", "_Pa_per_m")
+"""What keys of the summary end with."""
+
+_READERS: Mapping[str, Callable[[Any], Any]] = {
+    "bool": bool,
+    "int": int,
+    "float": lambda value: float("nan") if value is None else float(value),
+    "FloatArray": lambda value: np.array(value, dtype=np.float64),
+}
+
+
+def summary_place(path: Path) -> str:
+    """Of the summary of a folder, or of a file alone, in messages."""
+    return f"{path}: /summary" if path.is_file() else str(path / "summary.json")
+
+
+def unfinished(path: Path, steps: int) -> RunError:
+    """What a run without summary is refused with."""
+    return RunError(
+        f"{path}: no {'/summary' if path.is_file() else 'summary.json'}, the run has not finished ({steps} steps); "
+        "allow_unfinished=True opens it as far as it is"
+    )
