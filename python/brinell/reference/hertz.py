@@ -192,7 +192,9 @@ def point_contact_stress(
     require_below(z)
     require_positive(contact_radius=contact_radius)
     require_poisson(poisson_ratio)
-    return _core.point_contact_stress(x, y, z, contact_radius, peak_pressure, poisson_ratio, friction).reshape(6, *shape)
+    return _core.point_contact_stress(x, y, z, contact_radius, peak_pressure, poisson_ratio, friction).reshape(
+        6, *shape
+    )
 
 
 def line_contact_stress(
@@ -203,7 +205,7 @@ def line_contact_stress(
     poisson_ratio: float,
     friction: float = 0.0,
 ) -> Array:
-    """Stress under a line contact in plane strain (McEwen 1949; Johnson 1985, Eqs. 4.49), also one that slides (7.8).
+    """Stress under a line contact in plane strain, also one that slides (McEwen 1949; Johnson 1985, Eqs. 4.49, 7.8).
 
     Args:
         x: points across the line, from its middle [m]; broadcast against z to the shape (...).
