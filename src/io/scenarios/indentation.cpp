@@ -132,7 +132,7 @@ std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, con
 
 std::string read(const CaseReader& reader, Case& c, IndentationCase& i)
 {
-  const std::string key = driving_key(reader);
+  std::string key = driving_key(reader);
   const auto unit = key.empty() ? std::nullopt : unit_of_drive(reader, c, i, key);
   if (!unit)
     return key;
