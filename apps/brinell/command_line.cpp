@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/case_template.hpp"
 #include "brinell/io/versions.hpp"
 #include "commands.hpp"
 #include "options.hpp"
@@ -36,10 +37,10 @@ A first run:
   brinell run first.toml --set tugging.interference=2 -o results/first)";
 
 /// For who only types the name of the program.
-constexpr const char* usage =
+constexpr std::string_view usage =
     R"(brinell computes the elastic-plastic contact of bodies that are pressed, rolled or slid.
 
-  brinell new indentation -o first.toml   write a case file to begin with; also: tugging, rolling
+  brinell new indentation -o first.toml   write a case file to begin with; also: {}
   brinell check first.toml                what it comes to: grid, memory, time
   brinell run first.toml -o results       compute it
   brinell plot all results                draw figures of the results
@@ -138,7 +139,9 @@ int command_line(std::vector<std::string> words)
 {
   if (words.empty())
   {
-    fmt::print(stderr, "{}", usage);
+    std::vector<std::string> others = io::scenario_names();
+    std::erase(others, "indentation");
+    fmt::print(stderr, usage, fmt::join(others, ", "));
     return exit_input;
   }
   CLI::App app("brinell: elastic-plastic contact of bodies that are pressed, rolled or slid (semi-analytical method)",

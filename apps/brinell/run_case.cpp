@@ -5,10 +5,10 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/result_image.hpp"
+#include "brinell/io/scenario_text.hpp"
 #include "brinell/io/snapshot_choice.hpp"
 #include "brinell/io/summary_json.hpp"
 #include "brinell/simulation/run.hpp"
-#include "scenario_text.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -75,9 +75,9 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   {
     results.add(io::columns(record));
     if (monitor.on_step)
-      monitor.on_step(record.step, step_count, step_text(c, record), record.evaluations);
+      monitor.on_step(record.step, step_count, io::step_text(c, record), record.evaluations);
   };
-  observer.wants_snapshot = [&](const Record& record) { return choice(scenario, record); };
+  observer.wants_snapshot = [&](const Record& record) { return choice(c.scenario, record); };
   observer.on_snapshot = [&](const Record& record, const simulation::Snapshot& snapshot)
   { results.add(record.step, io::columns(record), snapshot); };
   observer.wants_checkpoint = [&](const Record&)
@@ -116,7 +116,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   told.text = fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, seconds);
   if (summary.split_increments > 0)
     told.text += fmt::format("{} increments had to be split\n", summary.split_increments);
-  told.text += fmt::format("{}energy balance error {:.2e}\n{}\n", summary_text(c, summary),
+  told.text += fmt::format("{}energy balance error {:.2e}\n{}\n", io::results_text(c, summary),
                            summary.energy_balance_error, simulation::resolution_text(info.quality.resolution));
   if (info.accuracy)
     told.text += accuracy_text(*info.accuracy);

@@ -112,21 +112,12 @@ void bind_commands(nb::module_& m)
 /// The columns of the histories by scenario, and of the lists of the summary by their key.
 void bind_columns(nb::module_& m)
 {
-  using namespace simulation;
   nb::class_<io::NamedNumber>(m, "Column")
       .def_ro("name", &io::NamedNumber::name)
       .def_ro("unit", &io::NamedNumber::unit)
       .def_ro("text", &io::NamedNumber::text)
       .def_prop_ro("is_integer", [](const io::NamedNumber& n) { return std::holds_alternative<int>(n.value); });
-  m.def("columns",
-        []
-        {
-          return std::map<std::string, std::vector<io::NamedNumber>>{{"tugging", io::columns(TuggingRecord{})},
-                                                                     {"indentation", io::columns(IndentationRecord{})},
-                                                                     {"rolling", io::columns(RollingRecord{})},
-                                                                     {"indents", io::columns(Indent{})},
-                                                                     {"passes", io::columns(RollingPass{})}};
-        });
+  m.def("columns", &io::all_columns);
 }
 
 /// Height maps of Python, [y, x].

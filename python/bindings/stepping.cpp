@@ -24,8 +24,9 @@ namespace brinell::python
 namespace
 {
 
-using AnyRun = std::variant<simulation::Run<simulation::TuggingCase>, simulation::Run<simulation::IndentationCase>,
-                            simulation::Run<simulation::RollingCase>>;
+template <typename... ScenarioCase>
+using RunsOf = std::variant<simulation::Run<ScenarioCase>...>;
+using AnyRun = simulation::Scenarios<RunsOf>;
 
 /// A run that Python steps. Nothing is written.
 class Stepping
@@ -79,7 +80,7 @@ public:
 
   [[nodiscard]] std::string summary_text() const
   {
-    return without_lock([&] { return std::visit([&](const auto& run) { return text_of(run.summary()); }, run_); });
+    return without_lock([&] { return std::visit([&](const auto& run) { return text_of(run); }, run_); });
   }
 
 private:
@@ -96,25 +97,16 @@ private:
         c.scenario);
   }
 
-  template <typename Summary>
-  [[nodiscard]] std::string text_of(const Summary& summary) const
+  template <typename ScenarioCase>
+  [[nodiscard]] std::string text_of(const simulation::Run<ScenarioCase>& run) const
   {
-    return std::visit(
-        [&](const auto& scenario) -> std::string
-        {
-          if constexpr (std::is_same_v<typename std::decay_t<decltype(scenario)>::Summary, Summary>)
-          {
-            const auto plan = simulation::plan(scenario);
-            io::RunInfo info{.wall_time = 0.0,
-                             .threads = omp_get_max_threads(),
-                             .quality = simulation::quality(scenario, plan, summary)};
-            info.quality.warnings.insert(info.quality.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
-            return io::summary_text(case_, plan, summary, info);
-          }
-          else
-            throw InternalError("Stepping: a summary of another scenario");
-        },
-        case_.scenario);
+    const auto& scenario = std::get<ScenarioCase>(case_.scenario);
+    const auto plan = simulation::plan(scenario);
+    const auto summary = run.summary();
+    io::RunInfo info{
+        .wall_time = 0.0, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
+    info.quality.warnings.insert(info.quality.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
+    return io::summary_text(case_, plan, summary, info);
   }
 
   static Output line(double first, double step, int count)

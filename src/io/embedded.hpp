@@ -3,13 +3,13 @@
 
 #include <string_view>
 
-/// Text files of the source tree that the library carries inside: CMake writes their definitions (embedded.cpp.in).
-namespace brinell::io::embedded
+/// Text files of the source tree that the library carries inside: CMake writes them into it (embedded.cpp.in).
+namespace brinell::io
 {
 
-extern const std::string_view references; ///< cite/references.bib
-extern const std::string_view tugging, indentation,
-    rolling;                          ///< case/templates/*.toml: keys of the cases of `brinell new`
-extern const std::string_view common; ///< keys that all of them end with
+/// cite/references.bib; case/templates/*.toml, keys of the cases of `brinell new`, and those that all of them end with.
+/// @param name  of the file without its ending: "references", "common", or a scenario
+/// @throws InternalError if there is none
+[[nodiscard]] std::string_view embedded_text(std::string_view name);
 
-} // namespace brinell::io::embedded
+} // namespace brinell::io

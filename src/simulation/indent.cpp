@@ -2,6 +2,7 @@
 #include "indent.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,11 @@ void IndentReader::exchange(Archive& archive)
   if (archive.gives() && (load_.empty() || load_.size() != approach_.size()))
     throw InputError("the stored state has a load-depth curve without points, or of as many loads as approaches");
   archive("peak", peak_, 0, static_cast<int>(load_.size()) - 1);
+}
+
+void Indent::exchange(Archive& archive)
+{
+  exchange_columns(*this, archive);
 }
 
 } // namespace brinell::simulation

@@ -7,6 +7,7 @@
 #include "friction.hpp"
 #include "grid_layout.hpp"
 #include "indent.hpp"
+#include "judgement.hpp"
 #include "period.hpp"
 #include "run_state.hpp"
 
@@ -220,6 +221,28 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
     throw InputError(fmt::format("an approach of {:.4g} m {}", largest.value, *reason));
 }
 
+// docs/verification.md (expected error)
+constexpr Documented documented[] = {{"load", 0.014, 5.0, 2.0},
+                                     {"residual depth", 0.022, 5.6, 1.5},
+                                     {"hardness", 0.03, 5.6, 1.0},
+                                     {"pile-up", 0.065, 5.6, 1.5},
+                                     {"residual stress at a depth", 0.05, 8.0, 1.5},
+                                     {"largest pressure and strain", 0.09, 8.0, 1.0}};
+
+Facts facts(const IndentationCase& c, const IndentationPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
+  f.documented = documented;
+  return f;
+}
+
+Quality with_gaps(Quality quality, const IndentationCase& indentation, const IndentationPlan& plan)
+{
+  if (auto text = gaps_without_contact(indentation, plan.touching_gap))
+    quality.warnings.push_back({"no_contact", std::move(*text)});
+  return quality;
+}
+
 } // namespace
 
 IndentationPlan plan(const IndentationCase& indentation)
@@ -248,6 +271,21 @@ IndentationPlan plan(const IndentationCase& indentation)
       memory_bytes(plan, indentation.lower.material.is_plastic(), indentation.upper.material.is_plastic(),
                    indentation.solver.anderson_depth, indentation.friction.coefficient > 0.0);
   return plan;
+}
+
+void IndentationRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+}
+
+Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan)
+{
+  return with_gaps(quality_before(facts(indentation, plan)), indentation, plan);
+}
+
+Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals)
+{
+  return with_gaps(quality_after(facts(indentation, plan), totals), indentation, plan);
 }
 
 template <>

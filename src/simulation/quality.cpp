@@ -2,13 +2,13 @@
 #include "brinell/simulation/quality.hpp"
 
 #include "footprint.hpp"
-#include "period.hpp"
+#include "judgement.hpp"
 #include "roughness.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <span>
+#include <utility>
 
 namespace brinell::simulation
 {
@@ -26,111 +26,9 @@ constexpr double largest_strain = 0.05; ///< products of strains are neglected: 
 constexpr double largest_imbalance = 0.02;   ///< of the energies, over the largest work
 constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
 constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
-/// Relative difference of the two quarters of the middle of a track: each is then as far from their mean as resistance and
-/// dissipation usually are from the limit of fine cells, 8 %, twice over.
-constexpr double largest_unsteadiness = 0.3;
-constexpr double smallest_approach = 1e-9;       ///< [m], some atoms: no continuum
+constexpr double smallest_approach = 1e-9;   ///< [m], some atoms: no continuum
 constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
-
-/// Error that a number had with that many cells per contact radius, and the order by which it falls.
-struct Documented
-{
-  const char* quantity;
-  double error, cells, order;
-};
-
-// docs/verification.md (expected error)
-constexpr Documented of_tugging[] = {{"peak force", 0.009, 8.0, 2.1},
-                                     {"dents", 0.017, 8.0, 1.8},
-                                     {"net energy", 0.036, 8.0, 1.7},
-                                     {"F_X at alignment", 0.043, 8.0, 1.7}};
-constexpr Documented of_indentation[] = {{"load", 0.014, 5.0, 2.0},
-                                         {"residual depth", 0.022, 5.6, 1.5},
-                                         {"hardness", 0.03, 5.6, 1.0},
-                                         {"pile-up", 0.065, 5.6, 1.5},
-                                         {"residual stress at a depth", 0.05, 8.0, 1.5},
-                                         {"largest pressure and strain", 0.09, 8.0, 1.0}};
-constexpr Documented of_rolling[] = {
-    {"rut", 0.05, 4.0, 1.5}, {"resistance", 0.08, 4.0, 1.5}, {"dissipation", 0.07, 4.0, 1.5}};
-
-/// What the judgement needs of any scenario.
-struct Facts
-{
-  std::span<const Documented> documented;
-  std::array<double, 3> cell{};
-  double half_x = 0.0, half_y = 0.0; ///< of the contact, estimate [m]
-  bool moves = false;                ///< along x
-  double approach = 0.0;             ///< largest, estimate [m]
-  std::optional<double> first_yield; ///< approach there [m], where the estimate holds
-  bool can_yield = false;
-  std::optional<double> shift; ///< if it is not one cell [m]
-  bool is_plane = false;       ///< nothing varies along y
-  bool is_patchy = false; ///< the contact may lie anywhere in a period, so that its extent says nothing of its patches
-  std::optional<double> cells_per_wave; ///< the shortest one, of rough flats over a period
-  std::array<const Texture*, 2> textures{nullptr, nullptr};
-  elastoplastic::Settings solver;
-};
-
-template <typename ScenarioCase>
-Facts common_facts(const ScenarioCase& c, const Plan& plan)
-{
-  Facts f;
-  f.cell = {plan.contact.dx, plan.contact.dy, plan.lower.dz};
-  f.approach = plan.scales.gap;
-  f.can_yield = c.lower.material.is_plastic() || c.upper.material.is_plastic();
-  const bool stressed =
-      !c.lower.material.initial_stress.depth().empty() || !c.upper.material.initial_stress.depth().empty();
-  // On textures stand peaks of pressure.
-  if (!stressed && are_smooth(c.lower, c.upper))
-    f.first_yield = plan.scales.displacement;
-  f.solver = c.solver;
-  f.is_plane = is_plane(plan.contact);
-  f.textures = {&c.lower.texture, &c.upper.texture};
-  return f;
-}
-
-template <typename ScenarioCase>
-Facts shaped_facts(const ScenarioCase& c, const Plan& plan, const contact::Drive& drive)
-{
-  Facts f = common_facts(c, plan);
-  const Footprint foot = footprint(c.lower, c.upper, drive, c.domain, c.friction.coefficient);
-  f.half_x = foot.half_x;
-  f.half_y = foot.half_y;
-  f.is_patchy = c.domain.is_periodic();
-  f.cells_per_wave = cells_per_wave(c.lower, c.upper, c.domain, f.cell[0], f.cell[1]);
-  return f;
-}
-
-Facts facts(const TuggingCase& c, const TuggingPlan& plan)
-{
-  Facts f = common_facts(c, plan);
-  f.documented = of_tugging;
-  f.half_x = plan.elastic_contact_radius;
-  f.half_y = plan.elastic_contact_radius_y;
-  f.moves = true;
-  if (c.shift)
-    f.shift = plan.shift;
-  return f;
-}
-
-Facts facts(const IndentationCase& c, const IndentationPlan& plan)
-{
-  Facts f = shaped_facts(c, plan, largest_drive(c));
-  f.documented = of_indentation;
-  return f;
-}
-
-Facts facts(const RollingCase& c, const RollingPlan& plan)
-{
-  Facts f = shaped_facts(c, plan, c.drive);
-  f.documented = of_rolling;
-  f.moves = true;
-  // Of the faster surface: with much sliding it moves many cells where the other one moves one.
-  if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
-    f.shift = faster;
-  return f;
-}
 
 /// "1.23 nm"
 std::string length_text(double metres)
@@ -140,11 +38,6 @@ std::string length_text(double metres)
     if (std::abs(metres) >= size)
       return fmt::format("{:.3g} {}", metres / size, name);
   return fmt::format("{:.3g} nm", metres / 1e-9);
-}
-
-std::string percent_text(double share)
-{
-  return fmt::format("{:.2g} %", 100.0 * share);
 }
 
 std::string errors_text(const std::vector<ExpectedError>& errors)
@@ -293,23 +186,7 @@ public:
                                           totals.split_increments));
   }
 
-  /// Tells of the worst pass.
-  void of_passes(const std::vector<RollingPass>& passes)
-  {
-    const auto worst = std::max_element(passes.begin(), passes.end(),
-                                        [](const RollingPass& a, const RollingPass& b)
-                                        { return std::abs(a.unsteadiness) < std::abs(b.unsteadiness); });
-    if (worst == passes.end() || !(std::abs(worst->unsteadiness) > largest_unsteadiness))
-      return;
-    const bool is_rough = !f_.textures[0]->is_smooth() || !f_.textures[1]->is_smooth();
-    add("unsteady_track",
-        fmt::format(
-            "pass {}: the energy taken up per length differs by {} between the two quarters of the middle of the "
-            "track: its resistance, friction and mean F_X are those of this stretch and no average; take a "
-            "longer track{}",
-            worst - passes.begin() + 1, percent_text(std::abs(worst->unsteadiness)),
-            is_rough ? ", of many lengths of the texture" : ""));
-  }
+  void add(Warning warning) { result_.warnings.push_back(std::move(warning)); }
 
   [[nodiscard]] Quality result() && { return std::move(result_); }
 
@@ -359,13 +236,42 @@ private:
                     cells < 2.0 ? ": only the mean over each cell counts" : "", fewest_cells_of_wave));
   }
 
-  void add(const char* key, std::string text) { result_.warnings.push_back({key, std::move(text)}); }
+  void add(const char* key, std::string text) { add({key, std::move(text)}); }
 
   const Facts& f_;
   Quality result_;
 };
 
-Quality before(const Facts& f)
+} // namespace
+
+std::string percent_text(double share)
+{
+  return fmt::format("{:.2g} %", 100.0 * share);
+}
+
+Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper, const Plan& plan,
+               double half_x, double half_y)
+{
+  Facts f;
+  f.cell = {plan.contact.dx, plan.contact.dy, plan.lower.dz};
+  f.half_x = half_x;
+  f.half_y = half_y;
+  f.approach = plan.scales.gap;
+  f.can_yield = lower.material.is_plastic() || upper.material.is_plastic();
+  const bool stressed =
+      !lower.material.initial_stress.depth().empty() || !upper.material.initial_stress.depth().empty();
+  // On textures stand peaks of pressure.
+  if (!stressed && are_smooth(lower, upper))
+    f.first_yield = plan.scales.displacement;
+  f.solver = numerics.solver;
+  f.is_plane = is_plane(plan.contact);
+  f.is_patchy = numerics.domain.is_periodic();
+  f.cells_per_wave = cells_per_wave(lower, upper, numerics.domain, f.cell[0], f.cell[1]);
+  f.textures = {&lower.texture, &upper.texture};
+  return f;
+}
+
+Quality quality_before(const Facts& f)
 {
   Judge judge(f, resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt));
   judge.of_cells();
@@ -377,7 +283,7 @@ Quality before(const Facts& f)
   return std::move(judge).result();
 }
 
-Quality after(const Facts& f, const RunTotals& totals, const std::vector<RollingPass>& passes = {})
+Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<Warning> of_course)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Coverage& seen = totals.coverage;
@@ -391,48 +297,10 @@ Quality after(const Facts& f, const RunTotals& totals, const std::vector<Rolling
   judge.of_step();
   judge.of_size();
   judge.of_course(totals);
-  judge.of_passes(passes);
+  if (of_course)
+    judge.add(std::move(*of_course));
   judge.of_tolerances();
   return std::move(judge).result();
-}
-
-Quality with_gaps(Quality quality, const IndentationCase& indentation, const IndentationPlan& plan)
-{
-  if (auto text = gaps_without_contact(indentation, plan.touching_gap))
-    quality.warnings.push_back({"no_contact", std::move(*text)});
-  return quality;
-}
-
-} // namespace
-
-Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan)
-{
-  return before(facts(tugging, plan));
-}
-Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan)
-{
-  return with_gaps(before(facts(indentation, plan)), indentation, plan);
-}
-Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan)
-{
-  return before(facts(rolling, plan));
-}
-Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals)
-{
-  return after(facts(tugging, plan), totals);
-}
-Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals)
-{
-  return with_gaps(after(facts(indentation, plan), totals), indentation, plan);
-}
-Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals)
-{
-  return after(facts(rolling, plan), totals);
-}
-
-Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
-{
-  return after(facts(rolling, plan), summary, summary.passes);
 }
 
 std::string resolution_text(const Resolution& r)

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records.hpp"
 
-#include "brinell/foundation/error.hpp"
-#include "brinell/simulation/columns.hpp"
-
 #include <array>
 #include <fmt/format.h>
-#include <limits>
 #include <string>
-#include <variant>
 
 namespace brinell::simulation
 {
@@ -28,29 +23,6 @@ void Coverage::exchange(Archive& archive)
   archive("contact_rows", contact_rows);
   archive("plastic_layers", plastic_layers);
 }
-
-namespace
-{
-
-/// Whole numbers of a record count something, from 0; one more must be possible.
-template <typename Record>
-void exchange_columns(Record& record, Archive& archive)
-{
-  for (const Column<Record>& column : columns<Record>)
-    if (const auto* member = std::get_if<int Record::*>(&column.member))
-      archive(std::string(column.name), record.**member, 0, std::numeric_limits<int>::max() - 1);
-    else
-      archive(std::string(column.name), record.*std::get<double Record::*>(column.member));
-}
-
-template <typename Record>
-void exchange_row(Record& record, Archive& archive)
-{
-  exchange_columns(record, archive);
-  archive("coverage", record.coverage);
-}
-
-} // namespace
 
 void GridChange::exchange(Archive& archive)
 {
@@ -91,48 +63,6 @@ std::string text(const GridChange& change)
 {
   const ExtentText& e = extents.at(static_cast<std::size_t>(change.extent));
   return fmt::format("step {}: {} from {} to {} {}", change.step, e.grows, change.before, change.after, e.unit);
-}
-
-void TuggingRecord::exchange(Archive& archive)
-{
-  exchange_row(*this, archive);
-  archive("F_X_lower", F_X_lower); // no column of the history
-  archive("F_X_upper", F_X_upper);
-  archive("F_X_friction", F_X_friction);
-  archive("F_Z_friction", F_Z_friction);
-}
-
-void TuggingPeaks::exchange(Archive& archive)
-{
-  archive("peak_F_X", peak_F_X);
-  archive("X_at_peak_F_X", X_at_peak_F_X);
-  archive("min_F_X", min_F_X);
-  archive("peak_F_Z", peak_F_Z);
-  archive("F_X_aligned", F_X_aligned);
-  archive("F_Z_aligned", F_Z_aligned);
-  archive("load_ratio_aligned", load_ratio_aligned);
-  archive("load_ratio_end", load_ratio_end);
-  archive("work_to_alignment", work_to_alignment);
-}
-
-void IndentationRecord::exchange(Archive& archive)
-{
-  exchange_row(*this, archive);
-}
-
-void RollingRecord::exchange(Archive& archive)
-{
-  exchange_row(*this, archive);
-}
-
-void Indent::exchange(Archive& archive)
-{
-  exchange_columns(*this, archive);
-}
-
-void RollingPass::exchange(Archive& archive)
-{
-  exchange_columns(*this, archive);
 }
 
 } // namespace brinell::simulation

@@ -7,6 +7,7 @@
 #include "footprint.hpp"
 #include "friction.hpp"
 #include "grid_layout.hpp"
+#include "judgement.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
 
@@ -169,6 +170,42 @@ bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
          alike(rolling.lower, rolling.upper);
 }
 
+// docs/verification.md (expected error)
+constexpr Documented documented[] = {
+    {"rut", 0.05, 4.0, 1.5}, {"resistance", 0.08, 4.0, 1.5}, {"dissipation", 0.07, 4.0, 1.5}};
+
+Facts facts(const RollingCase& c, const RollingPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
+  f.documented = documented;
+  f.moves = true;
+  // Of the faster surface: with much sliding it moves many cells where the other one moves one.
+  if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
+    f.shift = faster;
+  return f;
+}
+
+/// Tells of the worst pass.
+std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
+{
+  // Relative difference of the two quarters: each is then as far from their mean as resistance and dissipation usually are from
+  // the limit of fine cells, 8 %, twice over.
+  constexpr double largest_unsteadiness = 0.3;
+  const auto worst = std::max_element(passes.begin(), passes.end(),
+                                      [](const RollingPass& a, const RollingPass& b)
+                                      { return std::abs(a.unsteadiness) < std::abs(b.unsteadiness); });
+  if (worst == passes.end() || !(std::abs(worst->unsteadiness) > largest_unsteadiness))
+    return std::nullopt;
+  const bool is_rough = !rolling.lower.texture.is_smooth() || !rolling.upper.texture.is_smooth();
+  return Warning{
+      "unsteady_track",
+      fmt::format("pass {}: the energy taken up per length differs by {} between the two quarters of the middle of the "
+                  "track: its resistance, friction and mean F_X are those of this stretch and no average; take a "
+                  "longer track{}",
+                  worst - passes.begin() + 1, percent_text(std::abs(worst->unsteadiness)),
+                  is_rough ? ", of many lengths of the texture" : "")};
+}
+
 } // namespace
 
 double upper_share(const RollingCase& rolling)
@@ -205,6 +242,26 @@ RollingPlan plan(const RollingCase& rolling)
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
                                    rolling.solver.anderson_depth, rolling.friction.coefficient > 0.0);
   return plan;
+}
+
+void RollingRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+}
+
+Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan)
+{
+  return quality_before(facts(rolling, plan));
+}
+
+Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals)
+{
+  return quality_after(facts(rolling, plan), totals);
+}
+
+Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
+{
+  return quality_after(facts(rolling, plan), summary, unsteadiness(rolling, summary.passes));
 }
 
 template <>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "track.hpp"
 
+#include "records.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -122,6 +124,11 @@ TrackProfile track_profile(const BodySnapshot& body)
     profile.equivalent_plastic_strain.push_back(body.equivalent_plastic_strain[cell]);
   }
   return profile;
+}
+
+void RollingPass::exchange(Archive& archive)
+{
+  exchange_columns(*this, archive);
 }
 
 } // namespace brinell::simulation

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "judgement.hpp"
 #include "run_state.hpp"
 #include "tugging_peaks.hpp"
 #include "tugging_plan.hpp"
@@ -196,7 +197,42 @@ private:
   int extra_steps_ = 0; ///< by which earlier passes lasted longer than that of rigid spheres
 };
 
+// docs/verification.md (expected error)
+constexpr Documented documented[] = {{"peak force", 0.009, 8.0, 2.1},
+                                     {"dents", 0.017, 8.0, 1.8},
+                                     {"net energy", 0.036, 8.0, 1.7},
+                                     {"F_X at alignment", 0.043, 8.0, 1.7}};
+
+Facts facts(const TuggingCase& c, const TuggingPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
+  f.documented = documented;
+  f.moves = true;
+  if (c.shift)
+    f.shift = plan.shift;
+  return f;
+}
+
 } // namespace
+
+void TuggingRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+  archive("F_X_lower", F_X_lower); // no column of the history
+  archive("F_X_upper", F_X_upper);
+  archive("F_X_friction", F_X_friction);
+  archive("F_Z_friction", F_Z_friction);
+}
+
+Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan)
+{
+  return quality_before(facts(tugging, plan));
+}
+
+Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals)
+{
+  return quality_after(facts(tugging, plan), totals);
+}
 
 template <>
 struct MotionOf<TuggingCase>

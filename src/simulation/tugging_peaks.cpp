@@ -58,4 +58,17 @@ void add(const TuggingRecord& before, const TuggingRecord& now, TuggingPeaks& pe
     at_alignment(before, now, peaks);
 }
 
+void TuggingPeaks::exchange(Archive& archive)
+{
+  archive("peak_F_X", peak_F_X);
+  archive("X_at_peak_F_X", X_at_peak_F_X);
+  archive("min_F_X", min_F_X);
+  archive("peak_F_Z", peak_F_Z);
+  archive("F_X_aligned", F_X_aligned);
+  archive("F_Z_aligned", F_Z_aligned);
+  archive("load_ratio_aligned", load_ratio_aligned);
+  archive("load_ratio_end", load_ratio_end);
+  archive("work_to_alignment", work_to_alignment);
+}
+
 } // namespace brinell::simulation

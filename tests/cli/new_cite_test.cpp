@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/case_template.hpp"
 #include "program.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace brinell::cli
 namespace
 {
 
-class New : public Program, public testing::WithParamInterface<const char*>
+class New : public Program, public testing::WithParamInterface<std::string>
 {
 };
 
@@ -23,7 +24,7 @@ TEST_P(New, CaseIsAcceptedAndRuns)
   EXPECT_EQ(check.exit_code, 0);
   EXPECT_EQ(check.err, "");
   std::vector<std::string> coarse{"run", "first.toml", "-q", "-o", "out", "--set", "grid.resolution=3"};
-  if (std::string(GetParam()) == "rolling")
+  if (GetParam() == "rolling")
     coarse.insert(coarse.end(), {"--set", "rolling.distance=0.2 mm"});
   const Outcome outcome = run(coarse);
   EXPECT_EQ(outcome.exit_code, 0);
@@ -46,8 +47,8 @@ TEST_P(New, PrintsWhatItWouldWrite)
   EXPECT_EQ(run({"new", GetParam()}).out, file_text(folder() / "first.toml"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, New, testing::Values("tugging", "indentation", "rolling"),
-                         [](const auto& parameter) { return std::string(parameter.param); });
+INSTANTIATE_TEST_SUITE_P(Scenarios, New, testing::ValuesIn(io::scenario_names()),
+                         [](const auto& parameter) { return parameter.param; });
 
 class Cite : public Program
 {
@@ -102,8 +103,10 @@ TEST_F(Refusals, NewNeverOverwrites)
 
 TEST_F(Refusals, UnknownScenarioAndCommand)
 {
-  expect_refused({"new", "walking"},
-                 "brinell: error: unknown scenario walking; allowed: tugging, indentation, rolling\n");
+  std::string names;
+  for (const std::string& name : io::scenario_names())
+    names += (names.empty() ? "" : ", ") + name;
+  expect_refused({"new", "walking"}, "brinell: error: unknown scenario walking; allowed: " + names + "\n");
   expect_refused({"walk", "case.toml"},
                  "brinell: error: unknown command walk; there are run, check, schema, new, cite, "
                  "plot, report, sweep, surface, export, completion\n");

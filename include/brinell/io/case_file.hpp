@@ -4,7 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/schema.hpp"
 #include "brinell/simulation/first_yield.hpp"
-#include "brinell/simulation/quality.hpp"
+#include "brinell/simulation/scenarios.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace brinell::io
@@ -50,7 +49,7 @@ using simulation::YieldsFirst;
 
 using simulation::Warning;
 
-using Scenario = std::variant<simulation::TuggingCase, simulation::IndentationCase, simulation::RollingCase>;
+using Scenario = simulation::AnyCase;
 
 /// A case as read: typed, in SI, defaults filled in.
 struct Case

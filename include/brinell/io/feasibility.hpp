@@ -8,8 +8,7 @@
 namespace brinell::io
 {
 
-/// The plan of a scenario, in the order of `Scenario`.
-using ScenarioPlan = std::variant<simulation::TuggingPlan, simulation::IndentationPlan, simulation::RollingPlan>;
+using ScenarioPlan = simulation::AnyPlan;
 
 /// Memory that a program can get here [bytes]: that of the machine, or of its control group if that is less.
 [[nodiscard]] double machine_memory();

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -33,6 +34,9 @@ template <typename Record>
     row.push_back({column.name, column.unit, column.text, column.value(record)});
   return row;
 }
+
+/// The columns of the histories by the names of the scenarios, and of the lists in summary.json by their keys.
+[[nodiscard]] std::map<std::string, std::vector<NamedNumber>> all_columns();
 
 /// Header line of history.csv, without the end of line.
 [[nodiscard]] std::string history_header(const std::vector<NamedNumber>& columns);

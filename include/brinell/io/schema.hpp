@@ -14,8 +14,8 @@
 #include <vector>
 
 /// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and
-/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/case/schema_*.cpp), which
-/// also says which member it fills; only what takes judgement is read by functions (src/io/case/{bodies,scenarios}.cpp).
+/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/case/schema_*.cpp; those
+/// of a scenario: src/io/scenarios), which also says which member it fills; only what takes judgement is read by functions.
 namespace brinell::io
 {
 
@@ -73,8 +73,7 @@ struct Condition
   std::vector<std::string> values;
 };
 
-/// A case while it is read.
-struct Draft;
+struct Case;
 
 /// One key of the case file.
 struct Entry
@@ -97,7 +96,7 @@ struct Entry
   std::string excludes{}; ///< a key that cannot stand beside this one
   std::string list{};     ///< its table, if there may be several of them, as in [[lower.texture]]
   std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
-  std::function<void(Draft&, const Value&)> fill{}; ///< puts the value where it belongs; empty: a reader does
+  std::function<void(Case&, const Value&)> fill{}; ///< puts the value where it belongs; empty: a reader does
 };
 
 /// The default of a key in a scenario.

@@ -3,9 +3,7 @@
 
 #include "brinell/foundation/archive.hpp"
 #include "brinell/io/schema.hpp"
-#include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/rolling.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/scenarios.hpp"
 
 namespace brinell::io
 {
@@ -31,9 +29,8 @@ class SnapshotChoice
 public:
   explicit SnapshotChoice(SnapshotRule rule) : rule_(std::move(rule)) {}
 
-  [[nodiscard]] bool operator()(const simulation::TuggingCase& c, const simulation::TuggingRecord& record);
-  [[nodiscard]] bool operator()(const simulation::IndentationCase& c, const simulation::IndentationRecord& record);
-  [[nodiscard]] bool operator()(const simulation::RollingCase& c, const simulation::RollingRecord& record);
+  /// @param record  of that scenario
+  [[nodiscard]] bool operator()(const simulation::AnyCase& scenario, const simulation::AnyRecord& record);
 
   void exchange(Archive& archive) { middle_.exchange(archive); }
 

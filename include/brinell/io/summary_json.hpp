@@ -10,11 +10,7 @@ namespace brinell::io
 {
 
 /// Text of summary.json, docs/reference/results-format.md.
-[[nodiscard]] std::string summary_text(const Case& c, const simulation::TuggingPlan& plan,
-                                       const simulation::TuggingSummary& summary, const RunInfo& info);
-[[nodiscard]] std::string summary_text(const Case& c, const simulation::IndentationPlan& plan,
-                                       const simulation::IndentationSummary& summary, const RunInfo& info);
-[[nodiscard]] std::string summary_text(const Case& c, const simulation::RollingPlan& plan,
-                                       const simulation::RollingSummary& summary, const RunInfo& info);
+[[nodiscard]] std::string summary_text(const Case& c, const simulation::AnyPlan& plan,
+                                       const simulation::AnySummary& summary, const RunInfo& info);
 
 } // namespace brinell::io

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "brinell/contact/elastic_contact.hpp"
-#include "brinell/simulation/scenario.hpp"
+#include "brinell/simulation/columns.hpp"
+#include "brinell/simulation/quality.hpp"
 
 /// The upper body is pressed into the lower one and lifted off again, at one place or at several.
 namespace brinell::simulation
@@ -93,5 +94,54 @@ struct IndentationSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] IndentationPlan plan(const IndentationCase& indentation);
+
+/// What can be told of the result before a run, and after it.
+[[nodiscard]] Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan);
+[[nodiscard]] Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals);
+
+template <>
+inline constexpr auto columns<IndentationRecord> = common::row<IndentationRecord>({
+    common::step,
+    common::pass,
+    {"place", "1", &IndentationRecord::place, "which of the places of the indentation, counts from 1"},
+    {"x", "m", &IndentationRecord::x, "where the contact is on the lower body"},
+    {"approach", "m", &IndentationRecord::approach, "approach of the bodies from first touch of the undeformed ones"},
+    common::F_n,
+    common::contact_area,
+    {"contact_cells", "1", &IndentationRecord::contact_cells, "cells under pressure"},
+    {"contact_radius", "m", &IndentationRecord::contact_radius, "radius of the circle of the same area as the contact"},
+    common::max_pressure,
+    {"mean_pressure", "Pa", &IndentationRecord::mean_pressure, "load over contact area"},
+    {"nominal_pressure", "Pa", &IndentationRecord::nominal_pressure, "load over the area of the period"},
+    {"contact_fraction", "1", &IndentationRecord::contact_fraction, "contact area over the area of the period"},
+    {"mean_gap", "m", &IndentationRecord::mean_gap, "mean distance of the deformed surfaces over the period"},
+    {"contact_stiffness", "Pa/m", &IndentationRecord::contact_stiffness,
+     "elastic stiffness: nominal pressure over mean gap, both as they begin to change"},
+    {"residual_depth", "m", &IndentationRecord::residual_depth,
+     "largest residual displacement of the lower body at this place"},
+    {"pile_up", "m", &IndentationRecord::pile_up,
+     "largest height of the residual surface of the lower body at this place"},
+});
+
+/// In summary.json its unit ends each name.
+template <>
+inline constexpr std::array<Column<Indent>, 16> columns<Indent>{{
+    {"place", "1", &Indent::place},
+    {"cycle", "1", &Indent::cycle},
+    {"x", "m", &Indent::x},
+    {"max_load", "N", &Indent::max_load},
+    {"max_approach", "m", &Indent::max_approach},
+    {"contact_area", "m^2", &Indent::contact_area},
+    {"contact_fraction", "1", &Indent::contact_fraction},
+    {"mean_gap", "m", &Indent::mean_gap},
+    {"contact_stiffness", "Pa/m", &Indent::contact_stiffness},
+    {"hardness", "Pa", &Indent::hardness},
+    {"loading_stiffness", "N/m", &Indent::loading_stiffness},
+    {"unloading_stiffness", "N/m", &Indent::unloading_stiffness},
+    {"final_approach", "m", &Indent::final_approach},
+    {"residual_depth", "m", &Indent::residual_depth},
+    {"pile_up", "m", &Indent::pile_up},
+    {"work", "J", &Indent::work},
+}};
 
 } // namespace brinell::simulation

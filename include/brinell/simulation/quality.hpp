@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/rolling.hpp"
-#include "brinell/simulation/tugging.hpp"
-
 #include <array>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What the user should be told about a result before its numbers are used. Decided here alone; the program, the summary,
-/// Python and the report only show it. The reasons of the limits: docs/howto/accuracy.md.
+/// What the user should be told about a result before its numbers are used. `expected_quality` and `quality` of each scenario
+/// decide it; the program, the summary, Python and the report only show it. The reasons of the limits: docs/howto/accuracy.md.
 namespace brinell::simulation
 {
 
@@ -51,18 +47,6 @@ struct Quality
   std::vector<Warning> warnings;
   Resolution resolution;
 };
-
-/// What can be told before a run, from the case and its plan.
-[[nodiscard]] Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan);
-[[nodiscard]] Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan);
-[[nodiscard]] Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan);
-
-/// What can be told after it, with what the run has seen.
-[[nodiscard]] Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals);
-[[nodiscard]] Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals);
-[[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals);
-/// The same, and with what its passes say.
-[[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary);
 
 /// One line: "resolution: 9.5 x 9.5 cells per contact radius, 14 layers ...".
 [[nodiscard]] std::string resolution_text(const Resolution& resolution);

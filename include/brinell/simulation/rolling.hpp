@@ -2,7 +2,8 @@
 #pragma once
 
 #include "brinell/contact/elastic_contact.hpp"
-#include "brinell/simulation/scenario.hpp"
+#include "brinell/simulation/columns.hpp"
+#include "brinell/simulation/quality.hpp"
 
 /// The upper body, pressed on the lower one, rolls over it along x: pass after pass over the same track.
 namespace brinell::simulation
@@ -94,5 +95,43 @@ struct RollingSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] RollingPlan plan(const RollingCase& rolling);
+
+/// What can be told of the result before a run, and after it.
+[[nodiscard]] Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan);
+[[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals);
+/// The same, and with what its passes say.
+[[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary);
+
+template <>
+inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
+    common::step,
+    common::pass,
+    {"x", "m", &RollingRecord::x, "where the contact is on the lower body"},
+    {"approach", "m", &RollingRecord::approach, "approach of the bodies from first touch of the undeformed ones"},
+    common::F_n,
+    {"F_X", "N", &RollingRecord::F_X, "resistance to the motion"},
+    {"friction", "1", &RollingRecord::friction, "F_X over F_n, 0 without contact"},
+    common::F_friction,
+    common::share_at_shear_limit,
+    common::contact_area,
+    common::max_pressure,
+});
+
+template <>
+inline constexpr std::array<Column<RollingPass>, 13> columns<RollingPass>{{
+    {"pass", "1", &RollingPass::pass},
+    {"rut_depth", "m", &RollingPass::rut_depth},
+    {"shoulder_height", "m", &RollingPass::shoulder_height},
+    {"max_equivalent_plastic_strain", "1", &RollingPass::max_equivalent_plastic_strain},
+    {"track_plastic_strain", "1", &RollingPass::track_plastic_strain},
+    {"track_plastic_increment", "1", &RollingPass::track_plastic_increment},
+    {"dissipation", "J", &RollingPass::dissipation},
+    {"resistance", "N", &RollingPass::resistance},
+    {"unsteadiness", "1", &RollingPass::unsteadiness},
+    {"mean_F_X", "N", &RollingPass::mean_F_X},
+    {"friction", "1", &RollingPass::friction},
+    {"contact_area", "m^2", &RollingPass::contact_area},
+    {"max_pressure", "Pa", &RollingPass::max_pressure},
+}};
 
 } // namespace brinell::simulation

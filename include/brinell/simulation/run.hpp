@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/rolling.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "brinell/simulation/scenarios.hpp"
 
 #include <memory>
 
@@ -11,7 +9,7 @@ namespace brinell::simulation
 {
 
 /// A run of a case that its owner steps: it keeps the bodies, the motion, the sums over the run, and can be stored and taken
-/// up again between two steps. For the cases `TuggingCase`, `IndentationCase` and `RollingCase`.
+/// up again between two steps. For the cases in `Scenarios`.
 ///
 ///     Run run(rolling_case);
 ///     while (!run.is_done())
@@ -49,10 +47,6 @@ private:
   class State;
   std::unique_ptr<State> state_;
 };
-
-extern template class Run<TuggingCase>;
-extern template class Run<IndentationCase>;
-extern template class Run<RollingCase>;
 
 /// Runs a case to its end, or goes on from a checkpoint of it, and tells the observer of every step.
 /// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).

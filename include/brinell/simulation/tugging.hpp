@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/simulation/columns.hpp"
 #include "brinell/simulation/kinematics.hpp"
-#include "brinell/simulation/scenario.hpp"
+#include "brinell/simulation/quality.hpp"
 
 #include <optional>
 
@@ -91,5 +92,30 @@ struct TuggingSummary : RunTotals, TuggingPeaks
 /// Grids, number of steps and memory of a case.
 /// @throws InputError if the case cannot be computed (for example a grid of absurd size).
 [[nodiscard]] TuggingPlan plan(const TuggingCase& tugging);
+
+/// What can be told of the result before a run, and after it.
+[[nodiscard]] Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan);
+[[nodiscard]] Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals);
+
+template <>
+inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
+    common::step,
+    common::pass,
+    {"X", "m", &TuggingRecord::X, "sliding coordinate, 0 at alignment"},
+    {"theta", "rad", &TuggingRecord::theta, "angle of the line of centres with the vertical"},
+    {"interference", "m", &TuggingRecord::interference,
+     "interference of the undeformed bodies along the line of centres"},
+    {"height", "m", &TuggingRecord::height, "height of the upper centre above the lower one"},
+    common::contact_area,
+    common::max_pressure,
+    common::F_n,
+    {"F_X", "N", &TuggingRecord::F_X, "resistance to the motion"},
+    {"F_Y", "N", &TuggingRecord::F_Y, "lateral force"},
+    {"F_Z", "N", &TuggingRecord::F_Z, "force that separates the bodies"},
+    {"F_X_macro", "N", &TuggingRecord::F_X_macro, "F_X without the slope of the residual surfaces"},
+    {"F_Z_macro", "N", &TuggingRecord::F_Z_macro, "F_Z without the slope of the residual surfaces"},
+    common::F_friction,
+    common::share_at_shear_limit,
+});
 
 } // namespace brinell::simulation

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_reader.hpp"
+#include "io/scenarios/scenario_io.hpp"
 
 #include <cmath>
+#include <fmt/ranges.h>
 #include <functional>
 
 namespace brinell::io
@@ -31,8 +33,13 @@ void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both
   if (boundary == "open")
     return;
   if (!both && boundary != "periodic_y")
-    return reader.add("grid.boundary", "goes with scenario = \"indentation\"; allowed where the contact moves along x: "
-                                       "\"open\" or [\"open\", \"periodic\"]");
+  {
+    const auto resting = scenarios_with([](const auto& io) { return !io.moves; });
+    return reader.add("grid.boundary",
+                      fmt::format("goes with scenario = \"{}\"; allowed where the contact moves along x: \"open\" or "
+                                  "[\"open\", \"periodic\"]",
+                                  fmt::join(resting, "\" or \"")));
+  }
   std::vector<Axis*> axes;
   if (boundary != "periodic_y")
     axes.push_back(&domain.x);

@@ -4,6 +4,7 @@
 #include "case_reader.hpp"
 #include "io/files.hpp"
 #include "io/npy.hpp"
+#include "io/scenarios/scenario_io.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -54,8 +55,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   Problems problems;
   RawCase raw = read_raw_case(text, file, overrides, places, problems);
   raw.height_tables = &tables;
-  Draft draft;
-  Case& result = draft.c;
+  Case result;
   result.file = file;
   result.name = case_name(file);
   result.values = resolved_values(raw, problems);
@@ -68,18 +68,22 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   problems.throw_if_any();
 
   const CaseReader reader{result.values, raw, problems};
-  if (reader.get<std::string>("scenario") == "tugging")
-    draft.numerics = draft.tugging; // its default cells are finer
+  for_each_scenario(
+      [&]<typename ScenarioCase>(const ScenarioIo<ScenarioCase>& io)
+      {
+        if (io.name == reader.get<std::string>("scenario"))
+          result.scenario.emplace<ScenarioCase>();
+      });
   for (const auto& [key, value] : result.values.all())
     if (const auto& fill = find_entry(key)->fill)
-      fill(draft, value);
+      fill(result, value);
   const std::string grid_key = reader.has("grid.spacing") ? "grid.spacing"
                                : reader.has("grid.cells") ? "grid.cells"
                                                           : "grid.resolution";
   const Given* grid = raw.find(grid_key);
   result.grid_source = grid ? at_place(grid->place, reader.cited(grid_key))
                             : at_place(raw.file, reader.cited(grid_key) + " (the default)");
-  complete(reader, draft);
+  complete(reader, result);
   if (!problems.empty()) // a forgotten unit may be the reason
     for (const Warning& warning : result.warnings)
       problems.add_cause(raw.file, "warning: " + warning.text);

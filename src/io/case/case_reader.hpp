@@ -7,7 +7,10 @@
 #include "schema_parts.hpp"
 #include "value_text.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <initializer_list>
+#include <iterator>
 
 namespace brinell::io
 {
@@ -31,6 +34,14 @@ struct CaseReader
   [[nodiscard]] int integer(std::string_view key) const { return static_cast<int>(get<std::int64_t>(key)); }
   [[nodiscard]] bool has(std::string_view key) const { return values.find(key) != nullptr; }
 
+  /// Those of the keys that are set.
+  [[nodiscard]] std::vector<std::string> given(std::initializer_list<const char*> keys) const
+  {
+    std::vector<std::string> set;
+    std::copy_if(keys.begin(), keys.end(), std::back_inserter(set), [&](const char* key) { return has(key); });
+    return set;
+  }
+
   /// Where a key stands, or is missed.
   [[nodiscard]] std::string place(const std::string& key) const
   {
@@ -50,6 +61,27 @@ struct CaseReader
   }
 };
 
+/// Does what may find that the case cannot be computed; that is a problem at the key it names, at the source of the grid, or at
+/// `key`.
+template <typename Action>
+void at_its_key(const CaseReader& reader, const Case& c, const std::string& key, const Action& action)
+try
+{
+  action();
+}
+catch (const simulation::KeyError& error)
+{
+  reader.problems.add(reader.place(error.key()), error.what());
+}
+catch (const GridError& error)
+{
+  reader.problems.add(c.grid_source, error.what());
+}
+catch (const InputError& error)
+{
+  reader.add(key, fmt::format("does not fit: {}", error.what()));
+}
+
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
@@ -63,6 +95,6 @@ void load_texture_files(CaseValues& values, const RawCase& raw, const std::strin
 
 /// Completes the case of the scenario: what takes judgement, equivalent radius, contact modulus, first yield, warnings. What is
 /// wrong goes into the reader's problems.
-void complete(const CaseReader& reader, Draft& draft);
+void complete(const CaseReader& reader, Case& c);
 
 } // namespace brinell::io

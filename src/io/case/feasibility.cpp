@@ -2,6 +2,7 @@
 #include "brinell/io/feasibility.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "io/scenarios/scenario_io.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,36 +45,21 @@ std::string duration_text(double seconds)
 template <typename ScenarioCase>
 double rough_seconds(const ScenarioCase& c, const simulation::Plan& plan)
 {
-  constexpr bool tugging = std::is_same_v<ScenarioCase, simulation::TuggingCase>;
-  const double evaluations = tugging ? 12.0 : 6.0; // per step
-  constexpr double seconds_per_cell_level = 4e-9;  // one cell, one evaluation, one level of the transforms
-  constexpr double elastic_share = 0.05;           // of the contact in an evaluation
-  // In tugging much of the track is not plastic yet.
-  const auto box = static_cast<double>(tugging ? plan.contact.size() * static_cast<std::size_t>(plan.lower.nz)
-                                               : std::max(plan.lower.size(), plan.upper.size()));
+  const ScenarioIo<ScenarioCase>& io = io_of(c);
+  constexpr double seconds_per_cell_level = 4e-9; // one cell, one evaluation, one level of the transforms
+  constexpr double elastic_share = 0.05;          // of the contact in an evaluation
+  const auto box =
+      static_cast<double>(io.yields_along_the_track ? std::max(plan.lower.size(), plan.upper.size())
+                                                    : plan.contact.size() * static_cast<std::size_t>(plan.lower.nz));
   const double cells = 4.0 * box; // zero padding
   const int plastic_bodies = (c.lower.material.is_plastic() ? 1 : 0) + (c.upper.material.is_plastic() ? 1 : 0);
   const double solved = plan.twin != elastoplastic::Twin::none ? 1.0 : plastic_bodies + elastic_share;
-  return plan.steps * solved * evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
-}
-
-/// Steps that "aligned" stores.
-double key_steps(const simulation::TuggingCase& t, const simulation::Plan&)
-{
-  return t.passes;
-}
-double key_steps(const simulation::IndentationCase& i, const simulation::Plan& plan)
-{
-  return plan.steps / static_cast<double>(i.steps);
-}
-double key_steps(const simulation::RollingCase& r, const simulation::Plan&)
-{
-  return r.passes;
+  return plan.steps * solved * io.evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
 }
 
 /// Steps whose fields will be stored, beside the final state.
 template <typename ScenarioCase>
-double stored_steps(const ScenarioCase& c, const simulation::Plan& plan, const SnapshotRule& rule)
+double stored_steps(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
 {
   using Kind = SnapshotRule::Kind;
   switch (rule.kind)
@@ -81,7 +67,7 @@ double stored_steps(const ScenarioCase& c, const simulation::Plan& plan, const S
   case Kind::none:
     return 0.0;
   case Kind::aligned:
-    return key_steps(c, plan);
+    return io_of(c).key_steps(c, plan);
   case Kind::all:
     return plan.steps;
   case Kind::every:
@@ -107,7 +93,7 @@ double state_bytes(const ScenarioCase& c, const simulation::Plan& plan)
 }
 
 template <typename ScenarioCase>
-std::string result_report(const ScenarioCase& c, const simulation::Plan& plan, const SnapshotRule& rule)
+std::string result_report(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
 {
   const double steps = stored_steps(c, plan, rule);
   return fmt::format("# Result: {:.0f} stored step{} and the final state, {} before compression\n", steps,
@@ -124,12 +110,7 @@ std::string critical_report(const Case& c)
   std::string text = fmt::format("# Contact: E' = {:.6e} Pa", c.contact_modulus);
   if (c.equivalent_radius)
     text += fmt::format(", equivalent radius = {:.6e} m", *c.equivalent_radius);
-  const auto* tugging = std::get_if<simulation::TuggingCase>(&c.scenario);
-  if (tugging)
-    text += tugging->load
-                ? fmt::format(", load = {:.6e} N, about {:.6e} m of approach", *tugging->load, tugging->interference)
-                : fmt::format(", interference = {:.6e} m", tugging->interference);
-  text += "\n";
+  text += std::visit([](const auto& scenario) { return io_of(scenario).drive(scenario); }, c.scenario) + "\n";
   if (!c.first_yield)
   {
     const auto reason = std::visit(
@@ -146,44 +127,8 @@ std::string critical_report(const Case& c)
   if (const auto& line = c.first_yield->line)
     text += fmt::format("#   P_c and U_c of a line of {:g} m, alpha_c with grid.reference = {:.6e} m\n", line->length,
                         line->reference);
-  return tugging ? text + fmt::format("#   interference / alpha_c = {:.6g}\n",
-                                      tugging->interference / critical.interference)
-                 : text;
-}
-
-const char* plural(int count)
-{
-  return count == 1 ? "" : "es";
-}
-
-std::string motion_report(const simulation::TuggingCase& t, const simulation::TuggingPlan& plan)
-{
-  return fmt::format("# Motion: from X = -{:.6e} m, {} steps per pass of {:.6e} m, {} pass{}\n"
-                     "# Contact: elastic contact radius {:.4e} m{}\n",
-                     plan.start_distance, plan.steps_per_pass, plan.shift, t.passes, plural(t.passes),
-                     plan.elastic_contact_radius,
-                     plan.elastic_contact_radius == plan.elastic_contact_radius_y
-                         ? ""
-                         : fmt::format(" along x, {:.4e} m along y", plan.elastic_contact_radius_y));
-}
-
-std::string motion_report(const simulation::IndentationCase& i, const simulation::IndentationPlan& plan)
-{
-  std::string text = fmt::format("# Indentation: {} steps at {} place{}; largest contact radius about {:.4e} m\n",
-                                 plan.steps, i.places.size(), i.places.size() == 1 ? "" : "s", plan.contact_radius);
-  if (!std::isnan(plan.touching_gap))
-    text += fmt::format("# The surfaces first touch at a mean gap of {:.4e} m\n", plan.touching_gap);
-  return text;
-}
-
-std::string motion_report(const simulation::RollingCase& r, const simulation::RollingPlan& plan)
-{
-  return fmt::format("# Motion: {} steps of {:.6e} m, {} pass{}; {} = {:.6e} {}\n"
-                     "# Contact: about {:.4e} x {:.4e} m wide\n",
-                     plan.rolling_steps, plan.shift, r.passes, plural(r.passes),
-                     r.drive.kind == contact::Drive::Kind::load ? "load" : "approach", r.drive.value,
-                     r.drive.kind == contact::Drive::Kind::load ? "N" : "m", 2.0 * plan.half_width_x,
-                     2.0 * plan.half_width_y);
+  return text + std::visit([&](const auto& scenario) { return io_of(scenario).drive_at_yield(scenario, critical); },
+                           c.scenario);
 }
 
 std::string grid_report(const simulation::Plan& plan)
@@ -269,7 +214,7 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                     {
                       using Plan = decltype(simulation::plan(scenario));
                       const Plan& p = std::get<Plan>(plan);
-                      return motion_report(scenario, p) + grid_report(p) +
+                      return io_of(scenario).motion(scenario, p) + grid_report(p) +
                              fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(p.memory_bytes),
                                          duration_text(rough_seconds(scenario, p))) +
                              result_report(scenario, p, c.snapshots) + quality_report(scenario, p);

@@ -10,15 +10,20 @@
 namespace brinell::io
 {
 
-/// A case while it is read: the members that keys are bound to. All others take judgement (case_*.cpp).
-struct Draft
+/// The part of a case that has the members of a class: itself, what all scenarios have, or a scenario.
+template <typename Class>
+Class& part(Case& c)
 {
-  Case c;
-  simulation::Numerics numerics; ///< of the scenario
-  simulation::TuggingCase tugging;
-  simulation::IndentationCase indentation;
-  simulation::RollingCase rolling;
-};
+  if constexpr (std::is_same_v<Class, Case>)
+    return c;
+  else if constexpr (std::is_same_v<Class, simulation::Numerics>)
+    return std::visit([](simulation::Numerics& numerics) -> simulation::Numerics& { return numerics; }, c.scenario);
+  else
+    return std::get<Class>(c.scenario);
+}
+
+template <typename T, typename Class>
+Class holder(T Class::*member); // for its type
 
 /// A member as a value, and back. An enumerator is the choice in its place.
 template <typename Member>
@@ -58,27 +63,26 @@ void fill(std::optional<Member>& member, const Value& value, const std::vector<s
   fill(member.emplace(), value, choices);
 }
 
-/// An entry that fills a member of the draft, whose type and default it has.
-/// @param members  the way to it, as in &Draft::c, &Case::title
-template <typename... Members>
-Entry bound(Entry entry, Members... members)
+/// An entry that fills a member of the case, whose type and default it has.
+/// @param members  the way to it: &Case::title, or &Numerics::domain, &Domain::layer
+template <typename First, typename... Rest>
+Entry bound(Entry entry, First first, Rest... rest)
 {
+  using Class = decltype(holder(first));
   constexpr std::array types{Type::boolean, Type::integer, Type::number,   Type::text,
                              Type::vector3, Type::numbers, Type::snapshots}; // of the alternatives of Value
-  const Draft draft;
-  const Value value = value_of((draft.*....*members), entry.choices);
+  const Class none{};
+  const Value value = value_of(((none.*first).*....*rest), entry.choices);
   entry.type = entry.choices.empty() ? types.at(value.index()) : Type::choice;
   if (!entry.required && entry.unset.empty())
     entry.fallback = value;
-  entry.fill = [choices = entry.choices, members...](Draft& target, const Value& given)
-  { fill((target.*....*members), given, choices); };
+  entry.fill = [choices = entry.choices, first, rest...](Case& target, const Value& given)
+  { fill(((part<Class>(target).*first).*....*rest), given, choices); };
   return entry;
 }
 
 /// Keys of one body, "lower" or "upper": shape, texture, material.
 [[nodiscard]] std::vector<Entry> body_entries(const std::string& body);
-/// Keys of the scenarios' own tables.
-[[nodiscard]] std::vector<Entry> scenario_entries();
 
 // Intervals of a number.
 inline Range above(double min)

@@ -2,6 +2,7 @@
 #include "brinell/io/schema.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/case_template.hpp"
 #include "suggestion.hpp"
 #include "value_text.hpp"
 
@@ -77,8 +78,8 @@ std::string section_note(std::string_view name)
     return "The lower body. `[upper]`, the moving one, has the same keys.\n\n";
   if (name == "grid")
     return "Give `spacing` or `resolution`, or neither.\n\n";
-  if (name == "tugging")
-    return "With `scenario = \"tugging\"`.\n\n";
+  if (name == scenario_names().front()) // those of the others follow it
+    return fmt::format("With `scenario = \"{}\"`.\n\n", name);
   return "";
 }
 

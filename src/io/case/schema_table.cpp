@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/schema.hpp"
 
-#include "brinell/simulation/tugging.hpp"
+#include "io/scenarios/scenario_io.hpp"
 #include "schema_parts.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace brinell::io
 {
@@ -15,17 +17,29 @@ namespace
 
 std::vector<Entry> root_entries()
 {
+  std::vector<std::string> meanings;
+  for_each_scenario([&](const auto& io) { meanings.push_back(fmt::format("{}: {}", io.name, io.text)); });
   return {
       {.key = "scenario",
        .type = Type::choice,
-       .choices = {"tugging", "indentation", "rolling"},
+       .choices = scenarios_with([](const auto&) { return true; }),
        .required = true,
-       .text = "What is computed. tugging: the upper body is carried along x past the lower one at constant height "
-               "or under a load; indentation: the upper body is pressed into the lower one; rolling: it rolls over "
-               "it along x under load."},
-      bound({.key = "title", .unset = "no title", .text = "Free text, copied into the results."}, &Draft::c,
-            &Case::title),
+       .text = fmt::format("What is computed. {}.", fmt::join(meanings, "; "))},
+      bound({.key = "title", .unset = "no title", .text = "Free text, copied into the results."}, &Case::title),
   };
+}
+
+/// Of scenarios that have another one than most.
+std::vector<std::pair<std::string, Value>> other_resolutions()
+{
+  std::vector<std::pair<std::string, Value>> others;
+  for_each_scenario(
+      [&]<typename ScenarioCase>(const ScenarioIo<ScenarioCase>& io)
+      {
+        if (const double resolution = ScenarioCase().resolution; resolution != simulation::Numerics().resolution)
+          others.emplace_back(io.name, resolution);
+      });
+  return others;
 }
 
 std::vector<Entry> grid_entries()
@@ -63,7 +77,7 @@ std::vector<Entry> grid_entries()
              .unset = "half of the smaller of dx and dy",
              .text = "Thickness of the layers of cells.",
              .when = periodic},
-            &Draft::numerics, &Numerics::domain, &Domain::layer),
+            &Numerics::domain, &Domain::layer),
       bound(
           {.key = "grid.reference",
            .dimension = dimension::length,
@@ -73,37 +87,39 @@ std::vector<Entry> grid_entries()
                "Distance from a line load at which its displacement counts as zero: the approach in plane strain has a "
                "logarithm without end. At least the half-width of the contact.",
            .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
-          &Draft::numerics, &Numerics::domain, &Domain::reference),
+          &Numerics::domain, &Domain::reference),
       bound({.key = "grid.spacing",
              .dimension = dimension::length,
              .range = above(0.0),
              .unset = "from resolution",
              .text = "Size of the cells [dx, dy, dz]: along the motion, across it, in depth.",
              .excludes = "grid.resolution"},
-            &Draft::numerics, &Numerics::spacing),
+            &Numerics::spacing),
       bound({.key = "grid.resolution",
              .range = between(1.0, 1000.0),
-             .fallback_in = {{"tugging", simulation::TuggingCase().resolution}},
+             .fallback_in = other_resolutions(),
              .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
                      "Tugging: the elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
              .excludes = "grid.spacing"},
-            &Draft::numerics, &Numerics::resolution),
+            &Numerics::resolution),
       bound({.key = "grid.extent",
              .range = between(0.5, 10.0),
              .text = "Factor on the first extent of the grids around contact and plastic zone; they grow where that is "
                      "not enough."},
-            &Draft::numerics, &Numerics::extent),
+            &Numerics::extent),
   };
 }
 
 std::vector<Entry> interface_entries()
 {
   using elastoplastic::Friction;
-  const Condition sliding{"scenario", {"tugging", "rolling"}};
+  const auto slides = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
+  { return std::derived_from<typename ScenarioCase::Record, simulation::SlidingRecord>; };
+  const Condition sliding{"scenario", scenarios_with(slides)};
   const auto entry = [&](Entry given, auto member)
   {
     given.when = sliding;
-    return bound(std::move(given), &Draft::numerics, &simulation::Numerics::friction, member);
+    return bound(std::move(given), &simulation::Numerics::friction, member);
   };
   return {
       entry({.key = "interface.friction",
@@ -135,7 +151,7 @@ std::vector<Entry> solver_entries()
       [](const char* key, auto member, Range range, const char* text, const std::vector<std::string>& choices = {})
   {
     return bound({.key = std::string("solver.") + key, .range = range, .choices = choices, .text = text},
-                 &Draft::numerics, &simulation::Numerics::solver, member);
+                 &simulation::Numerics::solver, member);
   };
   return {
       entry("yield_tolerance", &Settings::yield_tolerance, inside(0.0, 0.1),
@@ -169,30 +185,48 @@ std::vector<Entry> solver_entries()
                      "run with coarser cells first, up to those given and, if need be, with finer ones, until the "
                      "estimate of the error by the differences between them stays below it; summary.json tells each "
                      "number's interval."},
-            &Draft::c, &Case::accuracy),
+            &Case::accuracy),
   };
 }
 
 std::vector<Entry> output_entries()
 {
+  std::string aligned;
+  for_each_scenario([&](const auto& io) { aligned += io.aligned.empty() ? "" : fmt::format("; {}", io.aligned); });
   return {
       bound({.key = "output.snapshots",
-             .text =
-                 "Steps whose fields are stored, beside the final state, which always is. \"aligned\": the step "
-                 "nearest to the middle of each pass; in an indentation the steps that reach an entry of the list."},
-            &Draft::c, &Case::snapshots),
+             .text = fmt::format("Steps whose fields are stored, beside the final state, which always is. "
+                                 "\"aligned\": the step nearest to the middle of each pass{}.",
+                                 aligned)},
+            &Case::snapshots),
       bound({.key = "output.directory",
              .unset = "results/NAME",
              .text = "Folder of the results, from the current directory; -o on the command line wins. NAME is that of "
                      "the case file, or of its folder if the file is called case.toml."},
-            &Draft::c, &Case::directory),
+            &Case::directory),
       bound({.key = "output.checkpoint_interval",
              .dimension = {.time = 1},
              .range = at_least(0.0),
              .text = "Time after which the state is stored again while the run goes on, so that brinell run --resume "
                      "can go on from there. It is stored also when the run is interrupted."},
-            &Draft::c, &Case::checkpoint_interval),
+            &Case::checkpoint_interval),
   };
+}
+
+/// Keys of the scenarios' own tables.
+std::vector<Entry> scenario_entries()
+{
+  std::vector<Entry> entries;
+  for_each_scenario(
+      [&](const auto& io)
+      {
+        for (Entry& entry : io.keys())
+        {
+          entry.when = {"scenario", {std::string(io.name)}};
+          entries.push_back(std::move(entry));
+        }
+      });
+  return entries;
 }
 
 std::vector<Entry> build_schema()

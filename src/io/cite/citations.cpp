@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/citations.hpp"
 
-#include "brinell/foundation/error.hpp"
 #include "io/case/body_options.hpp"
+#include "io/scenarios/scenario_io.hpp"
+#include "sources.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,62 +14,12 @@ namespace brinell::io
 namespace
 {
 
-/// Sources in the order of their first use; a second use is added to the first one.
-class Sources
-{
-public:
-  explicit Sources(const Case& c) : case_(c) {}
-
-  /// @param key  of references.bib
-  void add(std::string_view key, std::string_view use)
-  {
-    const auto has_key = [&](const auto& of) { return of.key == key; };
-    const auto known = std::find_if(citations_.begin(), citations_.end(),
-                                    [&](const Citation& citation) { return has_key(citation.reference); });
-    if (known == citations_.end())
-    {
-      const auto& all = all_references();
-      const auto reference = std::find_if(all.begin(), all.end(), has_key);
-      if (reference == all.end())
-        throw InternalError(fmt::format("references.bib has no entry {}", key));
-      citations_.push_back({*reference, std::string(use)});
-    }
-    else if (known->use.find(use) == known->use.npos) // both bodies may have the same law
-      known->use += fmt::format("; {}", use);
-  }
-
-  /// Whether the key of the case has that word.
-  [[nodiscard]] bool is(std::string_view key, std::string_view word) const
-  {
-    const Value* value = case_.values.find(key);
-    return value && std::get<std::string>(*value) == word;
-  }
-  [[nodiscard]] bool has(std::string_view key) const { return case_.values.find(key) != nullptr; }
-  [[nodiscard]] std::vector<Citation> take() && { return std::move(citations_); }
-
-private:
-  const Case& case_;
-  std::vector<Citation> citations_;
-};
-
 /// Whether a body is a cone or a pyramid.
 bool has_tip(const Case& c)
 {
   return std::visit([](const auto& scenario)
                     { return !relative_curvature(scenario.lower.shape, scenario.upper.shape).has_value(); },
                     c.scenario);
-}
-
-void cite_scenario(Sources& sources, bool yields, int passes)
-{
-  if (sources.is("scenario", "tugging"))
-    sources.add("boucly2006", "tugging of two asperities, their motion and forces");
-  if (sources.is("tugging.kinematics", "paper"))
-    sources.add("boucly2006", "kinematics of Eqs. 9 to 13");
-  if (sources.is("scenario", "rolling"))
-    sources.add("boucly2006", "rolling: both surfaces and their strain are carried past the contact");
-  if (sources.is("scenario", "rolling") && yields && passes > 1)
-    sources.add("johnson1985", "shakedown under repeated passes");
 }
 
 void cite_contact(Sources& sources, const Case& c)
@@ -79,7 +30,7 @@ void cite_contact(Sources& sources, const Case& c)
   if (has_tip(c))
     sources.add("sneddon1965", "elastic contact of a tip, from which the grid is sized");
   else
-    sources.add("hertz1882", sources.has("rolling.hertz_pressure")
+    sources.add("hertz1882", sources.has(c.values.get<std::string>("scenario") + ".hertz_pressure")
                                  ? "load from the peak pressure of the elastic contact"
                                  : "elastic contact, from which the grid is sized");
   if (c.first_yield)
@@ -139,10 +90,7 @@ std::vector<Citation> citations(const Case& c)
       [&](const auto& scenario)
       {
         const bool yields = scenario.lower.material.is_plastic() || scenario.upper.material.is_plastic();
-        int passes = 1;
-        if constexpr (requires { scenario.passes; })
-          passes = scenario.passes;
-        cite_scenario(sources, yields, passes);
+        io_of(scenario).cite(sources, scenario);
         cite_contact(sources, c);
         for (const auto& [key, value] : c.values.all())
           if (const std::string plain = plain_key(key); plain == "lower.texture.type" || plain == "upper.texture.type")

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/accuracy.hpp"
 
+#include "io/scenarios/scenario_io.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace brinell::io
 {
@@ -12,48 +15,66 @@ namespace brinell::io
 namespace
 {
 
-using Json = nlohmann::ordered_json;
+/// What of a summary are results.
+struct Results
+{
+  std::vector<std::string> parts{"energy", "residual"};
+  std::set<std::string_view> others{"x_m",
+                                    "balance_error"}; ///< in these parts: where, which one, the energies' own error
+};
 
-/// Parts of a summary that hold results.
-constexpr const char* result_parts[] = {"load_ratio", "forces", "energy", "residual", "indents", "passes"};
-/// What in them is no result: which one it is, where, and the energies' own error.
-constexpr const char* no_results[] = {"place", "cycle", "pass", "x_m", "balance_error"};
+Results results_of_all_scenarios()
+{
+  Results results;
+  for_each_scenario(
+      [&](const auto& io)
+      {
+        results.parts.insert(results.parts.end(), io.result_parts.begin(), io.result_parts.end());
+        for (const auto& [name, columns] : io.lists)
+        {
+          results.parts.push_back(name);
+          for (const NamedNumber& column : columns)
+            if (std::holds_alternative<int>(column.value))
+              results.others.insert(column.name);
+        }
+      });
+  return results;
+}
 
-void collect(const Json& json, const std::string& name, Numbers& numbers)
+void collect(const Json& json, const std::string& name, const Results& results, Numbers& numbers)
 {
   if (json.is_number())
     numbers[name] = json.get<double>();
   else if (json.is_array())
     for (std::size_t i = 0; i < json.size(); ++i)
-      collect(json[i], fmt::format("{}[{}]", name, i), numbers);
+      collect(json[i], fmt::format("{}[{}]", name, i), results, numbers);
   else if (json.is_object())
     for (const auto& [key, value] : json.items())
-      if (std::find(std::begin(no_results), std::end(no_results), key) == std::end(no_results))
-        collect(value, fmt::format("{}.{}", name, key), numbers);
+      if (!results.others.contains(key))
+        collect(value, fmt::format("{}.{}", name, key), results, numbers);
 }
 
-/// What one looks for first; of a series of passes or indents, in the last one.
+/// How many entries a list has.
+int size_of(const std::string& list, const Numbers& numbers)
+{
+  int count = 0;
+  for (auto found = numbers.begin(); found != numbers.end(); ++count)
+  {
+    const std::string entry = fmt::format("{}[{}].", list, count);
+    found = numbers.lower_bound(entry);
+    if (found == numbers.end() || !found->first.starts_with(entry))
+      break;
+  }
+  return count;
+}
+
+/// What one looks for first; "indents[].hardness_Pa" in the last one of the list.
 std::vector<std::string> key_names(const Scenario& scenario, const Numbers& numbers)
 {
-  std::vector<std::string> names;
-  const auto last = [&](const char* list)
-  {
-    int count = 0;
-    while (numbers.lower_bound(fmt::format("{}[{}].", list, count)) != numbers.end() &&
-           numbers.lower_bound(fmt::format("{}[{}].", list, count))
-               ->first.starts_with(fmt::format("{}[{}].", list, count)))
-      ++count;
-    return fmt::format("{}[{}].", list, count - 1);
-  };
-  if (std::holds_alternative<simulation::TuggingCase>(scenario))
-    names = {"forces.peak_F_X_N", "forces.peak_F_Z_N", "energy.net_J", "residual.max_lower_m", "residual.max_upper_m"};
-  else if (const auto* i = std::get_if<simulation::IndentationCase>(&scenario))
-    for (const char* name : {i->sequence.front().kind == contact::Drive::Kind::load ? "max_approach_m" : "max_load_N",
-                             "hardness_Pa", "residual_depth_m"})
-      names.push_back(last("indents") + name);
-  else
-    for (const char* name : {"rut_depth_m", "resistance_N", "dissipation_J"})
-      names.push_back(last("passes") + name);
+  std::vector<std::string> names = std::visit([](const auto& s) { return io_of(s).key_numbers(s); }, scenario);
+  for (std::string& name : names)
+    if (const auto open = name.find("[]"); open != name.npos)
+      name.insert(open + 1, std::to_string(size_of(name.substr(0, open), numbers) - 1));
   std::erase_if(names, [&](const std::string& name) { return !numbers.contains(name); });
   return names;
 }
@@ -72,11 +93,9 @@ public:
         {
           const simulation::Plan plan = simulation::plan(scenario);
           largest_["_m"] = std::max(largest_["_m"], plan.scales.gap);
+          largest_["_N"] = std::max(largest_["_N"], io_of(scenario).imposed_load(scenario));
         },
         c.scenario);
-    if (const auto* rolling = std::get_if<simulation::RollingCase>(&c.scenario))
-      if (rolling->drive.kind == contact::Drive::Kind::load)
-        largest_["_N"] = std::max(largest_["_N"], rolling->drive.value);
   }
 
   [[nodiscard]] double operator()(const std::string& name) const
@@ -126,9 +145,10 @@ Numbers numbers_of(const std::string& summary)
 {
   const Json json = Json::parse(summary);
   Numbers numbers;
-  for (const char* part : result_parts)
+  const Results results = results_of_all_scenarios();
+  for (const std::string& part : results.parts)
     if (json.contains(part))
-      collect(json[part], part, numbers);
+      collect(json[part], part, results, numbers);
   return numbers;
 }
 

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "io/files.hpp"
+#include "io/scenarios/scenario_io.hpp"
 
 #include <cerrno>
 #include <charconv>
@@ -130,6 +131,18 @@ void HistoryWriter::add(const std::vector<NamedNumber>& row)
     throw failure(path_, "cannot be written");
   sum_->add(line);
   add_row(columns_, row);
+}
+
+std::map<std::string, std::vector<NamedNumber>> all_columns()
+{
+  std::map<std::string, std::vector<NamedNumber>> all;
+  for_each_scenario(
+      [&]<typename ScenarioCase>(const ScenarioIo<ScenarioCase>& io)
+      {
+        all.emplace(io.name, columns(typename ScenarioCase::Record()));
+        all.insert(io.lists.begin(), io.lists.end());
+      });
+  return all;
 }
 
 } // namespace brinell::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/snapshot_choice.hpp"
 
+#include "io/scenarios/scenario_io.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,19 +32,15 @@ void NearestToMiddle::exchange(Archive& archive)
   archive("is_stored", is_stored_);
 }
 
-bool SnapshotChoice::operator()(const simulation::TuggingCase&, const simulation::TuggingRecord& record)
+bool SnapshotChoice::operator()(const simulation::AnyCase& scenario, const simulation::AnyRecord& record)
 {
-  return chosen(record.step, middle_(record.pass, record.X));
-}
-
-bool SnapshotChoice::operator()(const simulation::IndentationCase& c, const simulation::IndentationRecord& record)
-{
-  return chosen(record.step, (record.step + 1) % c.steps == 0);
-}
-
-bool SnapshotChoice::operator()(const simulation::RollingCase&, const simulation::RollingRecord& record)
-{
-  return chosen(record.step, middle_(record.pass, record.x));
+  return std::visit(
+      [&]<typename ScenarioCase>(const ScenarioCase& c)
+      {
+        const auto& row = record_of<ScenarioCase>(record);
+        return chosen(row.step, io_of(c).is_key_step(c, row, middle_));
+      },
+      scenario);
 }
 
 bool SnapshotChoice::chosen(int step, bool is_key_step) const

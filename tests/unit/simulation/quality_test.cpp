@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/simulation/quality.hpp"
+#include "brinell/simulation/scenarios.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/indentation.hpp"
+#include "brinell/simulation/rolling.hpp"
+#include "brinell/simulation/tugging.hpp"
+
+#include <functional>
+#include <variant>
+
+namespace brinell::simulation
+{
+
+/// The cases of all scenarios, as arguments of a template. This list is the only one: what goes through all scenarios, in files,
+/// messages and Python, follows from it.
+template <template <typename...> typename Of>
+using Scenarios = Of<TuggingCase, IndentationCase, RollingCase>;
+
+template <typename... Case>
+using PlansOf = std::variant<typename Case::Plan...>;
+template <typename... Case>
+using RecordsOf = std::variant<std::reference_wrapper<const typename Case::Record>...>;
+template <typename... Case>
+using SummariesOf = std::variant<std::reference_wrapper<const typename Case::Summary>...>;
+
+/// A case, a plan, a row or a summary of any of them; the last two by reference.
+using AnyCase = Scenarios<std::variant>;
+using AnyPlan = Scenarios<PlansOf>;
+using AnyRecord = Scenarios<RecordsOf>;
+using AnySummary = Scenarios<SummariesOf>;
+
+} // namespace brinell::simulation

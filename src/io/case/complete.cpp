@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "case_reader.hpp"
+#include "io/scenarios/scenario_io.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// What of any scenario takes judgement: bodies that go together, grids that fit them.
+namespace brinell::io
+{
+
+namespace
+{
+
+using simulation::ShapedBody;
+
+/// What can be computed, but is seldom meant.
+void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c)
+{
+  constexpr double softest = 1e5;   // a gel
+  constexpr double stiffest = 1e15; // a thousand times diamond; far beyond it small numbers of the fields are lost
+  const double E = material.elastic.young_modulus;
+  if (E < softest)
+    c.warnings.push_back(
+        {"soft_material",
+         fmt::format(
+             "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
+             name, E, E)});
+  if (std::isfinite(E) && E > stiffest)
+    c.warnings.push_back(
+        {"stiff_material",
+         fmt::format(
+             "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit "
+             "right? What is not meant to deform has rigid = true",
+             name, E)});
+  if (!material.hardening)
+    return;
+  constexpr double lowest_yield = 1e5; // a pure metal in single crystals; a gel may have less, but of a small modulus
+  const double yield_stress = constitutive::initial_yield_stress(*material.hardening);
+  if (yield_stress < std::min(lowest_yield, 1e-3 * E))
+    c.warnings.push_back(
+        {"low_yield",
+         fmt::format("{}.material.hardening: the yield stress is {:.4g} Pa, lower than that of any metal; is a unit "
+                     "missing, as in \"{:.4g} MPa\"? That of a file is hardening.stress_unit",
+                     name, yield_stress, yield_stress)});
+  if (yield_stress > 0.1 * E)
+    c.warnings.push_back(
+        {"hard_material",
+         fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name)});
+}
+
+/// Strains in percent make a material that hardly hardens.
+void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
+{
+  constexpr double largest_strain = 1.0; // that a tension or compression test reaches
+  const std::string key = name + ".material.hardening.plastic_strain";
+  if (!reader.has(key))
+    return;
+  if (const double last = reader.get<std::vector<double>>(key).back(); last > largest_strain)
+    c.warnings.push_back(
+        {"large_table_strain",
+         fmt::format("{} goes up to {:.4g}, which is {:.4g} %; is it in percent? That of a file may be "
+                     "told by hardening.strain_unit = \"%\"",
+                     key, last, 100.0 * last)});
+}
+
+void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const simulation::Domain& domain, Case& c)
+{
+  c.contact_modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
+  c.equivalent_radius = equivalent_radius(lower.shape, upper.shape);
+  if (contact_kind(lower.shape, upper.shape, domain) == simulation::ContactKind::line)
+    c.equivalent_radius = 1.0 / (*simulation::relative_curvature(lower.shape, upper.shape))[0];
+  c.first_yield = simulation::nominal_first_yield(lower, upper, domain);
+}
+
+/// Both bodies, and what follows from them alone.
+/// @param against_shape  why the scenario cannot be with a shape; empty if it can
+void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper, simulation::Domain& domain,
+               std::string_view (*against_shape)(const simulation::Shape& shape))
+{
+  const bool domain_is_known = reader.problems.empty(); // else its sizes are defaults that nobody has given
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+  {
+    *body = read_body(reader, name);
+    if (const auto reason = against_shape(body->shape); !reason.empty())
+      reader.add(fmt::format("{}.shape.type", name), reason);
+    const auto* roller = std::get_if<simulation::Roller>(&body->shape);
+    const std::string length = fmt::format("{}.shape.length", name);
+    if (roller && std::isinf(roller->length) && !domain.y.is_periodic())
+      reader.problems.add(reader.place(length),
+                          fmt::format("{} is missing; allowed: length > 0, in m or with a unit; none with "
+                                      "grid.boundary = [\"open\", \"periodic\"]",
+                                      length));
+  }
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+    if (const auto reason = domain_is_known ? simulation::reason_against_texture(body->texture, domain) : std::nullopt)
+      reader.problems.add(reader.place(fmt::format("{}.texture.type", name)),
+                          fmt::format("{}.texture does not fit the period: {}", name, *reason));
+  reader.problems.throw_if_any();
+  warn_of_material("lower", lower.material, c);
+  warn_of_material("upper", upper.material, c);
+  for (const char* name : {"lower", "upper"})
+    warn_of_table(reader, name, c);
+  if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
+    reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
+  if (const auto reason = simulation::reason_against_contact(lower, upper, domain))
+    reader.add("upper.shape.type", "and the lower body " + *reason);
+  set_first_yield(lower, upper, domain, c);
+}
+
+double smallest_radius(const ShapedBody& body)
+{
+  const auto k = simulation::curvature(body.shape);
+  const double largest = k ? std::max(std::abs((*k)[0]), std::abs((*k)[1])) : 0.0;
+  return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
+}
+
+/// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`. Then the size of
+/// the contact is known: the bodies are computed as half spaces, and neither cells nor steps may be larger than it.
+template <typename ScenarioCase>
+void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
+{
+  constexpr double large = 0.3;
+  const ScenarioIo<ScenarioCase>& io = io_of(scenario);
+  const auto plan = simulation::plan(scenario);
+  const double half_x = plan.*io.half_x, half_y = plan.*io.half_y;
+  const double radius = std::min(smallest_radius(scenario.lower), smallest_radius(scenario.upper));
+  if (half_x > large * radius)
+    c.warnings.push_back(
+        {"large_contact",
+         fmt::format(
+             "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
+             "half spaces",
+             half_x, radius)});
+  const double rows = simulation::is_plane(plan.contact) ? plan.contact.dy : half_y; // any length is as good
+  if (scenario.spacing)
+    if (const auto reason = simulation::reason_against_cells(*scenario.spacing, half_x, rows))
+      reader.problems.add(c.grid_source, *reason);
+  if constexpr (requires { scenario.shift; })
+    if (scenario.shift)
+      if (const auto reason = simulation::reason_against_shift(*scenario.shift, half_x))
+        reader.add(fmt::format("{}.shift", io.name), *reason);
+}
+
+template <typename ScenarioCase>
+void complete_scenario(const CaseReader& reader, Case& c, ScenarioCase& scenario)
+{
+  const ScenarioIo<ScenarioCase>& io = io_of(scenario);
+  read_domain(reader, scenario.domain, !io.moves);
+  read_pair(reader, c, scenario.lower, scenario.upper, scenario.domain, io.against_shape);
+  const std::string key = io.read(reader, c, scenario);
+  if (reader.problems.empty())
+    at_its_key(reader, c, key, [&] { check_plan(reader, c, scenario); });
+}
+
+} // namespace
+
+void complete(const CaseReader& reader, Case& c)
+{
+  std::visit([&](auto& scenario) { complete_scenario(reader, c, scenario); }, c.scenario);
+}
+
+} // namespace brinell::io

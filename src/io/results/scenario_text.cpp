@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/scenario_text.hpp"
+
+#include "io/scenarios/scenario_io.hpp"
+
+#include <fmt/format.h>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+/// Empty without friction.
+std::string friction_text(const simulation::RunTotals& s)
+{
+  if (s.dissipation_friction == 0.0)
+    return {};
+  return fmt::format(
+      "friction  {:>13.6e} J of heat; shear at the limit of the surface in up to {:.0f} % of the contact\n",
+      s.dissipation_friction, 100.0 * s.max_share_at_shear_limit);
+}
+
+} // namespace
+
+std::string step_text(const Case& c, const simulation::AnyRecord& record)
+{
+  return std::visit([&]<typename ScenarioCase>(const ScenarioCase& scenario)
+                    { return io_of(scenario).place(c, record_of<ScenarioCase>(record)); },
+                    c.scenario);
+}
+
+std::string results_text(const Case& c, const simulation::AnySummary& summary)
+{
+  return std::visit(
+      [&]<typename ScenarioCase>(const ScenarioCase& scenario)
+      {
+        const auto& s = summary_of<ScenarioCase>(summary);
+        return io_of(scenario).results(c, s) + friction_text(s);
+      },
+      c.scenario);
+}
+
+} // namespace brinell::io

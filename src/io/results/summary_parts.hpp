@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/io/case_file.hpp"
+#include "brinell/simulation/columns.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+/// Parts of summary.json that a scenario puts where it wants them.
+namespace brinell::io
+{
+
+using Json = nlohmann::ordered_json;
+
+/// Units of what is normalised; without first yield every quotient becomes NaN, hence null.
+[[nodiscard]] reference::CriticalValues scale_of(const Case& c);
+
+[[nodiscard]] Json geometry_json(const Case& c);
+[[nodiscard]] Json energy_json(const simulation::RunTotals& s);
+[[nodiscard]] Json residual_json(const simulation::RunTotals& s);
+
+/// "hardness_Pa", "loading_stiffness_N_per_m": a name and, unless the number is pure, its unit.
+[[nodiscard]] std::string key_of(std::string_view name, std::string_view unit);
+
+template <typename Record>
+void put(Json& json, const simulation::Column<Record>& column, const Record& record)
+{
+  std::visit([&](auto number) { json[key_of(column.name, column.unit)] = number; }, column.value(record));
+}
+
+/// All columns of a record.
+template <typename Record>
+[[nodiscard]] Json row_json(const Record& record)
+{
+  Json json;
+  for (const auto& column : simulation::columns<Record>)
+    put(json, column, record);
+  return json;
+}
+
+} // namespace brinell::io

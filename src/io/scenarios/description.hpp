@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/case/case_reader.hpp"
+#include "io/cite/sources.hpp"
+#include "io/results/summary_parts.hpp"
+#include "scenario_io.hpp"
+
+#include <algorithm>
+
+/// For the files that describe a scenario.
+namespace brinell::io
+{
+
+/// To be specialised for each scenario, with a static function `make` that returns its ScenarioIo; then scenario_io is to be
+/// instantiated.
+template <typename ScenarioCase>
+struct DescriptionOf;
+
+template <typename ScenarioCase>
+const ScenarioIo<ScenarioCase>& scenario_io()
+{
+  static const ScenarioIo<ScenarioCase> io = DescriptionOf<ScenarioCase>::make();
+  return io;
+}
+
+template <typename ScenarioCase>
+[[nodiscard]] bool can_yield(const ScenarioCase& c)
+{
+  return c.lower.material.is_plastic() || c.upper.material.is_plastic();
+}
+
+/// "1 pass", "3 passes"
+[[nodiscard]] inline std::string passes_text(int count)
+{
+  return fmt::format("{} pass{}", count, count == 1 ? "" : "es");
+}
+
+/// A table for a terminal, of as many rows as one likes to see there.
+template <typename Row, typename Line>
+[[nodiscard]] std::string table_text(std::string text, const std::vector<Row>& rows, const Line& line)
+{
+  constexpr std::size_t most_rows = 20;
+  for (std::size_t n = 0; n < std::min(rows.size(), most_rows); ++n)
+    text += line(rows[n]);
+  if (rows.size() > most_rows)
+    text += fmt::format("and {} more in summary.json\n", rows.size() - most_rows);
+  return text;
+}
+
+} // namespace brinell::io

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "description.hpp"
+
+#include <cmath>
+
+/// The indentation in files and messages.
+namespace brinell::io
+{
+
+namespace
+{
+
+using contact::Drive;
+using simulation::Indent;
+using simulation::IndentationCase;
+using simulation::IndentationPlan;
+using simulation::IndentationRecord;
+using simulation::IndentationSummary;
+
+/// The numbers of a list are the sequence.
+auto fills(Drive::Kind kind)
+{
+  return [kind](Case& c, const Value& value)
+  {
+    for (const double number : std::get<std::vector<double>>(value))
+      std::get<IndentationCase>(c.scenario).sequence.push_back({kind, number});
+  };
+}
+
+std::vector<Entry> keys()
+{
+  return {
+      {.key = "indentation.normalised",
+       .type = Type::boolean,
+       .fallback = false,
+       .text = "Whether load and approach are given in their values at first yield, P_c and alpha_c; needs round "
+               "bodies, or cylinders in plane strain, of which one can yield."},
+      {.key = "indentation.load",
+       .type = Type::numbers,
+       .dimension = dimension::force,
+       .range = at_least(0.0),
+       .unset = "indentation.approach",
+       .text = "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off.",
+       .excludes = "indentation.approach",
+       .pure_if = "indentation.normalised",
+       .fill = fills(Drive::Kind::load)},
+      {.key = "indentation.approach",
+       .type = Type::numbers,
+       .dimension = dimension::length,
+       .range = at_least(0.0),
+       .unset = "indentation.load",
+       .text = "The same, imposed as approach of the bodies from the touch of the undeformed ones.",
+       .excludes = "indentation.load",
+       .pure_if = "indentation.normalised",
+       .fill = fills(Drive::Kind::approach)},
+      {.key = "indentation.pressure",
+       .type = Type::numbers,
+       .dimension = dimension::pressure,
+       .range = at_least(0.0),
+       .unset = "indentation.load or indentation.approach",
+       .text = "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\".",
+       .fill = fills(Drive::Kind::load)},
+      {.key = "indentation.mean_gap",
+       .type = Type::numbers,
+       .dimension = dimension::length,
+       .range = above(0.0),
+       .unset = "indentation.load or indentation.approach",
+       .text = "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
+               "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
+               "them: [\"0.1 um\", \"5 um\"] presses and lifts off.",
+       .fill = fills(Drive::Kind::mean_gap)},
+      bound({.key = "indentation.steps",
+             .range = between(1, 100000),
+             .text =
+                 "Steps from one entry of the list to the next, of equal approach or mean gap; of equal load^(2/3) if "
+                 "the load is imposed."},
+            &IndentationCase::steps),
+      bound({.key = "indentation.cycles",
+             .range = between(1, 10000),
+             .text = "How often the list is gone through at each place."},
+            &IndentationCase::cycles),
+      bound({.key = "indentation.places",
+             .dimension = dimension::length,
+             .text = "Places along x that are indented one after the other."},
+            &IndentationCase::places),
+  };
+}
+
+/// The key that drives an indentation; empty, and a problem, if there is none or more than one.
+std::string driving_key(const CaseReader& reader)
+{
+  const auto given =
+      reader.given({"indentation.load", "indentation.approach", "indentation.pressure", "indentation.mean_gap"});
+  if (given.size() == 1)
+    return given.front();
+  if (given.empty())
+    reader.problems.add(
+        reader.place("indentation.load"),
+        "indentation needs one of indentation.load, indentation.approach, indentation.pressure and "
+        "indentation.mean_gap, a list as [\"10 N\", 0], [\"2 um\", 0], [\"50 MPa\", 0] or [\"0.1 um\"]");
+  else
+    reader.add(given[1], fmt::format("cannot stand together with {}; keep one of them", given[0]));
+  return {};
+}
+
+/// What a number of that key stands for [N], [m]; none, with the problem told, if it cannot stand in this case.
+std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, const IndentationCase& indentation,
+                                    const std::string& key)
+{
+  const simulation::Domain& domain = indentation.domain;
+  const bool is_gap = key == "indentation.mean_gap";
+  if (is_gap || key == "indentation.pressure")
+  {
+    if (reader.get<bool>("indentation.normalised"))
+      reader.add("indentation.normalised", fmt::format("goes with a load or an approach, and not with {}", key));
+    if (domain.is_periodic())
+      return is_gap ? 1.0 : domain.x.size * domain.y.size;
+    reader.add(key, fmt::format("is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
+                                is_gap ? "indentation.approach" : "indentation.load"));
+    return std::nullopt;
+  }
+  if (!reader.get<bool>("indentation.normalised"))
+    return 1.0;
+  if (c.first_yield)
+    return key == "indentation.load" ? c.first_yield->critical.load : c.first_yield->critical.interference;
+  reader.add(key,
+             fmt::format("is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
+                         reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
+                         can_yield(indentation) ? "" : ", or a yield stress for a body"));
+  return std::nullopt;
+}
+
+std::string read(const CaseReader& reader, Case& c, IndentationCase& i)
+{
+  std::string key = driving_key(reader);
+  const auto unit = key.empty() ? std::nullopt : unit_of_drive(reader, c, i, key);
+  if (!unit)
+    return key;
+  for (Drive& drive : i.sequence)
+    drive.value *= *unit;
+  if (i.sequence.front().kind == Drive::Kind::mean_gap) // whether it presses, and ends without contact, the plan knows
+    return key;
+  if (std::none_of(i.sequence.begin(), i.sequence.end(), [](const Drive& d) { return d.value > 0.0; }))
+    reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");
+  if ((i.cycles > 1 || i.places.size() > 1) && i.sequence.back().value != 0.0)
+    reader.add(key, "must end with 0 if there are several cycles or places");
+  return key;
+}
+
+std::string motion(const IndentationCase& i, const IndentationPlan& plan)
+{
+  std::string text = fmt::format("# Indentation: {} steps at {} place{}; largest contact radius about {:.4e} m\n",
+                                 plan.steps, i.places.size(), i.places.size() == 1 ? "" : "s", plan.contact_radius);
+  if (!std::isnan(plan.touching_gap))
+    text += fmt::format("# The surfaces first touch at a mean gap of {:.4e} m\n", plan.touching_gap);
+  return text;
+}
+
+std::string place(const Case&, const IndentationRecord& record)
+{
+  if (!std::isnan(record.contact_fraction)) // a period
+    return fmt::format("mean gap {:.3e} m  pressure {:.3e} Pa  contact {:.3g} %", record.mean_gap,
+                       record.nominal_pressure, 100.0 * record.contact_fraction);
+  return fmt::format("approach {:.3e} m  load {:.3e} N", record.approach, record.F_n);
+}
+
+std::string results(const Case&, const IndentationSummary& s)
+{
+  std::string text = table_text(
+      "place cycle      load [N]  approach [m] hardness [Pa] unloading [N/m] residual [m]  pile-up [m]\n", s.indents,
+      [](const Indent& i)
+      {
+        return fmt::format("{:5} {:5} {:13.6e} {:13.6e} {:13.6e}   {:13.6e} {:12.5e} {:12.5e}\n", i.place, i.cycle,
+                           i.max_load, i.max_approach, i.hardness, i.unloading_stiffness, i.residual_depth, i.pile_up);
+      });
+  if (std::any_of(s.indents.begin(), s.indents.end(), [](const Indent& i) { return i.max_approach < 0.0; }))
+    text += "approach: from where the mean planes meet; negative while peaks hold them apart\n";
+  return text;
+}
+
+Json normalised_indent_json(const Case& c, const Indent& i)
+{
+  const reference::CriticalValues scale = scale_of(c);
+  return {{"max_load", i.max_load / scale.load},
+          {"max_approach", i.max_approach / scale.interference},
+          {"contact_area", i.contact_area / scale.contact_area},
+          {"final_approach", i.final_approach / scale.interference},
+          {"residual_depth", i.residual_depth / scale.interference},
+          {"work", i.work / scale.energy}};
+}
+
+void summarise(Json& json, const Case& c, const IndentationCase& /*i*/, const IndentationPlan& plan,
+               const IndentationSummary& s)
+{
+  json["geometry"] = geometry_json(c);
+  json["geometry"]["estimated_contact_radius_m"] = plan.contact_radius;
+  json["geometry"]["touching_gap_m"] = plan.touching_gap;
+  json["geometry"]["rms_height_m"] = s.rms_height;
+  json["geometry"]["rms_slope"] = s.rms_slope;
+  json["indents"] = Json::array();
+  json["normalised"] = Json::array();
+  for (const Indent& indent : s.indents)
+  {
+    json["indents"].push_back(row_json(indent));
+    json["normalised"].push_back(normalised_indent_json(c, indent));
+  }
+  json["energy"] = energy_json(s);
+  json["residual"] = residual_json(s);
+}
+
+} // namespace
+
+template <>
+struct DescriptionOf<IndentationCase>
+{
+  static ScenarioIo<IndentationCase> make()
+  {
+    return {
+        .name = "indentation",
+        .text = "the upper body is pressed into the lower one",
+        .keys = keys,
+        .read = read,
+        .half_x = &IndentationPlan::contact_radius,
+        .half_y = &IndentationPlan::contact_radius_y,
+        .moves = false,
+        .motion = motion,
+        .is_key_step = [](const IndentationCase& i, const IndentationRecord& record, NearestToMiddle&)
+        { return (record.step + 1) % i.steps == 0; },
+        .key_steps = [](const IndentationCase& i, const IndentationPlan& plan) { return plan.steps / double(i.steps); },
+        .aligned = "in an indentation the steps that reach an entry of the list",
+        .place = place,
+        .results = results,
+        .summarise = summarise,
+        .lists = {{"indents", columns(Indent())}},
+        .key_numbers = [](const IndentationCase& i) -> std::vector<std::string>
+        {
+          const bool by_load = i.sequence.front().kind == Drive::Kind::load;
+          return {by_load ? "indents[].max_approach_m" : "indents[].max_load_N", "indents[].hardness_Pa",
+                  "indents[].residual_depth_m"};
+        },
+    };
+  }
+};
+
+template const ScenarioIo<IndentationCase>& scenario_io<IndentationCase>();
+
+} // namespace brinell::io

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/io/case_file.hpp"
+#include "brinell/io/history_csv.hpp"
+#include "brinell/io/snapshot_choice.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace brinell::io
+{
+
+struct CaseReader;
+class Sources;
+using Json = nlohmann::ordered_json;
+
+/// Everything that files and messages know of one scenario, described in src/io/scenarios/NAME.cpp. What all scenarios share is
+/// done where it belongs (case, results, cite), and names none of them.
+template <typename ScenarioCase>
+struct ScenarioIo
+{
+  using Plan = typename ScenarioCase::Plan;
+  using Record = typename ScenarioCase::Record;
+  using Summary = typename ScenarioCase::Summary;
+
+  // --- The case file ---
+  std::string_view name; ///< the word of the key `scenario`; also its table and its template
+  std::string_view text; ///< what it computes, a clause
+  std::vector<Entry> (*keys)();
+  /// Reads what takes judgement, once bodies and domain are there.
+  /// @returns the key at which it is told that there can be no plan
+  std::string (*read)(const CaseReader& reader, Case& c, ScenarioCase& scenario);
+  double Plan::*half_x; ///< half-lengths of the contact, estimates [m]
+  double Plan::*half_y;
+  bool moves = true; ///< the contact moves along x, which is no periodic axis then
+  /// Why a body cannot have that shape; empty if it can.
+  std::string_view (*against_shape)(const simulation::Shape& shape) = [](const simulation::Shape&)
+  { return std::string_view(); };
+
+  // --- What `brinell check` tells ---
+  std::string (*motion)(const ScenarioCase& scenario, const Plan& plan); ///< lines that begin with #
+  /// Goes on with the line that tells E', and with those of first yield.
+  std::string (*drive)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return std::string(); };
+  std::string (*drive_at_yield)(const ScenarioCase& scenario, const reference::CriticalValues& critical) =
+      [](const ScenarioCase&, const reference::CriticalValues&) { return std::string(); };
+  double evaluations = 6.0;           ///< in a step, roughly
+  bool yields_along_the_track = true; ///< else, for the most part, only under the contact
+
+  // --- Steps and results ---
+  bool (*is_key_step)(const ScenarioCase& scenario, const Record& record, NearestToMiddle& middle); ///< "aligned"
+  double (*key_steps)(const ScenarioCase& scenario, const Plan& plan);                              ///< how many
+  std::string_view aligned{}; ///< which ones, if not the middles of the passes: a clause for the schema
+  std::string (*place)(const Case& c, const Record& record);     ///< where a step was, for the progress
+  std::string (*results)(const Case& c, const Summary& summary); ///< lines for a terminal
+  /// Puts its numbers into summary.json, between what every summary begins with and what it ends with.
+  void (*summarise)(Json& json, const Case& c, const ScenarioCase& scenario, const Plan& plan, const Summary& summary);
+  /// Lists in the summary, and their columns.
+  std::vector<std::pair<std::string, std::vector<NamedNumber>>> lists{};
+
+  // --- Accuracy ---
+  std::vector<std::string> result_parts{}; ///< of the summary, beside energy, residual and the lists
+  /// What one looks for first: "forces.peak_F_X_N"; "indents[].hardness_Pa" is of the last one in a list.
+  std::vector<std::string> (*key_numbers)(const ScenarioCase& scenario);
+  /// Beside which a force may be small [N].
+  double (*imposed_load)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return 0.0; };
+
+  // --- Papers ---
+  void (*cite)(Sources& sources, const ScenarioCase& scenario) = [](Sources&, const ScenarioCase&) {};
+};
+
+/// Its definition: description.hpp.
+template <typename ScenarioCase>
+[[nodiscard]] const ScenarioIo<ScenarioCase>& scenario_io();
+
+template <typename ScenarioCase>
+[[nodiscard]] const ScenarioIo<ScenarioCase>& io_of(const ScenarioCase& /*scenario*/)
+{
+  return scenario_io<ScenarioCase>();
+}
+
+template <typename ScenarioCase>
+[[nodiscard]] const typename ScenarioCase::Record& record_of(const simulation::AnyRecord& record)
+{
+  return std::get<std::reference_wrapper<const typename ScenarioCase::Record>>(record);
+}
+template <typename ScenarioCase>
+[[nodiscard]] const typename ScenarioCase::Summary& summary_of(const simulation::AnySummary& summary)
+{
+  return std::get<std::reference_wrapper<const typename ScenarioCase::Summary>>(summary);
+}
+
+template <typename... ScenarioCases>
+struct EachScenario
+{
+  template <typename Action>
+  static void take(const Action& action)
+  {
+    (action(scenario_io<ScenarioCases>()), ...);
+  }
+};
+
+/// For each scenario, in their order; the action takes a ScenarioIo.
+template <typename Action>
+void for_each_scenario(const Action& action)
+{
+  simulation::Scenarios<EachScenario>::take(action);
+}
+
+/// Names of those for which it holds.
+template <typename Predicate>
+[[nodiscard]] std::vector<std::string> scenarios_with(const Predicate& holds)
+{
+  std::vector<std::string> names;
+  for_each_scenario(
+      [&](const auto& io)
+      {
+        if (holds(io))
+          names.emplace_back(io.name);
+      });
+  return names;
+}
+
+} // namespace brinell::io

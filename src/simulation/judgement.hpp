@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/quality.hpp"
+#include "brinell/simulation/scenario.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+/// How a scenario comes to its `Quality`: it says its facts, the judgement is the same for all.
+namespace brinell::simulation
+{
+
+/// Error that a number had with that many cells per contact radius, and the order by which it falls.
+struct Documented
+{
+  const char* quantity;
+  double error, cells, order;
+};
+
+/// What the judgement needs of any scenario.
+struct Facts
+{
+  std::span<const Documented> documented;
+  std::array<double, 3> cell{};
+  double half_x = 0.0, half_y = 0.0; ///< of the contact, estimate [m]
+  bool moves = false;                ///< along x
+  double approach = 0.0;             ///< largest, estimate [m]
+  std::optional<double> first_yield; ///< approach there [m], where the estimate holds
+  bool can_yield = false;
+  std::optional<double> shift; ///< if it is not one cell [m]
+  bool is_plane = false;       ///< nothing varies along y
+  bool is_patchy = false; ///< the contact may lie anywhere in a period, so that its extent says nothing of its patches
+  std::optional<double> cells_per_wave; ///< the shortest one, of rough flats over a period
+  std::array<const Texture*, 2> textures{nullptr, nullptr};
+  elastoplastic::Settings solver;
+};
+
+/// Those that follow from any scenario's bodies, numerics and plan.
+/// @param half_x, half_y  half-lengths of the contact, estimates [m]
+[[nodiscard]] Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
+                             const Plan& plan, double half_x, double half_y);
+
+/// What can be told before a run.
+[[nodiscard]] Quality quality_before(const Facts& facts);
+
+/// What can be told after it, with what the run has seen.
+/// @param of_course  what the scenario itself found
+[[nodiscard]] Quality quality_after(const Facts& facts, const RunTotals& totals,
+                                    std::optional<Warning> of_course = std::nullopt);
+
+/// "2.5 %"
+[[nodiscard]] std::string percent_text(double share);
+
+} // namespace brinell::simulation
