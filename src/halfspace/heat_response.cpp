@@ -86,16 +86,11 @@ struct HeatResponse::Operator
   }
 };
 
-struct HeatResponse::Scratch::Buffers
+struct HeatResponse::Buffers
 {
   AlignedVector<double> rows;
   AlignedVector<Complex> spectrum;
 };
-
-HeatResponse::Scratch::Scratch(std::unique_ptr<Buffers> buffers) : buffers_(std::move(buffers)) {}
-HeatResponse::Scratch::~Scratch() = default;
-HeatResponse::Scratch::Scratch(Scratch&&) noexcept = default;
-HeatResponse::Scratch& HeatResponse::Scratch::operator=(Scratch&&) noexcept = default;
 
 HeatResponse::HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion)
 {
@@ -110,12 +105,8 @@ HeatResponse::HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, cons
     throw InputError(
         "HeatResponse: there is no steady state of a body that is heated all along a periodic axis by a flux "
         "that never leaves; allowed: a duration, a velocity across the period, or open axes");
-  operator_ = std::make_unique<Operator>(grid, thermal, motion);
+  operator_ = make_hidden<Operator>(grid, thermal, motion);
 }
-
-HeatResponse::~HeatResponse() = default;
-HeatResponse::HeatResponse(HeatResponse&&) noexcept = default;
-HeatResponse& HeatResponse::operator=(HeatResponse&&) noexcept = default;
 
 const SurfaceGrid& HeatResponse::grid() const
 {
@@ -124,17 +115,17 @@ const SurfaceGrid& HeatResponse::grid() const
 
 HeatResponse::Scratch HeatResponse::make_scratch() const
 {
-  auto buffers = std::make_unique<Scratch::Buffers>();
+  auto buffers = make_hidden<Buffers>();
   buffers->rows.resize(operator_->fft.scratch_size());
   buffers->spectrum.resize(operator_->fft.plane());
-  return Scratch(std::move(buffers));
+  return buffers;
 }
 
 void HeatResponse::apply(std::span<const double> flux, std::span<double> temperature, Scratch& scratch) const
 {
   require_size("HeatResponse::apply: the flux", flux, grid().size());
   require_size("HeatResponse::apply: the temperature", temperature, grid().size());
-  Scratch::Buffers& buffers = *scratch.buffers_;
+  Buffers& buffers = *scratch;
   operator_->fft.forward(flux.data(), buffers.spectrum.data(), buffers.rows);
   for (std::size_t i = 0; i < buffers.spectrum.size(); ++i)
     buffers.spectrum[i] *= operator_->spectrum[i];

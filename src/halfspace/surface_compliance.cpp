@@ -66,7 +66,7 @@ Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modul
 
 } // namespace
 
-struct SurfaceCompliance::Scratch::Buffers
+struct SurfaceCompliance::Buffers
 {
   WaveProduct::Scratch compliance, stiffness;
 };
@@ -103,17 +103,8 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_mod
     throw InputError(
         "a surface grid of 1 x 1 cells that is periodic along both axes has a uniform pressure only, which "
         "displaces nothing; allowed: more than one cell along x or y");
-  operator_ = std::make_unique<Operator>(grid, contact_modulus, reference);
+  operator_ = make_hidden<Operator>(grid, contact_modulus, reference);
 }
-
-SurfaceCompliance::~SurfaceCompliance() = default;
-SurfaceCompliance::SurfaceCompliance(SurfaceCompliance&&) noexcept = default;
-SurfaceCompliance& SurfaceCompliance::operator=(SurfaceCompliance&&) noexcept = default;
-
-SurfaceCompliance::Scratch::Scratch(std::unique_ptr<Buffers> buffers) : buffers_(std::move(buffers)) {}
-SurfaceCompliance::Scratch::~Scratch() = default;
-SurfaceCompliance::Scratch::Scratch(Scratch&&) noexcept = default;
-SurfaceCompliance::Scratch& SurfaceCompliance::Scratch::operator=(Scratch&&) noexcept = default;
 
 const SurfaceGrid& SurfaceCompliance::grid() const
 {
@@ -132,8 +123,7 @@ double SurfaceCompliance::largest() const
 
 SurfaceCompliance::Scratch SurfaceCompliance::make_scratch() const
 {
-  return Scratch(std::make_unique<Scratch::Buffers>(
-      Scratch::Buffers{operator_->compliance.make_scratch(), operator_->stiffness.make_scratch()}));
+  return make_hidden<Buffers>(operator_->compliance.make_scratch(), operator_->stiffness.make_scratch());
 }
 
 void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const
@@ -143,11 +133,11 @@ void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement
   if (!load.shear_x.empty() || !load.shear_y.empty() || !displacement.x.empty() || !displacement.y.empty())
     throw InternalError(
         "SurfaceCompliance::apply: shears and displacements along the surface are those of TractionCompliance");
-  if (!operator_->compliance.fits(scratch.buffers_->compliance))
+  if (!operator_->compliance.fits(scratch->compliance))
     throw InternalError("SurfaceCompliance::apply: the scratch is of another operator; make_scratch makes one");
   if (load.pressure.empty())
     return std::fill(displacement.z.begin(), displacement.z.end(), 0.0);
-  operator_->compliance.apply(load.pressure, displacement.z, scratch.buffers_->compliance);
+  operator_->compliance.apply(load.pressure, displacement.z, scratch->compliance);
 }
 
 void SurfaceCompliance::apply_inverse(std::span<const double> displacement, std::span<double> pressure,
@@ -155,9 +145,9 @@ void SurfaceCompliance::apply_inverse(std::span<const double> displacement, std:
 {
   require_size("SurfaceCompliance::apply_inverse: the displacement", displacement, grid().size());
   require_size("SurfaceCompliance::apply_inverse: the pressure", pressure, grid().size());
-  if (!operator_->stiffness.fits(scratch.buffers_->stiffness))
+  if (!operator_->stiffness.fits(scratch->stiffness))
     throw InternalError("SurfaceCompliance::apply_inverse: the scratch is of another operator; make_scratch makes one");
-  operator_->stiffness.apply(displacement, pressure, scratch.buffers_->stiffness);
+  operator_->stiffness.apply(displacement, pressure, scratch->stiffness);
 }
 
 } // namespace brinell::halfspace

@@ -35,7 +35,7 @@ struct SurfaceTemperature::State
   HeatTimes times;
   double time = 0.0;
   HeatMemory near;
-  std::vector<FartherImages> farther;
+  std::vector<FartherImages> farther{};
 };
 
 SurfaceTemperature::SurfaceTemperature(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times)
@@ -50,7 +50,7 @@ SurfaceTemperature::SurfaceTemperature(const SurfaceGrid& grid, const Thermal& t
   const std::vector<DepthWave> waves = depth_waves(diffusivity, times.shortest_step, times.duration);
   const int px = grid.is_periodic_x() ? grid.nx : memory_length(grid.nx);
   const int py = grid.is_periodic_y() ? grid.ny : memory_length(grid.ny);
-  state_ = std::make_unique<State>(State{times, 0.0, HeatMemory(grid, px, py, grid, thermal, waves), {}});
+  state_ = make_hidden<State>(times, 0.0, HeatMemory(grid, px, py, grid, thermal, waves));
   if (grid.is_periodic())
     return;
 
@@ -77,10 +77,6 @@ SurfaceTemperature::SurfaceTemperature(const SurfaceGrid& grid, const Thermal& t
     state_->farther.push_back({cells, std::move(twice), std::move(once)});
   }
 }
-
-SurfaceTemperature::~SurfaceTemperature() = default;
-SurfaceTemperature::SurfaceTemperature(SurfaceTemperature&&) noexcept = default;
-SurfaceTemperature& SurfaceTemperature::operator=(SurfaceTemperature&&) noexcept = default;
 
 const SurfaceGrid& SurfaceTemperature::grid() const
 {

@@ -117,28 +117,19 @@ struct TractionCompliance::Operator
   }
 };
 
-struct TractionCompliance::Scratch::Buffers
+struct TractionCompliance::Buffers
 {
   Product::Scratch tractions;
   ShearStiffness::Scratch stiffness;
 };
-
-TractionCompliance::Scratch::Scratch(std::unique_ptr<Buffers> buffers) : buffers_(std::move(buffers)) {}
-TractionCompliance::Scratch::~Scratch() = default;
-TractionCompliance::Scratch::Scratch(Scratch&&) noexcept = default;
-TractionCompliance::Scratch& TractionCompliance::Scratch::operator=(Scratch&&) noexcept = default;
 
 TractionCompliance::TractionCompliance(const SurfaceGrid& grid, const Elastic& body1, const Elastic& body2,
                                        double reference)
 {
   if (grid.is_periodic_x() != grid.is_periodic_y() && !(reference > 0.0))
     throw InternalError("TractionCompliance: with one periodic axis the displacement needs a reference distance, > 0");
-  operator_ = std::make_unique<Operator>(grid, green::pair_constants(body1, body2), reference);
+  operator_ = make_hidden<Operator>(grid, green::pair_constants(body1, body2), reference);
 }
-
-TractionCompliance::~TractionCompliance() = default;
-TractionCompliance::TractionCompliance(TractionCompliance&&) noexcept = default;
-TractionCompliance& TractionCompliance::operator=(TractionCompliance&&) noexcept = default;
 
 const SurfaceGrid& TractionCompliance::grid() const
 {
@@ -147,8 +138,7 @@ const SurfaceGrid& TractionCompliance::grid() const
 
 TractionCompliance::Scratch TractionCompliance::make_scratch() const
 {
-  return Scratch(std::make_unique<Scratch::Buffers>(
-      Scratch::Buffers{Product::make_scratch(operator_->fft), operator_->stiffness.make_scratch()}));
+  return make_hidden<Buffers>(Product::make_scratch(operator_->fft), operator_->stiffness.make_scratch());
 }
 
 bool TractionCompliance::couples() const
@@ -170,12 +160,12 @@ void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacemen
 {
   require_load("TractionCompliance::apply", load, grid().size());
   require_displacement("TractionCompliance::apply", displacement, grid().size());
-  if (!Product::fits(operator_->fft, scratch.buffers_->tractions))
+  if (!Product::fits(operator_->fft, scratch->tractions))
     throw InternalError("TractionCompliance::apply: the scratch is of another operator; make_scratch makes one");
   const auto product = [&](int block, int row, const Triple& tractions)
   { return operator_->displaced(block, row, tractions); };
   Product::apply(operator_->fft, {load.pressure, load.shear_x, load.shear_y},
-                 {displacement.z, displacement.x, displacement.y}, scratch.buffers_->tractions, product);
+                 {displacement.z, displacement.x, displacement.y}, scratch->tractions, product);
 }
 
 void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const
@@ -192,10 +182,10 @@ void TractionCompliance::apply_inverse(const Pair<std::span<const double>>& disp
     require_size("TractionCompliance::apply_inverse: the displacement", displacement[axis], grid().size());
     require_size("TractionCompliance::apply_inverse: the shear", shear[axis], grid().size());
   }
-  if (!operator_->stiffness.fits(scratch.buffers_->stiffness))
+  if (!operator_->stiffness.fits(scratch->stiffness))
     throw InternalError(
         "TractionCompliance::apply_inverse: the scratch is of another operator; make_scratch makes one");
-  operator_->stiffness.apply(displacement, shear, scratch.buffers_->stiffness, added);
+  operator_->stiffness.apply(displacement, shear, scratch->stiffness, added);
 }
 
 } // namespace brinell::halfspace

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/hidden.hpp"
 #include "brinell/green/thermal.hpp"
 
 #include <limits>
-#include <memory>
 #include <span>
 
 namespace brinell::halfspace
@@ -29,16 +29,12 @@ public:
   /// @throws InputError for a steady state that there is not: of a flux that goes on for ever and does not move, or moves
   ///         along a period, where an axis is periodic; or if a constant or the duration is not above 0
   HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion);
-  ~HeatResponse();
-  HeatResponse(HeatResponse&&) noexcept;
-  HeatResponse& operator=(HeatResponse&&) noexcept;
-  HeatResponse(const HeatResponse&) = delete;
-  HeatResponse& operator=(const HeatResponse&) = delete;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
 
   /// Buffers of one call; make one per concurrent caller, once.
-  class Scratch;
+  struct Buffers;
+  using Scratch = Hidden<Buffers>;
   [[nodiscard]] Scratch make_scratch() const;
   /// @param flux         [W/m^2] per cell
   /// @param temperature  rise [K] per cell; overwritten
@@ -46,23 +42,7 @@ public:
 
 private:
   struct Operator;
-  std::unique_ptr<Operator> operator_;
-};
-
-class HeatResponse::Scratch
-{
-public:
-  ~Scratch();
-  Scratch(Scratch&&) noexcept;
-  Scratch& operator=(Scratch&&) noexcept;
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-private:
-  friend class HeatResponse;
-  struct Buffers;
-  explicit Scratch(std::unique_ptr<Buffers> buffers);
-  std::unique_ptr<Buffers> buffers_;
+  Hidden<Operator> operator_;
 };
 
 } // namespace brinell::halfspace

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/hidden.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
-#include <memory>
 #include <span>
 
 namespace brinell::halfspace
@@ -25,14 +25,10 @@ public:
   ///                         within that distance: those less than four times as wide, if they are strips.
   /// @throws InputError for one cell that is periodic along both axes, which nothing displaces
   SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference = 0.0);
-  ~SurfaceCompliance();
-  SurfaceCompliance(SurfaceCompliance&&) noexcept;
-  SurfaceCompliance& operator=(SurfaceCompliance&&) noexcept;
-  SurfaceCompliance(const SurfaceCompliance&) = delete;
-  SurfaceCompliance& operator=(const SurfaceCompliance&) = delete;
 
   /// Buffers of one application; make one per concurrent caller, once.
-  class Scratch;
+  struct Buffers;
+  using Scratch = Hidden<Buffers>;
   [[nodiscard]] Scratch make_scratch() const;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
@@ -49,23 +45,7 @@ public:
 
 private:
   struct Operator; ///< transform and spectrum
-  std::unique_ptr<Operator> operator_;
-};
-
-class SurfaceCompliance::Scratch
-{
-public:
-  ~Scratch();
-  Scratch(Scratch&&) noexcept;
-  Scratch& operator=(Scratch&&) noexcept;
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-private:
-  friend class SurfaceCompliance;
-  struct Buffers;
-  explicit Scratch(std::unique_ptr<Buffers> buffers);
-  std::unique_ptr<Buffers> buffers_;
+  Hidden<Operator> operator_;
 };
 
 } // namespace brinell::halfspace

@@ -25,11 +25,6 @@ class SurfaceTemperature
 public:
   /// @throws InputError if a constant or a time is not above 0
   SurfaceTemperature(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times);
-  ~SurfaceTemperature();
-  SurfaceTemperature(SurfaceTemperature&&) noexcept;
-  SurfaceTemperature& operator=(SurfaceTemperature&&) noexcept;
-  SurfaceTemperature(const SurfaceTemperature&) = delete;
-  SurfaceTemperature& operator=(const SurfaceTemperature&) = delete;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
   [[nodiscard]] double time() const; ///< of all steps taken up [s]
@@ -46,7 +41,7 @@ public:
 private:
   struct State;
   void require_step(const char* function_name, double duration) const;
-  std::unique_ptr<State> state_;
+  Hidden<State> state_;
 };
 
 } // namespace brinell::halfspace

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/hidden.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
 #include <array>
-#include <memory>
 #include <span>
 
 namespace brinell::halfspace
@@ -25,14 +25,10 @@ public:
   /// @param body2      a rigid one for body 1 alone.
   /// @param reference  as that of `SurfaceCompliance`, for the displacements in all directions.
   TractionCompliance(const SurfaceGrid& grid, const Elastic& body1, const Elastic& body2, double reference = 0.0);
-  ~TractionCompliance();
-  TractionCompliance(TractionCompliance&&) noexcept;
-  TractionCompliance& operator=(TractionCompliance&&) noexcept;
-  TractionCompliance(const TractionCompliance&) = delete;
-  TractionCompliance& operator=(const TractionCompliance&) = delete;
 
   /// Buffers of one application; make one per concurrent caller, once.
-  class Scratch;
+  struct Buffers;
+  using Scratch = Hidden<Buffers>;
   [[nodiscard]] Scratch make_scratch() const;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
@@ -59,23 +55,7 @@ public:
 
 private:
   struct Operator; ///< transforms and spectra
-  std::unique_ptr<Operator> operator_;
-};
-
-class TractionCompliance::Scratch
-{
-public:
-  ~Scratch();
-  Scratch(Scratch&&) noexcept;
-  Scratch& operator=(Scratch&&) noexcept;
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-private:
-  friend class TractionCompliance;
-  struct Buffers;
-  explicit Scratch(std::unique_ptr<Buffers> buffers);
-  std::unique_ptr<Buffers> buffers_;
+  Hidden<Operator> operator_;
 };
 
 } // namespace brinell::halfspace
