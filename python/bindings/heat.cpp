@@ -3,7 +3,10 @@
 #include "grids.hpp"
 #include "module.hpp"
 
-#include "brinell/halfspace/surface_temperature.hpp"
+#include "brinell/constitutive/material.hpp"
+#include "brinell/halfspace/thermal_field.hpp"
+
+#include <nanobind/stl/vector.h>
 
 using namespace nanobind::literals;
 
@@ -16,6 +19,7 @@ namespace
 using halfspace::HeatMotion;
 using halfspace::HeatResponse;
 using halfspace::SurfaceTemperature;
+using halfspace::ThermalField;
 
 Output temperature(const HeatResponse& response, const Input& flux)
 {
@@ -41,6 +45,56 @@ void take_up(SurfaceTemperature& memory, const Input& flux, const HeatMotion& mo
 {
   const auto q = values(flux, shape(memory.grid()), "flux");
   without_lock([&] { memory.take_up(q, motion); });
+}
+
+Shape layers_of(const ThermalField& field)
+{
+  Shape layers = shape(field.grid());
+  layers.insert(layers.begin(), field.depths().size());
+  return layers;
+}
+
+Output displacement(const ThermalField& field, char axis, double later)
+{
+  std::vector<double> u(field.grid().size());
+  const auto part = [&](char of) { return axis == of ? std::span<double>(u) : std::span<double>{}; };
+  without_lock([&] { field.displacement({part('z'), part('x'), part('y')}, later); });
+  return array(std::move(u), shape(field.grid()));
+}
+
+Output temperature_in_body(const ThermalField& field, double later)
+{
+  const std::size_t cells = field.grid().size(), count = field.depths().size();
+  std::vector<double> rise(count * cells);
+  without_lock(
+      [&]
+      {
+        for (std::size_t n = 0; n < count; ++n)
+          field.layer(n, {.temperature = std::span(rise).subspan(n * cells, cells)}, later);
+      });
+  return array(std::move(rise), layers_of(field));
+}
+
+Output stress(const ThermalField& field, double later)
+{
+  const std::size_t cells = field.grid().size(), count = field.depths().size();
+  std::vector<double> all(6 * count * cells);
+  without_lock(
+      [&]
+      {
+        std::vector<double> deviator(Deviator::size * cells), trace(cells);
+        for (std::size_t n = 0; n < count; ++n)
+        {
+          field.layer(n, {.deviator = deviator, .trace = trace}, later);
+          const std::vector<double> six = six_fields(deviator, trace);
+          for (std::size_t c = 0; c < 6; ++c)
+            std::copy_n(six.begin() + static_cast<std::ptrdiff_t>(c * cells), cells,
+                        all.begin() + static_cast<std::ptrdiff_t>((c * count + n) * cells));
+        }
+      });
+  Shape six = layers_of(field);
+  six.insert(six.begin(), 6);
+  return array(std::move(all), six);
 }
 
 } // namespace
@@ -80,6 +134,31 @@ void bind_heat(nb::module_& m)
       .def_prop_ro("time", &SurfaceTemperature::time)
       .def("remaining", &remaining, "duration"_a)
       .def("take_up", &take_up, "flux"_a, "motion"_a);
+  nb::class_<ThermalField>(m, "ThermalField")
+      .def(
+          "__init__",
+          [](ThermalField* self, const SurfaceGrid& grid, const Thermal& thermal, const Material& material,
+             double shortest_step, double duration, std::vector<double> depths)
+          {
+            without_lock(
+                [&] {
+                  return new (self)
+                      ThermalField(grid, thermal, material.elastic, {shortest_step, duration}, std::move(depths));
+                });
+          },
+          "grid"_a, "thermal"_a, "material"_a, "shortest_step"_a, "duration"_a, "depths"_a)
+      .def_prop_ro("time", &ThermalField::time)
+      .def(
+          "take_up",
+          [](ThermalField& field, const Input& flux, const HeatMotion& motion)
+          {
+            const auto q = values(flux, shape(field.grid()), "flux");
+            without_lock([&] { field.take_up(q, motion); });
+          },
+          "flux"_a, "motion"_a)
+      .def("displacement", &displacement, "axis"_a, "later"_a)
+      .def("temperature", &temperature_in_body, "later"_a)
+      .def("stress", &stress, "later"_a);
 }
 
 } // namespace brinell::python

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Conduction: a flux into the surface of a half space, and the rise of the temperature of that surface.
+"""Heat: a flux into the surface of a half space, the rise of its temperature, and how it swells and is stressed by that.
 
 The grid is at rest on the body, and the flux moves over it; no heat leaves the surface elsewhere. Arrays are [y, x].
 The method is on the page on heat of the theory. No scenario uses it yet.
@@ -7,12 +7,21 @@ The method is on the page on heat of the theory. No scenario uses it yet.
     grid = SurfaceGrid(64, 64, 1e-5, 1e-5)
     steel = Thermal(conductivity=50, density=7850, specific_heat=450)
     steady = HeatResponse(grid, steel, velocity=1.0).temperature(flux)
+
+What heat does to an elastic body needs its thermal expansion, too:
+
+    steel = Thermal(conductivity=50, density=7850, specific_heat=450, expansion=12e-6)
+    field = ThermalField(grid, steel, Material("210 GPa", 0.3), shortest_step=1e-5, duration=1e-3, depths=[0.0, 2e-5])
+    field.step(flux, duration=1e-5, velocity=1.0)
+    u_z, stress = field.displacement(), field.stress()
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from numpy.typing import ArrayLike
 
@@ -21,11 +30,12 @@ from brinell._arrays import Array, contiguous, number
 from brinell._reprs import cells
 from brinell.errors import InputError
 from brinell.halfspace import SurfaceGrid, require_memory
+from brinell.materials import Material
 
-__all__ = ["HeatResponse", "SurfaceTemperature", "Thermal"]
+__all__ = ["HeatResponse", "SurfaceTemperature", "Thermal", "ThermalField"]
 
-_BYTES_OF_RESPONSE, _BYTES_OF_MEMORY = 130, 1500
-"""Per cell: the planned operator; the state of all waves, without that of the images."""
+_BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
+"""Per cell: the planned operator; the state of all waves, without that of most of the images; the same for fields in the body."""
 
 
 @dataclass(frozen=True)
@@ -36,16 +46,19 @@ class Thermal:
         conductivity: K [W/(m K)].
         density: rho [kg/m^3].
         specific_heat: c [J/(kg K)].
+        expansion: alpha, linear, of the free body [1/K]; temperatures do without it.
     """
 
     conductivity: float
     density: float
     specific_heat: float
+    expansion: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("conductivity", "density", "specific_heat"):
             if not number(getattr(self, name), name) > 0.0:
                 raise InputError(f"{name} = {getattr(self, name)}; allowed: a number above 0")
+        number(self.expansion, "expansion")
 
     @property
     def diffusivity(self) -> float:
@@ -54,7 +67,7 @@ class Thermal:
 
     @property
     def _engine(self) -> _core.Thermal:
-        return _core.Thermal(self.conductivity, self.density, self.specific_heat, 0.0)
+        return _core.Thermal(self.conductivity, self.density, self.specific_heat, self.expansion)
 
 
 class HeatResponse:
@@ -160,6 +173,95 @@ class SurfaceTemperature:
         rise += self._response[1].temperature(heat)
         self._engine.take_up(heat, _motion(duration, velocity))
         return rise
+
+
+class ThermalField:
+    """Flux, step by step -> displacement of the surface, temperature and stress in the body.
+
+    The surface is free of traction. It remembers as `SurfaceTemperature` does. Along open axes there are no images, to some
+    1e-3 of the largest value; the displacement is that from far away, and of a flux that stands it grows with the logarithm
+    of the time. If both axes are periodic, the mean strain along the surface is zero.
+    """
+
+    def __init__(
+        self,
+        grid: SurfaceGrid,
+        thermal: Thermal,
+        material: Material,
+        *,
+        shortest_step: float,
+        duration: float,
+        depths: Sequence[float] = (),
+    ):
+        """Plans the memory of a body that is cold.
+
+        Args:
+            grid: of flux and fields, at rest on the body.
+            thermal: constants of the body.
+            material: of it only the elastic constants count.
+            shortest_step: of all steps [s].
+            duration: of all steps together [s].
+            depths: of the layers with temperature and stress [m]; 0 is the surface.
+
+        Raises:
+            InputError: times that are not above 0, a duration below the shortest step, a depth below 0, a rigid material.
+        """
+        if material.is_rigid:
+            raise InputError("a rigid body has no thermal stress; allowed: an elastic material")
+        require_memory(grid.nx * grid.ny, _BYTES_OF_FIELD, "the memory of a heated body")
+        self.grid = grid
+        self.depths = tuple(number(depth, "depths") for depth in depths)
+        self._engine = _core.ThermalField(
+            grid._engine,
+            thermal._engine,
+            material._engine,
+            number(shortest_step, "shortest_step"),
+            number(duration, "duration"),
+            list(self.depths),
+        )
+
+    def __repr__(self) -> str:
+        return f"<ThermalField {cells(self.grid.shape)}, {len(self.depths)} layers, {self.time:g} s>"
+
+    @property
+    def time(self) -> float:
+        """Of all steps so far [s]."""
+        return self._engine.time
+
+    def step(self, flux: ArrayLike, duration: float, velocity: float | tuple[float, float] = 0.0) -> None:
+        """Takes one step.
+
+        Args:
+            flux: (ny, nx) into the body [W/m^2], where it is at the end of the step.
+            duration: of the step [s].
+            velocity: of the flux over the body, along x, or along x and y [m/s].
+
+        Raises:
+            InputError: the step is shorter than `shortest_step`, or ends after `duration`.
+        """
+        self._engine.take_up(contiguous(flux, "flux"), _motion(duration, velocity))
+
+    def displacement(self, axis: Literal["x", "y", "z"] = "z", *, later: float = 0.0) -> Array:
+        """Displacement of the surface.
+
+        Args:
+            axis: along which; z points into the body, so that heat makes it negative.
+            later: 0 for the end of the last step, or so much later, if nothing enters meanwhile, from `shortest_step` on [s].
+
+        Returns:
+            (ny, nx) [m].
+        """
+        if axis not in ("x", "y", "z"):
+            raise InputError(f"axis = {axis!r}; allowed: 'x', 'y', 'z'")
+        return self._engine.displacement(axis, number(later, "later"))
+
+    def temperature(self, *, later: float = 0.0) -> Array:
+        """Rise of the temperature at the depths, (len(depths), ny, nx) [K]; `later` as for `displacement`."""
+        return self._engine.temperature(number(later, "later"))
+
+    def stress(self, *, later: float = 0.0) -> Array:
+        """Stress at the depths, (6, len(depths), ny, nx) [Pa], in the middles of the cells; `later` as for `displacement`."""
+        return self._engine.stress(number(later, "later"))
 
 
 def _motion(duration: float | None, velocity: float | tuple[float, float]) -> _core.HeatMotion:

@@ -2,51 +2,78 @@
 #pragma once
 
 #include "brinell/halfspace/heat_response.hpp"
+#include "depth_waves.hpp"
 #include "foundation/fft.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace brinell::halfspace
 {
 
-/// Waves in depth that share the memory of a conducting half space. Of a unit of heat, exp(-kappa k^2 t)/sqrt(pi kappa t) is left at the
-/// surface at a wavenumber k, and
-///     1/sqrt(pi kappa t) = 2/pi int_0^inf exp(-kappa s^2 t) ds,
-/// a sum over waves cos(s z). In ln s the trapezoidal rule converges exponentially, so that few of them serve all times.
-struct DepthWave
+/// One wave along the surface.
+struct SurfaceWave
 {
-  double number = 0.0; ///< s [1/m]
-  double weight = 0.0; ///< [1/m]
+  double kx, ky, k; ///< [rad/m]
+  double odd_x,
+      odd_y; ///< kx, ky for what is odd in them: 0 for the shortest wave of an even number of cells, which cannot tell
 };
 
-/// @param shortest, longest  times that the sum shall hold for [s]
-[[nodiscard]] std::vector<DepthWave> depth_waves(double diffusivity, double shortest, double longest);
+/// One wave of the temperature at one depth, and what its potential psi, lap(psi) = -T with d psi/dz = 0 at the surface, is there.
+struct HeatAtDepth
+{
+  Complex temperature;          ///< [K]
+  Complex potential, slope;     ///< k psi and d psi/dz [K m]
+  Complex potential_at_surface; ///< k psi for z = 0 [K m]
+};
+
+/// The weights of the waves in depth at one depth: those of `DepthWaves::fast`, then all others.
+struct DepthFactors
+{
+  double depth;                           ///< [m]
+  std::vector<double> temperature, slope; ///< [1/m], [1/m^2]
+};
+[[nodiscard]] DepthFactors depth_factors(const DepthWaves& waves, double depth);
 
 /// The memory of one periodic surface: for each wave in depth and in the plane, the heat that has decayed since it entered.
 class HeatMemory
 {
 public:
   /// @param grid    where flux and temperature are; periods px, py cells of it
-  /// @param heated  whose cells have a uniform flux each
-  HeatMemory(const SurfaceGrid& grid, int px, int py, const SurfaceGrid& heated, const Thermal& thermal,
-             std::vector<DepthWave> waves);
+  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
 
-  /// Adds `factor` times the temperature that remains after `duration`.
-  void add_remaining(double duration, double factor, std::span<double> temperature) const;
+  /// Adds `factor` times the temperature of the surface that remains after `duration`, of cells with a uniform flux each.
+  /// @param heated  those cells
+  void add_remaining(double duration, double factor, const SurfaceGrid& heated, std::span<double> temperature) const;
+
+  /// The waves of some fields from that of the heat, one after the other.
+  using FieldsOfHeat = std::function<void(const SurfaceWave&, const HeatAtDepth&, std::span<Complex>)>;
+  /// Adds `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
+  /// At once, for duration = 0, with the fast waves of the last step's flux.
+  /// @param factors  of all waves; those of this memory are the last ones of them
+  void add_fields(double duration, double factor, const DepthFactors& factors, const FieldsOfHeat& fields_of_heat,
+                  std::vector<std::vector<double>>& fields) const;
+
   /// All decays over the motion, and its flux comes in.
   void take_up(std::span<const double> flux, const HeatMotion& motion);
 
 private:
+  struct Row;
   [[nodiscard]] std::size_t index(int row, int column) const;
   [[nodiscard]] double in_plane(int row, int column) const; ///< kappa k^2 [1/s]
+  [[nodiscard]] SurfaceWave surface_wave(int row, int column) const;
+  void gather(int row, double duration, const DepthFactors& factors, Row& sums) const;
+  void gather_fast(int row, const DepthFactors& factors, Row& sums) const;
 
   PaddedFft fft_;
-  double cell_x_, cell_y_; ///< of uniform flux [m]
   double diffusivity_, conductivity_;
-  std::vector<DepthWave> waves_;
-  AlignedVector<Complex> heat_; ///< [wave][plane] [K m]
+  DepthWaves waves_;
+  AlignedVector<Complex> heat_;    ///< [wave][plane] [K m]
+  std::vector<double> slow_share_; ///< of each wavenumber, for fields
+  AlignedVector<Complex> last_flux_;
+  HeatMotion last_motion_;
 };
 
 } // namespace brinell::halfspace

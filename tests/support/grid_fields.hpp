@@ -66,4 +66,20 @@ template <typename Function>
                  });
 }
 
+/// Share of the cells inside a disc of the radius 1 about the middle of the grid.
+[[nodiscard]] inline Field disc(const SurfaceGrid& g)
+{
+  constexpr int parts = 32;
+  return sampled(g,
+                 [&](int i, int j)
+                 {
+                   int inside = 0;
+                   for (int b = 0; b < parts; ++b)
+                     for (int a = 0; a < parts; ++a)
+                       inside += std::hypot(g.x(i) + ((a + 0.5) / parts - 0.5) * g.dx,
+                                            g.y(j) + ((b + 0.5) / parts - 0.5) * g.dy) < 1.0;
+                   return static_cast<double>(inside) / (parts * parts);
+                 });
+}
+
 } // namespace brinell::test

@@ -40,7 +40,6 @@ public:
 
 private:
   struct State;
-  void require_step(const char* function_name, double duration) const;
   Hidden<State> state_;
 };
 

@@ -38,22 +38,6 @@ Field temperature(const SurfaceGrid& g, const HeatMotion& motion, const Field& f
   return result;
 }
 
-/// Share of the cells inside a disc of the radius 1 about the middle of the grid.
-Field disc(const SurfaceGrid& g)
-{
-  constexpr int parts = 32;
-  return test::sampled(g,
-                       [&](int i, int j)
-                       {
-                         int inside = 0;
-                         for (int b = 0; b < parts; ++b)
-                           for (int a = 0; a < parts; ++a)
-                             inside += std::hypot(g.x(i) + ((a + 0.5) / parts - 0.5) * g.dx,
-                                                  g.y(j) + ((b + 0.5) / parts - 0.5) * g.dy) < 1.0;
-                         return static_cast<double>(inside) / (parts * parts);
-                       });
-}
-
 /// An independent quadrature of the moving point source (Carslaw and Jaeger 1959, section 10.7),
 /// e^{-V (r + x)/2 kappa}/(2 pi K r), x from source to point along the motion: about the point (x, 0) in polar coordinates, which
 /// take off the singularity, over a Hertzian flux that moves along x.
@@ -159,7 +143,7 @@ TEST(HeatResponse, DiscInTimeAtItsCentre)
     for (const int n : {11, 21, 41})
     {
       const SurfaceGrid g = cells(n, (n - 1) / 2.5);
-      errors.push_back(at_middle(g, temperature(g, {t}, disc(g))) / exact - 1.0);
+      errors.push_back(at_middle(g, temperature(g, {t}, test::disc(g))) / exact - 1.0);
     }
     const test::Orders orders("disc, centre", errors);
     EXPECT_LT(std::abs(errors.back()), 1e-3) << t;

@@ -4,7 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "grid_fields.hpp"
 #include "halfspace/coarser_surface.hpp"
-#include "halfspace/heat_memory.hpp"
+#include "halfspace/depth_waves.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(DepthWaves, SumToTheDecayOfHeatAtAllTimes)
   const double kappa = 0.3;
   for (const double longest : {1.0, 20.0, 5000.0})
   {
-    const std::vector<DepthWave> waves = depth_waves(kappa, 1.0, longest);
+    const std::vector<DepthWave> waves = depth_waves(kappa, {1.0, longest}, 10.0).waves;
     EXPECT_LT(waves.size(), 45U);
     for (double t = 1.0; t <= longest; t *= 1.17)
     {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/green/elastic.hpp"
+#include "brinell/halfspace/surface_load.hpp"
+#include "brinell/halfspace/surface_temperature.hpp"
+
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// Where the fields at one depth go: one value per cell of the surface grid in each part, in the middle of the cell; an empty
+/// part is not wanted.
+struct ThermalLayer
+{
+  std::span<double> temperature{}; ///< rise [K]
+  std::span<double> deviator{};    ///< of the stress [Pa], five components one after the other (order of Deviator)
+  std::span<double> trace{};       ///< of the stress [Pa]
+};
+
+/// What the heat that has entered the surface of an elastic half space does to it: displacement of the surface, and temperature and
+/// stress in the body, step by step: docs/theory/heat.md (thermal-displacement, thermal-stress).
+///
+/// It remembers as `SurfaceTemperature` does. The surface is free of traction, and beside the flux insulated. Displacement and
+/// stress follow the temperature at once, without inertia. Along open axes they are those of a half space without images, to
+/// some 1e-3 of the largest one; if both axes are periodic, the mean strain along the surface is zero, and the displacement counts
+/// from deep in the body.
+class ThermalField
+{
+public:
+  /// @param depths  of the layers [m], >= 0, in any order
+  /// @throws InputError if a constant or a time is not above 0, or a depth is below 0
+  ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatTimes& times,
+               std::vector<double> depths = {});
+
+  [[nodiscard]] const SurfaceGrid& grid() const;
+  [[nodiscard]] const std::vector<double>& depths() const;
+  [[nodiscard]] double time() const; ///< of all steps taken up [s]
+
+  /// Takes up a step: `SurfaceTemperature::take_up`.
+  void take_up(std::span<const double> flux, const HeatMotion& motion);
+
+  /// What is there at the end of the last step, for the duration 0; or what remains of all steps some time later, without what
+  /// enters meanwhile.
+  /// @param duration  [s], 0 or >= HeatTimes::shortest_step
+  void displacement(const SurfaceDisplacement& displacement, double duration = 0.0) const;
+  /// @param layer  number of the depth
+  void layer(std::size_t layer, const ThermalLayer& out, double duration = 0.0) const;
+  /// Of the surface, after a step or more: `SurfaceTemperature::remaining`.
+  void remaining_temperature(double duration, std::span<double> temperature) const;
+
+private:
+  struct State;
+  Hidden<State> state_;
+};
+
+} // namespace brinell::halfspace

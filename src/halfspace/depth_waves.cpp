@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <iterator>
+#include <numbers>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+/// Steps of the trapezoidal rule in ln s. The integrand is analytic as far as |Im ln s| < pi/4: the error goes with
+/// e^{-pi^2/(2 step)}, and is 1.3e-5 at the surface. At depth it goes with the root of that, and is about as large with the finer step.
+constexpr double step_of_surface = 0.4, step_of_fields = 0.22;
+constexpr double fastest = 4.5; ///< s sqrt(kappa t): e^{-20} of it is left
+constexpr double slowest = 0.02;
+constexpr double normal = 2.0 * std::numbers::inv_pi;
+
+} // namespace
+
+DepthWaves depth_waves(double diffusivity, const DepthRange& range, double finest)
+{
+  const bool has_fields = range.deepest >= 0.0;
+  DepthWaves result;
+  result.has_fields = has_fields;
+  result.step = has_fields ? step_of_fields : step_of_surface;
+  const double first = fastest / std::sqrt(diffusivity * range.shortest);
+  const double last = slowest / std::max(std::sqrt(diffusivity * range.longest), range.deepest);
+  const int count = std::max(1, 1 + static_cast<int>(std::ceil(std::log(first / last) / result.step)));
+  const auto wave = [&](int n)
+  {
+    const double number = first * std::exp(-result.step * n);
+    return DepthWave{number, normal * result.step * number};
+  };
+  for (int n = 0; n < count; ++n)
+    result.waves.push_back(wave(n));
+  // What follows does not decay over all these times: a geometric series.
+  result.waves.push_back({0.0, result.waves.back().weight / std::expm1(result.step)});
+  // Once s is far beyond every k, what follows is a geometric series again.
+  constexpr double far = 20.0;
+  if (has_fields)
+    for (int n = 1; n == 1 || result.fast.back().number < far * std::max(finest, first); ++n)
+      result.fast.push_back(wave(-n));
+  return result;
+}
+
+DepthWaves DepthWaves::slower_than(double number) const
+{
+  const auto is_slower = [&](const DepthWave& wave) { return wave.number < number; };
+  DepthWaves result = *this;
+  const auto fast_end = std::partition_point(fast.begin(), fast.end(), is_slower);
+  result.fast.assign(fast.begin(), fast_end);
+  // One wave with a number stays, from which the slow ones go on.
+  const auto first = std::find_if(waves.begin(), std::prev(waves.end(), 2), is_slower);
+  result.waves.assign(first, waves.end());
+  result.has_all = has_all && fast_end == fast.end();
+  return result;
+}
+
+double DepthWaves::slow_share(double k) const
+{
+  if (k == 0.0)
+    return 1.0;
+  constexpr double negligible = 1e-3; // (s/k)^2 of the rest counts
+  double sum = 0.0, number = std::prev(waves.end(), 2)->number;
+  do
+  {
+    number *= std::exp(-step);
+    sum += normal * step * number * k / (k * k + number * number);
+  } while (number > negligible * k);
+  return sum + normal * step * number / (k * std::expm1(step));
+}
+
+double DepthWaves::beyond(int power) const
+{
+  return has_all ? 1.0 / std::expm1((power - 1) * step) : 0.0;
+}
+
+TurnedWave turned_wave(double x, double step)
+{
+  // The mean with a kernel K(u) over u = ln x. Its transform is 1 up to frequencies somewhat below pi/step and 0 beyond: those of the
+  // waves are told apart. Off the real axis, along u + i angle, e^{ix} decays and the integral ends.
+  constexpr double softness = 0.2, angle = 0.3;
+  const double band = std::numbers::pi / step, width = 1.0 / (softness * band);
+  if (x == 0.0)
+    return {1.0, 0.0};
+  const double spacing = 0.1 * step, reach = 10.0 * width;
+  std::complex<double> cosine{}, sine{};
+  for (double u = -reach; u <= reach; u += spacing)
+  {
+    const std::complex<double> shifted{u, angle};
+    const std::complex<double> stretch = std::exp(shifted);
+    const std::complex<double> phase = std::complex<double>{0.0, x} * stretch;
+    if (phase.real() < -40.0)
+      break;
+    const std::complex<double> kernel =
+        std::sin(band * shifted) / (std::numbers::pi * shifted) * std::exp(-0.25 * shifted * shifted / (width * width));
+    const std::complex<double> term = kernel * std::exp(phase) * stretch;
+    cosine += term;
+    sine += term * stretch;
+  }
+  return {spacing * cosine.real(), spacing * sine.imag()};
+}
+
+} // namespace brinell::halfspace

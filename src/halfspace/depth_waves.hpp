@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// Waves in depth that share the memory of a conducting half space. Of a unit of heat, exp(-kappa k^2 t)/sqrt(pi kappa t) is left at the
+/// surface at a wavenumber k, and
+///     1/sqrt(pi kappa t) = 2/pi int_0^inf exp(-kappa s^2 t) ds,
+/// a sum over waves cos(s z). In ln s the trapezoidal rule converges exponentially, so that few of them serve all times.
+struct DepthWave
+{
+  double number = 0.0; ///< s [1/m]
+  double weight = 0.0; ///< [1/m]
+};
+
+/// What the waves shall be good for.
+struct DepthRange
+{
+  double shortest, longest; ///< times that heat is remembered for [s]
+  double deepest = -1.0;    ///< of fields in the body [m]; negative: the temperature of the surface alone is wanted
+};
+
+/// The waves of one body, from the fastest to the slowest.
+struct DepthWaves
+{
+  std::vector<DepthWave> waves; ///< the last one, of the number 0, stands for all that are slower than the one before
+  std::vector<DepthWave> fast;  ///< those beyond the first, which do not last from step to step, from the slowest on
+  double step = 0.0;            ///< of ln s
+  bool has_all = true;          ///< no fast wave is left out that counts at the surface
+  bool has_fields = false;      ///< whether they are good for more than the temperature of the surface
+
+  /// Those below a number, in both lists.
+  [[nodiscard]] DepthWaves slower_than(double number) const;
+  /// Sum over the waves that the last one stands for of weight * k/(k^2 + s^2); 1 for k = 0.
+  [[nodiscard]] double slow_share(double k) const;
+  /// What the fast waves beyond the last of `fast` would add to a sum of terms that go with weight/s^power, in terms of that last one.
+  /// None if those are not all fast ones.
+  [[nodiscard]] double beyond(int power) const;
+};
+
+/// @param finest  wavenumber along the surface beyond which there are none [1/m]; how far `fast` goes
+[[nodiscard]] DepthWaves depth_waves(double diffusivity, const DepthRange& range, double finest);
+
+/// Means of cos x and sin x over ln x that leave what a sum in equal steps of ln s can resolve: the same as long as x is small,
+/// nothing where x turns from one wave to the next. Sums over waves then hold at any depth: docs/theory/heat.md (turned).
+struct TurnedWave
+{
+  double cosine, sine; ///< the latter for sums that go with s ds
+};
+[[nodiscard]] TurnedWave turned_wave(double x, double step);
+
+} // namespace brinell::halfspace

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/halfspace/surface_temperature.hpp"
+#include "coarser_surface.hpp"
+#include "heat_memory.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// The memory of a surface that may be open: that of a periodic one, and what takes off its images. With T_P of a period P,
+///     T = T_P + (T_2P - T_P) + (T_4P - T_2P) + ...
+/// docs/theory/heat.md (images-of-heat).
+class OpenHeatMemory
+{
+public:
+  /// @param deepest  of fields in the body [m]; negative: only the temperature of the surface is wanted
+  /// @throws InputError if a constant or a time is not above 0
+  OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
+                 double deepest);
+
+  [[nodiscard]] const SurfaceGrid& grid() const { return near_.grid(); }
+  [[nodiscard]] double time() const { return time_; } ///< of all steps taken up [s]
+  [[nodiscard]] const DepthWaves& waves() const { return waves_; }
+
+  /// The temperature of the surface that remains after `duration`.
+  void remaining(const char* function_name, double duration, std::span<double> temperature) const;
+  /// Fields that remain after `duration`, or are there at once.
+  void fields(const char* function_name, double duration, const DepthFactors& factors,
+              const HeatMemory::FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out) const;
+  void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
+
+private:
+  /// What the images of one lattice give, less those that a lattice with twice the period has, too: on cells as coarse as
+  /// that far away suffices.
+  struct FartherImages
+  {
+    CoarserSurface cells;
+    HeatMemory twice, once;
+  };
+  using Fields = std::vector<std::vector<double>>;
+  using Add = std::function<void(const HeatMemory&, double factor, Fields&)>;
+
+  void plan_images(const Thermal& thermal, int px, int py);
+  void require_step(const char* function_name, double duration) const;
+  [[nodiscard]] Fields sum(std::size_t count, double factor_of_farthest, const Add& add) const;
+
+  HeatTimes times_;
+  double time_ = 0.0;
+  DepthWaves waves_;
+  HeatMemory near_;
+  std::vector<FartherImages> farther_;
+};
+
+} // namespace brinell::halfspace

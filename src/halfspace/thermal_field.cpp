@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/thermal_field.hpp"
+
+#include "brinell/foundation/deviator.hpp"
+#include "open_heat_memory.hpp"
+#include "require_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+constexpr Complex imaginary{0.0, 1.0};
+
+/// The stress of one wave at one depth, of a unit 2 mu alpha (1 + nu)/(1 - nu).
+struct StressWave
+{
+  Complex xx, yy, zz, yz, xz, xy;
+
+  [[nodiscard]] Complex trace() const { return xx + yy + zz; }
+};
+
+/// The potential of the temperature leaves a normal traction on the surface, and a pressure takes it off. In the body they
+/// cancel to what is left in zz, xz and yz.
+StressWave stress_wave(const SurfaceWave& wave, const HeatAtDepth& heat, double depth, double poisson_ratio)
+{
+  const double k = wave.k, kz = k * depth, decay = std::exp(-kz);
+  const Complex surface = decay * heat.potential_at_surface;
+  const Complex bent = heat.potential + (1.0 - 2.0 * poisson_ratio - kz) * surface;
+  const Complex all = -heat.temperature + 2.0 * poisson_ratio * k * surface;
+  const Complex slope = -imaginary * (heat.slope + kz * surface);
+  const double inverse = k > 0.0 ? 1.0 / k : 0.0;
+  return {all + wave.kx * wave.kx * inverse * bent,
+          all + wave.ky * wave.ky * inverse * bent,
+          -k * (heat.potential - (1.0 + kz) * surface),
+          wave.odd_y * slope,
+          wave.odd_x * slope,
+          wave.odd_x * wave.odd_y * inverse * bent};
+}
+
+double largest_of(const std::vector<double>& depths)
+{
+  return depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
+}
+
+} // namespace
+
+struct ThermalField::State
+{
+  Elastic elastic;
+  double expansion,
+      strain; ///< alpha, and that of a layer that cannot expand along the surface: alpha (1 + nu)/(1 - nu) [1/K]
+  std::vector<double> depths;
+  OpenHeatMemory memory;
+  std::vector<DepthFactors> layers{};
+  DepthFactors surface{};
+
+  void tabulate()
+  {
+    surface = depth_factors(memory.waves(), 0.0);
+    for (const double depth : depths)
+      layers.push_back(depth_factors(memory.waves(), depth));
+  }
+};
+
+ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
+                           const HeatTimes& times, std::vector<double> depths)
+{
+  for (const double depth : depths)
+    if (!(depth >= 0.0) || std::isinf(depth))
+      throw InputError(fmt::format("ThermalField: a depth of {} m; allowed: 0 and above", depth));
+  if (!std::isfinite(thermal.expansion))
+    throw InputError(fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.expansion));
+  const double nu = elastic.poisson_ratio, deepest = largest_of(depths);
+  state_ = make_hidden<State>(elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu),
+                              std::move(depths), OpenHeatMemory("ThermalField", grid, thermal, times, deepest));
+  state_->tabulate();
+}
+
+const SurfaceGrid& ThermalField::grid() const
+{
+  return state_->memory.grid();
+}
+
+const std::vector<double>& ThermalField::depths() const
+{
+  return state_->depths;
+}
+
+double ThermalField::time() const
+{
+  return state_->memory.time();
+}
+
+void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motion)
+{
+  state_->memory.take_up("ThermalField::take_up", flux, motion);
+}
+
+void ThermalField::remaining_temperature(double duration, std::span<double> temperature) const
+{
+  state_->memory.remaining("ThermalField::remaining_temperature", duration, temperature);
+}
+
+void ThermalField::displacement(const SurfaceDisplacement& displacement, double duration) const
+{
+  constexpr const char* name = "ThermalField::displacement";
+  require_displacement(name, displacement, grid().size());
+  const State& state = *state_;
+  const double factor = -2.0 * (1.0 + state.elastic.poisson_ratio) * state.expansion;
+  // What is uniform and has no ends expands along z alone.
+  const double of_uniform = grid().is_periodic() ? -state.strain : factor;
+  std::vector<std::span<double>> out;
+  for (const std::span<double> part : {displacement.z, displacement.x, displacement.y})
+    if (!part.empty())
+      out.push_back(part);
+  const auto fields = [&](const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
+  {
+    const double inverse = wave.k > 0.0 ? 1.0 / wave.k : 0.0;
+    auto value = values.begin();
+    if (!displacement.z.empty())
+      *value++ = (wave.k > 0.0 ? factor : of_uniform) * heat.potential_at_surface;
+    if (!displacement.x.empty())
+      *value++ = factor * inverse * wave.odd_x * imaginary * heat.potential_at_surface;
+    if (!displacement.y.empty())
+      *value++ = factor * inverse * wave.odd_y * imaginary * heat.potential_at_surface;
+  };
+  state.memory.fields(name, duration, state.surface, fields, out);
+}
+
+void ThermalField::layer(std::size_t layer, const ThermalLayer& out, double duration) const
+{
+  const State& state = *state_;
+  const std::size_t cells = grid().size();
+  if (layer >= state.layers.size())
+    throw InternalError(fmt::format("ThermalField::layer: layer {} of {}", layer, state.layers.size()));
+  require_part("ThermalField::layer", "temperature", out.temperature, cells);
+  require_part("ThermalField::layer", "deviator", out.deviator, Deviator::size * cells);
+  require_part("ThermalField::layer", "trace", out.trace, cells);
+  std::vector<std::span<double>> fields;
+  if (!out.temperature.empty())
+    fields.push_back(out.temperature);
+  if (!out.trace.empty())
+    fields.push_back(out.trace);
+  if (!out.deviator.empty())
+    for (std::size_t c = 0; c < Deviator::size; ++c)
+      fields.push_back(out.deviator.subspan(c * cells, cells));
+
+  const double scale = 2.0 * state.elastic.shear_modulus() * state.strain;
+  const auto fields_of_heat = [&](const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
+  {
+    const StressWave stress = stress_wave(wave, heat, state.depths[layer], state.elastic.poisson_ratio);
+    const Complex trace = scale * stress.trace(), mean = trace / 3.0;
+    auto value = values.begin();
+    if (!out.temperature.empty())
+      *value++ = heat.temperature;
+    if (!out.trace.empty())
+      *value++ = trace;
+    if (!out.deviator.empty())
+      for (const Complex& component : {scale * stress.xx - mean, scale * stress.yy - mean, scale * stress.yz,
+                                       scale * stress.xz, scale * stress.xy})
+        *value++ = component;
+  };
+  state.memory.fields("ThermalField::layer", duration, state.layers[layer], fields_of_heat, fields);
+}
+
+} // namespace brinell::halfspace

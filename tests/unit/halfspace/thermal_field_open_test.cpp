@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/thermal_field.hpp"
+
+#include "grid_fields.hpp"
+#include "heated_body.hpp"
+#include "order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <vector>
+
+/// What heat does to an elastic half space without ends.
+namespace brinell::halfspace
+{
+namespace
+{
+
+constexpr double pi = std::numbers::pi;
+constexpr auto open = Boundary::open;
+constexpr auto periodic = Boundary::periodic;
+using test::displacement_of;
+using test::Field;
+using Layer = test::HeatedLayer;
+using test::largest_difference;
+using test::layer_of;
+using test::over_past;
+using test::over_wavenumbers;
+
+const Thermal& body = test::heated_body;
+const Elastic& elastic = test::heated_elastic;
+const double kappa = body.diffusivity(), nu = elastic.poisson_ratio;
+
+TEST(ThermalField, DiscThatIsHeatedForLong)
+{
+  // Barber (1971): d^2u/dr^2 + du/dr/r = alpha (1 + nu) q/K under the flux, and a logarithm beside it. Steady heat leaves no
+  // stress but along the surface, xx + yy = -E alpha T. Some (a/sqrt(kappa t))^2 is missing of the former, the root of that of T.
+  const double spread = 500.0, q = 2.0;
+  std::vector<double> errors;
+  for (const int n : {21, 41, 81})
+  {
+    const SurfaceGrid g{n, n, 3.0 / n, 3.0 / n};
+    const double duration = spread * spread / kappa;
+    ThermalField field(g, body, elastic, {duration / 10.0, duration}, {0.5});
+    Field flux = test::disc(g);
+    for (double& value : flux)
+      value *= q;
+    for (int step = 0; step < 10; ++step)
+      field.take_up(flux, {duration / 10.0});
+    const Field u = displacement_of(field);
+    const double middle = u[g.index(n / 2, n / 2)], unit = body.expansion * (1.0 + nu) * q / body.conductivity;
+    double error = 0.0;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+      {
+        const double r = std::hypot(g.x(i), g.y(j));
+        const double exact = unit * (r < 1.0 ? 0.25 * r * r : 0.25 + 0.5 * std::log(r));
+        error = std::max(error, std::abs(u[g.index(i, j)] - middle - exact));
+      }
+    errors.push_back(error / unit);
+    const Layer layer = layer_of(field, 0);
+    const double E_alpha = elastic.young_modulus * body.expansion;
+    double stress = 0.0;
+    for (std::size_t i = 0; i < g.size(); ++i)
+    {
+      const SymTensor& s = layer.stress[i];
+      stress = std::max({stress, std::abs(s[0] + s[1] + E_alpha * layer.temperature[i]), std::abs(s[2]), std::abs(s[3]),
+                         std::abs(s[4])});
+    }
+    EXPECT_LT(stress, E_alpha * q / body.conductivity / spread);
+  }
+  const test::Orders orders("curvature of a heated disc", errors);
+  EXPECT_LT(errors.back(), 1e-3);
+  EXPECT_GT(orders.overall, 1.2);
+}
+
+TEST(ThermalField, SpotThatMoves)
+{
+  // Pulses of a Gaussian flux along the way, each spread since then: Hankel's transform in space, Gauss's rule in time.
+  const SurfaceGrid g{60, 40, 0.1, 0.1};
+  const double w = 0.5, velocity = 3.0, duration = 0.1, end = 1.0;
+  const int steps = 8;
+  ThermalField field(g, body, elastic, {duration, steps * duration});
+  for (int n = 1; n <= steps; ++n)
+  {
+    const double x = end + velocity * duration * (n - steps);
+    field.take_up(test::sampled(g, [&](int i, int j)
+                                { return std::exp(-(std::pow(g.x(i) - x, 2) + g.y(j) * g.y(j)) / (w * w)); }),
+                  {duration, velocity});
+  }
+  const Field u = displacement_of(field);
+  double error = 0.0;
+  for (const int i : {10, 20, 35, 40, 46, 58})
+    for (const int j : {12, 20})
+    {
+      const auto pulse = [&](double t)
+      {
+        const double r = std::hypot(g.x(i) - end + velocity * t, g.y(j));
+        return over_wavenumbers(
+            w, r,
+            [&](double k)
+            { return 0.5 * w * w * k * std::exp(-0.25 * k * k * w * w) * std::erfc(k * std::sqrt(kappa * t)); });
+      };
+      const double exact =
+          -2.0 * (1.0 + nu) * body.expansion * kappa / body.conductivity * over_past(steps * duration, pulse);
+      error = std::max(error, std::abs(u[g.index(i, j)] - exact));
+    }
+  std::printf("a spot that moves: %.1e\n", error / test::largest(u));
+  EXPECT_LT(error, 1e-4 * test::largest(u));
+}
+
+/// Flux that ends at the edges, where images are nearest; smoothly, as waves of cells ring at a jump: the grid, the motion, and how far heat has spread, in cells.
+struct Filled
+{
+  SurfaceGrid grid;
+  double spread, shift;
+};
+
+class FluxEverywhere : public testing::TestWithParam<Filled>
+{
+protected:
+  /// Displacements along z and x and the stress in two layers on the cells of the grid, which may lie within a larger one.
+  [[nodiscard]] std::array<Field, 4> fields(int around_x, int around_y) const
+  {
+    const auto& [own, spread, shift] = GetParam();
+    SurfaceGrid g = own;
+    g.nx += 2 * around_x;
+    g.ny += 2 * around_y;
+    const double duration = std::pow(spread * g.dx, 2) / kappa;
+    const auto ends = [](int i, int count, bool is_periodic) {
+      return is_periodic ? 1.0 + 0.3 * std::sin(2.0 * pi * i / count) : std::pow(std::sin(pi * (i + 0.5) / count), 2);
+    };
+    ThermalField field(g, body, elastic, {duration, 3.0 * duration}, {0.0, 5.0 * g.dx});
+    for (int n = 0; n < 3; ++n)
+    {
+      Field flux(g.size());
+      for (int j = 0; j < own.ny; ++j)
+        for (int i = 0; i < own.nx; ++i)
+          flux[g.index(i + around_x, j + around_y)] =
+              (1.0 + 0.5 * std::cos(0.2 * i + n)) * ends(i, own.nx, false) * ends(j, own.ny, own.is_periodic_y());
+      field.take_up(flux, {duration, shift * g.dx / duration});
+    }
+    const auto cut = [&](const auto& whole)
+    { return test::sampled(own, [&](int i, int j) { return whole(g.index(i + around_x, j + around_y)); }); };
+    Field z(g.size()), x(g.size());
+    field.displacement({z, x, {}});
+    const Layer surface = layer_of(field, 0), below = layer_of(field, 1);
+    return {
+        cut([&](std::size_t n) { return z[n]; }), cut([&](std::size_t n) { return x[n]; }),
+        cut([&](std::size_t n) { return surface.stress[n][0] + 2.0 * surface.stress[n][5]; }),
+        cut([&](std::size_t n) { return below.stress[n][2] + 2.0 * below.stress[n][0] + 3.0 * below.stress[n][4]; })};
+  }
+};
+
+TEST_P(FluxEverywhere, ImagesAreTakenOff)
+{
+  const SurfaceGrid& g = GetParam().grid;
+  const std::array<Field, 4> own = fields(0, 0);
+  const std::array<Field, 4> within = fields(g.is_periodic_x() ? 0 : g.nx, g.is_periodic_y() ? 0 : g.ny);
+  std::printf("spread %.3g shift %.2g:", GetParam().spread, GetParam().shift);
+  for (std::size_t f = 0; f < own.size(); ++f)
+  {
+    const double error = largest_difference(own[f], within[f]) / test::largest(within[f < 2 ? 0 : 2]);
+    std::printf(" %.1e", error);
+    EXPECT_LT(error, 1e-3);
+  }
+  std::printf("\n");
+}
+
+const SurfaceGrid square{24, 24, 0.1, 0.1}, strip{24, 12, 0.1, 0.1, open, periodic},
+    plane{24, 1, 0.1, 0.1, open, periodic};
+INSTANTIATE_TEST_SUITE_P(All, FluxEverywhere,
+                         testing::Values(Filled{square, 0.5, 0}, Filled{square, 2, 0}, Filled{square, 6, 0},
+                                         Filled{square, 12, 0}, Filled{square, 30, 0}, Filled{square, 300, 0},
+                                         Filled{square, 1, 5}, Filled{{48, 12, 0.1, 0.1}, 5, 0}, Filled{strip, 0.5, 0},
+                                         Filled{strip, 3, 0}, Filled{strip, 30, 0}, Filled{plane, 1, 0},
+                                         Filled{plane, 10, 0}, Filled{plane, 300, 0}));
+
+/// A Gaussian flux exp(-r^2/w^2) in the middle of a grid, and how far its heat has spread in the end.
+struct Spot
+{
+  SurfaceGrid grid;
+  double width;  ///< w
+  double spread; ///< sqrt(kappa t)
+  int steps;
+};
+
+class HeatedSpot : public testing::TestWithParam<Spot>
+{
+protected:
+  [[nodiscard]] ThermalField heated(std::vector<double> depths) const
+  {
+    const Spot& spot = GetParam();
+    const double duration = spot.spread * spot.spread / kappa;
+    const Field flux = test::sampled(
+        spot.grid, [&](int i, int j)
+        { return std::exp(-(std::pow(spot.grid.x(i), 2) + std::pow(spot.grid.y(j), 2)) / (spot.width * spot.width)); });
+    ThermalField field(spot.grid, body, elastic, {duration / spot.steps, duration}, std::move(depths));
+    for (int n = 0; n < spot.steps; ++n)
+      field.take_up(flux, {duration / spot.steps});
+    return field;
+  }
+};
+
+TEST_P(HeatedSpot, DisplacementIsThatOfAHalfSpace)
+{
+  const auto& [g, w, spread, steps] = GetParam();
+  const Field result = displacement_of(heated({}));
+  const double time = spread * spread / kappa;
+  // Integral of the sources over the time, erfc(k sqrt(kappa t)) in closed form, by Hankel's transform: absolute values.
+  const auto exact = [&](double r)
+  {
+    const auto wave = [&](double k)
+    {
+      const double a = k * spread;
+      const double grown = a < 1e-3 ? time * (1.0 - 4.0 * a / (3.0 * std::sqrt(pi)))
+                                    : time * std::erfc(a) + (std::erf(a) - 2.0 * a / std::sqrt(pi) * std::exp(-a * a)) /
+                                                                (2.0 * kappa * k * k);
+      return 0.5 * w * w * k * std::exp(-0.25 * k * k * w * w) * grown;
+    };
+    return -2.0 * (1.0 + nu) * body.expansion * kappa / body.conductivity * over_wavenumbers(w, r, wave);
+  };
+  double error = 0.0;
+  const double largest = exact(0.0);
+  for (const int i : {0, g.nx / 4, g.nx / 2})
+    for (const int j : {0, g.ny / 2})
+      error = std::max(error, std::abs(result[g.index(i, j)] - exact(std::hypot(g.x(i), g.y(j)))));
+  std::printf("w %.2g spread %.3g, %d steps: %.1e of %.3g\n", w, spread, steps, error / std::abs(largest), largest);
+  EXPECT_LT(error, 1e-3 * std::abs(largest));
+}
+
+TEST_P(HeatedSpot, TemperatureInTheBody)
+{
+  const auto& [g, w, spread, steps] = GetParam();
+  const std::vector<double> depths{0.25 * w, 1.5 * w, 4.0 * w};
+  const ThermalField field = heated(depths);
+  // Carslaw and Jaeger (1959), section 10.2, over the Gaussian.
+  const auto exact = [&](double r, double z)
+  {
+    return kappa / body.conductivity *
+           over_past(spread * spread / kappa,
+                     [&](double t)
+                     {
+                       const double wide = w * w + 4.0 * kappa * t;
+                       return w * w / wide * std::exp(-r * r / wide - z * z / (4.0 * kappa * t)) /
+                              std::sqrt(pi * kappa * t);
+                     });
+  };
+  for (std::size_t n = 0; n < depths.size(); ++n)
+  {
+    const Layer layer = layer_of(field, n);
+    double error = 0.0;
+    for (const int i : {0, g.nx / 4, g.nx / 2})
+      error = std::max(error, std::abs(layer.temperature[g.index(i, g.ny / 2)] -
+                                       exact(std::hypot(g.x(i), g.y(g.ny / 2)), depths[n])));
+    std::printf("spread %.3g depth %.2g: %.1e\n", spread, depths[n], error / exact(0.0, 0.0));
+    EXPECT_LT(error, 1e-4 * exact(0.0, 0.0));
+  }
+}
+
+TEST_P(HeatedSpot, StressIsThatOnALargerGrid)
+{
+  // On a grid three times as large images are nine and more times as far away, and 27 times as small.
+  const auto& [g, w, spread, steps] = GetParam();
+  Spot larger = GetParam();
+  larger.grid.nx = 3 * g.nx;
+  larger.grid.ny = 3 * g.ny;
+  const double duration = spread * spread / kappa;
+  const auto stress = [&](const SurfaceGrid& grid)
+  {
+    const Field flux =
+        test::sampled(grid, [&, width = w](int i, int j)
+                      { return std::exp(-(grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / (width * width)); });
+    ThermalField field(grid, body, elastic, {duration, duration}, {0.0, w});
+    field.take_up(flux, {duration});
+    return std::pair{layer_of(field, 0), layer_of(field, 1)};
+  };
+  const auto own = stress(g), reference = stress(larger.grid);
+  const double largest = elastic.young_modulus * body.expansion * test::largest(own.first.temperature);
+  double error = 0.0;
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      for (std::size_t c = 0; c < 6; ++c)
+      {
+        const std::size_t here = g.index(i, j), there = larger.grid.index(i + g.nx, j + g.ny);
+        error = std::max({error, std::abs(own.first.stress[here][c] - reference.first.stress[there][c]),
+                          std::abs(own.second.stress[here][c] - reference.second.stress[there][c])});
+      }
+  std::printf("spread %.3g: stress %.1e of E alpha T\n", spread, error / largest);
+  EXPECT_LT(error, 1e-3 * largest);
+}
+
+// The flux is 1e-5 of the largest at the edges.
+const SurfaceGrid cells{40, 40, 0.1, 0.1};
+INSTANTIATE_TEST_SUITE_P(All, HeatedSpot,
+                         testing::Values(Spot{cells, 0.6, 0.02, 2}, Spot{cells, 0.6, 0.2, 5}, Spot{cells, 0.6, 1.0, 5},
+                                         Spot{cells, 0.6, 4.0, 20}, Spot{{40, 61, 0.1, 0.07}, 0.6, 30.0, 20},
+                                         Spot{cells, 0.6, 300.0, 3}));
+
+} // namespace
+} // namespace brinell::halfspace

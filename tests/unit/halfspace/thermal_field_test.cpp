@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/thermal_field.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "gauss.hpp"
+#include "grid_fields.hpp"
+#include "heated_body.hpp"
+#include "random_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+/// What heat does to an elastic half space, wave by wave.
+namespace brinell::halfspace
+{
+namespace
+{
+
+constexpr double pi = std::numbers::pi;
+constexpr auto open = Boundary::open;
+constexpr auto periodic = Boundary::periodic;
+using test::displacement_of;
+using test::Field;
+using Layer = test::HeatedLayer;
+using test::Gauss;
+using test::largest_difference;
+using test::layer_of;
+using test::over_past;
+
+const Thermal& body = test::heated_body;
+const Elastic& elastic = test::heated_elastic;
+const double kappa = body.diffusivity(), nu = elastic.poisson_ratio;
+
+TEST(ThermalField, UniformHeatInAPeriod)
+{
+  const SurfaceGrid g{6, 4, 0.3, 0.4, periodic, periodic};
+  ThermalField field(g, body, elastic, {0.1, 1.0}, {0.0, 0.2, 1.0, 4.0});
+  const Field flux(g.size(), 3.0);
+  for (int n = 0; n < 10; ++n)
+    field.take_up(flux, {0.1, 0.4, 0.1});
+  // A layer that cannot expand along the surface: alpha (1 + nu)/(1 - nu) times the heat in it over rho c.
+  const double rise = body.expansion * (1.0 + nu) / (1.0 - nu) * 3.0 / 4.0;
+  EXPECT_NEAR(displacement_of(field).back(), -rise, 1e-12);
+  for (std::size_t n = 0; n < field.depths().size(); ++n)
+  {
+    // Carslaw and Jaeger (1959), section 2.9.
+    const double x = field.depths()[n] / (2.0 * std::sqrt(kappa));
+    const double T = 3.0 / 2.0 * 2.0 * std::sqrt(kappa) * (std::exp(-x * x) / std::sqrt(pi) - x * std::erfc(x));
+    const Layer layer = layer_of(field, n);
+    // The waves in depth are good to some 1e-5 of the temperature of the surface, 1.2.
+    EXPECT_NEAR(layer.temperature[3], T, 3e-5) << x;
+    const SymTensor& stress = layer.stress[3];
+    const double plane = -elastic.young_modulus * body.expansion / (1.0 - nu) * layer.temperature[3];
+    EXPECT_NEAR(stress[0], plane, 1e-12);
+    EXPECT_NEAR(stress[1], plane, 1e-12);
+    for (int c = 2; c < 6; ++c)
+      EXPECT_NEAR(stress[static_cast<std::size_t>(c)], 0.0, 1e-12);
+  }
+}
+
+/// One wave of flux, cos(kx x + ky y), over a surface that is periodic.
+struct OneWave
+{
+  SurfaceGrid grid{24, 24, 2.0 * pi / 24, pi / 24, periodic, periodic};
+  double kx = 1.0, ky = 2.0, k = std::sqrt(5.0);
+  [[nodiscard]] Field flux(double phase = 0.0) const
+  {
+    return test::sampled(grid, [&](int i, int j) { return std::cos(kx * i * grid.dx + ky * j * grid.dy - phase); });
+  }
+};
+
+TEST(ThermalField, DisplacementOfOneWaveIsThatOfNucleiOfStrain)
+{
+  // A nucleus at the depth z lifts the surface by 2 (1 + nu) alpha z/(2 pi R^3) (Mindlin and Cheng 1950), one wave of them by
+  // 2 (1 + nu) alpha e^{-kz}; z and the time integrated by Gauss's rule.
+  const OneWave wave;
+  const double duration = 0.02;
+  for (const int steps : {1, 3, 60})
+  {
+    ThermalField field(wave.grid, body, elastic, {duration, steps * duration});
+    for (int n = 0; n < steps; ++n)
+      field.take_up(wave.flux(), {duration});
+    const auto left = [&](double t)
+    {
+      const double length = std::sqrt(kappa * t);
+      const Gauss z(40, 0.0, 14.0 * length);
+      double sum = 0.0;
+      for (std::size_t n = 0; n < z.point.size(); ++n)
+        sum += z.weight[n] * std::exp(-wave.k * z.point[n] - std::pow(0.5 * z.point[n] / length, 2));
+      return kappa / body.conductivity * std::exp(-kappa * wave.k * wave.k * t) / (std::sqrt(pi) * length) * sum;
+    };
+    const double exact = -2.0 * (1.0 + nu) * body.expansion * over_past(steps * duration, left);
+    // Waves in depth that hardly decay are counted as if they did not: 3e-6.
+    EXPECT_NEAR(displacement_of(field).front() / exact, 1.0, 1e-5) << steps;
+  }
+}
+
+TEST(ThermalField, StressOfOneWaveIsInEquilibriumAndCompatible)
+{
+  const OneWave wave;
+  // Amplitudes: those of xz and yz are where the cosine of all others is zero.
+  const double spacing = 0.05, quarter = 0.25 * 2.0 * pi / wave.kx;
+  const std::size_t crest = 0, flank = wave.grid.index(static_cast<int>(std::lround(quarter / wave.grid.dx)), 0);
+  for (const double depth : {0.15, 0.5, 1.2})
+  {
+    ThermalField field(wave.grid, body, elastic, {0.05, 0.5}, {depth - spacing, depth, depth + spacing});
+    for (int n = 0; n < 10; ++n)
+      field.take_up(wave.flux(), {0.05});
+    std::vector<SymTensor> s;
+    std::vector<double> T;
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      const Layer layer = layer_of(field, n);
+      SymTensor amplitude = layer.stress[crest];
+      amplitude[3] = layer.stress[flank][3]; // of sin(kx x + ky y)
+      amplitude[4] = layer.stress[flank][4];
+      s.push_back(amplitude);
+      T.push_back(layer.temperature[crest]);
+    }
+    const auto slope = [&](std::size_t c) { return (s[2][c] - s[0][c]) / (2.0 * spacing); };
+    const auto bend = [&](double a, double b, double c) { return (a - 2.0 * b + c) / (spacing * spacing); };
+    // Central differences: (k h)^2/6 = 2e-3 of a term.
+    const double E_alpha = elastic.young_modulus * body.expansion;
+    const double unit = 4e-3 * E_alpha * T[1] * wave.k;
+    EXPECT_NEAR(-wave.kx * s[1][0] - wave.ky * s[1][5] + slope(4), 0.0, unit);
+    EXPECT_NEAR(-wave.kx * s[1][5] - wave.ky * s[1][1] + slope(3), 0.0, unit);
+    EXPECT_NEAR(wave.kx * s[1][4] + wave.ky * s[1][3] + slope(2), 0.0, unit);
+    // Beltrami and Michell, with heat: lap(s_ij) + tr(s),ij/(1 + nu) = -E alpha [T,ij/(1 + nu) + delta_ij lap(T)/(1 - nu)].
+    std::array<double, 3> f{};
+    for (std::size_t n = 0; n < 3; ++n)
+      f[n] = (trace(s[n]) + E_alpha * T[n]) / (1.0 + nu);
+    const double k2 = wave.k * wave.k, lap_T = bend(T[0], T[1], T[2]) - k2 * T[1];
+    const double f_slope = (f[2] - f[0]) / (2.0 * spacing);
+    const std::array<double, 6> second{-wave.kx * wave.kx * f[1], -wave.ky * wave.ky * f[1], bend(f[0], f[1], f[2]),
+                                       -wave.ky * f_slope,        -wave.kx * f_slope,        -wave.kx * wave.ky * f[1]};
+    for (std::size_t c = 0; c < 6; ++c)
+    {
+      const double lap = bend(s[0][c], s[1][c], s[2][c]) - k2 * s[1][c];
+      const double heat = c < 3 ? E_alpha * lap_T / (1.0 - nu) : 0.0;
+      EXPECT_NEAR(lap + second[c] + heat, 0.0, unit * wave.k) << depth << " " << c;
+    }
+  }
+}
+
+TEST(ThermalField, SurfaceIsFreeOfTraction)
+{
+  for (const Boundary boundary : {open, periodic})
+  {
+    const SurfaceGrid g{20, 15, 0.1, 0.12, boundary, open};
+    ThermalField field(g, body, elastic, {0.01, 0.1}, {0.0});
+    for (unsigned n = 0; n < 4; ++n)
+      field.take_up(test::random_field(g.size(), n), {0.01, 5.0});
+    for (const double later : {0.0, 0.02})
+      for (const SymTensor& stress : layer_of(field, 0, later).stress)
+        for (const std::size_t c : {2U, 3U, 4U})
+          EXPECT_NEAR(stress[c], 0.0, 1e-12);
+  }
+}
+
+TEST(ThermalField, StepsOfOneFluxAreOneStep)
+{
+  const SurfaceGrid g{20, 16, 0.1, 0.12};
+  const Field flux = test::random_field(g.size(), 3);
+  const HeatTimes times{0.02, 0.12};
+  ThermalField two(g, body, elastic, times, {0.0, 0.3}), one(g, body, elastic, times, {0.0, 0.3});
+  two.take_up(flux, {0.02});
+  two.take_up(flux, {0.04});
+  one.take_up(flux, {0.06});
+  for (const double later : {0.0, 0.03})
+  {
+    const Field u = displacement_of(one, later);
+    EXPECT_LT(largest_difference(displacement_of(two, later), u), 1e-12 * test::largest(u));
+    for (std::size_t n = 0; n < 2; ++n)
+    {
+      const Layer a = layer_of(one, n, later), b = layer_of(two, n, later);
+      EXPECT_LT(largest_difference(a.temperature, b.temperature), 1e-12);
+      for (std::size_t i = 0; i < g.size(); ++i)
+        for (std::size_t c = 0; c < 6; ++c)
+          EXPECT_NEAR(a.stress[i][c], b.stress[i][c], 1e-12);
+    }
+  }
+}
+
+TEST(ThermalField, WhatCannotBe)
+{
+  const SurfaceGrid g{4, 4, 0.1, 0.1};
+  Field f(g.size());
+  EXPECT_THROW(ThermalField(g, body, elastic, {0.1, 1.0}, {-0.1}), InputError);
+  EXPECT_THROW(ThermalField(g, body, elastic, {0.1, 0.05}), InputError);
+  ThermalField field(g, body, elastic, {0.1, 1.0}, {0.1});
+  EXPECT_THROW(field.displacement({f, {}, {}}, 0.05), InputError);
+  EXPECT_THROW(field.layer(1, {f, {}, {}}), InternalError);
+  EXPECT_THROW(field.layer(0, {{}, f, {}}), InternalError);
+  field.take_up(f, {0.9});
+  EXPECT_THROW(field.take_up(f, {0.2}), InputError);
+  EXPECT_NEAR(field.time(), 0.9, 1e-15);
+}
+
+} // namespace
+} // namespace brinell::halfspace
