@@ -137,8 +137,8 @@ void bind_heat(nb::module_& m)
   nb::class_<ThermalField>(m, "ThermalField")
       .def(
           "__init__",
-          [](ThermalField* self, const SurfaceGrid& grid, const Thermal& thermal, const Material& material,
-             double shortest_step, double duration, std::vector<double> depths)
+          [](ThermalField* self, const SurfaceGrid& grid, const Thermal& thermal,
+             const constitutive::Material& material, double shortest_step, double duration, std::vector<double> depths)
           {
             without_lock(
                 [&] {

@@ -21,7 +21,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 from numpy.typing import ArrayLike
 
@@ -241,7 +240,7 @@ class ThermalField:
         """
         self._engine.take_up(contiguous(flux, "flux"), _motion(duration, velocity))
 
-    def displacement(self, axis: Literal["x", "y", "z"] = "z", *, later: float = 0.0) -> Array:
+    def displacement(self, axis: str = "z", *, later: float = 0.0) -> Array:
         """Displacement of the surface.
 
         Args:
@@ -252,7 +251,7 @@ class ThermalField:
             (ny, nx) [m].
         """
         if axis not in ("x", "y", "z"):
-            raise InputError(f"axis = {axis!r}; allowed: 'x', 'y', 'z'")
+            raise InputError(f"axis = {axis!r} of a displacement; allowed: 'x', 'y', 'z'")
         return self._engine.displacement(axis, number(later, "later"))
 
     def temperature(self, *, later: float = 0.0) -> Array:

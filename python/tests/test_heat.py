@@ -10,9 +10,11 @@ import pytest
 
 import brinell
 from brinell.halfspace import SurfaceGrid
-from brinell.heat import HeatResponse, SurfaceTemperature, Thermal
+from brinell.heat import HeatResponse, SurfaceTemperature, Thermal, ThermalField
+from brinell.materials import Material
 
-STEEL = Thermal(conductivity=50.0, density=7850.0, specific_heat=450.0)
+STEEL = Thermal(conductivity=50.0, density=7850.0, specific_heat=450.0, expansion=12e-6)
+ELASTIC = Material("210 GPa", 0.3)
 
 
 def test_square_that_is_heated_for_ever() -> None:
@@ -34,6 +36,39 @@ def test_steps_are_one_motion() -> None:
     assert np.abs(rise - whole).max() < 1e-4 * whole.max()
 
 
+def test_plane_that_is_heated() -> None:
+    """Held along the surface: -E alpha T/(1 - nu), and alpha (1 + nu)/(1 - nu) of the heat per area and rho c."""
+    grid = SurfaceGrid(8, 6, 1e-4, 1e-4, "periodic")
+    field = ThermalField(grid, STEEL, ELASTIC, shortest_step=1e-3, duration=1e-2, depths=[0.0, 2e-4])
+    for _ in range(10):
+        field.step(np.full(grid.shape, 1e7), 1e-3, velocity=0.3)
+    assert field.time == pytest.approx(1e-2)
+    assert field.displacement() == pytest.approx(-12e-6 * 1.3 / 0.7 * 1e5 / (7850 * 450), rel=1e-9)
+    assert field.displacement("x") == pytest.approx(0.0, abs=1e-18)
+    rise, stress = field.temperature(), field.stress()
+    assert rise.shape == (2, 6, 8)
+    assert stress.shape == (6, 2, 6, 8)
+    surface = 2.0 * 1e7 / 50.0 * math.sqrt(STEEL.diffusivity * 1e-2 / math.pi)
+    assert rise[0] == pytest.approx(surface, rel=1e-4)
+    assert stress[0] == pytest.approx(-210e9 * 12e-6 / 0.7 * rise, rel=1e-9)
+    assert np.abs(stress[2:]).max() < 1e-9 * np.abs(stress[0]).max()
+
+
+def test_later_the_same_heat_is_spread() -> None:
+    grid = SurfaceGrid(32, 32, 1e-4, 1e-4)
+    field = ThermalField(grid, STEEL, ELASTIC, shortest_step=1e-3, duration=0.1, depths=[0.0, 3e-4])
+    field.step(1e7 * np.exp(-(grid.x**2 + grid.y**2) / (5e-4) ** 2), 1e-3)
+    now, later = field.stress(), field.stress(later=5e-2)
+    assert np.abs(later).max() < 0.2 * np.abs(now).max()
+    assert field.displacement().min() < field.displacement(later=5e-2).min() < 0.0
+    assert np.allclose(field.displacement("x"), -field.displacement("x")[:, ::-1], atol=1e-9 * np.abs(now).max() / 1e12)
+
+
+def _field(depths: tuple[float, ...] = ()) -> ThermalField:
+    grid = SurfaceGrid(4, 4, 1.0, 1.0)
+    return ThermalField(grid, STEEL, ELASTIC, shortest_step=1.0, duration=2.0, depths=depths)
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -42,6 +77,10 @@ def test_steps_are_one_motion() -> None:
         (lambda: HeatResponse(SurfaceGrid(4, 4, 1.0, 1.0, "periodic"), STEEL), "no steady state"),
         (lambda: HeatResponse(SurfaceGrid(4, 4, 1.0, 1.0), STEEL, velocity=(1.0, 2.0, 3.0)), "velocity"),  # type: ignore[arg-type]
         (lambda: HeatResponse(SurfaceGrid(4, 4, 1.0, 1.0), STEEL).temperature(np.zeros((4, 5))), r"shape \(4, 5\)"),
+        (lambda: Thermal(1.0, 1.0, 1.0, math.nan), "expansion"),
+        (lambda: _field(depths=(-1.0,)), "depth of -1"),
+        (lambda: _field().displacement("w"), "axis = 'w'"),
+        (lambda: _field().stress(later=0.5), "a step of 0.5 s"),
         (lambda: SurfaceTemperature(SurfaceGrid(4, 4, 1.0, 1.0), STEEL, shortest_step=2.0, duration=1.0), "duration"),
     ],
 )

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/halfspace/thermal_field.hpp"
+#include "brinell/halfspace/thermal_response.hpp"
 
 #include "grid_fields.hpp"
 #include "heated_body.hpp"
@@ -122,6 +123,17 @@ struct Filled
 class FluxEverywhere : public testing::TestWithParam<Filled>
 {
 protected:
+  /// Of one step; it smoothly ends at the edges.
+  [[nodiscard]] static Field flux(int step)
+  {
+    const SurfaceGrid& g = GetParam().grid;
+    const auto ends = [](int i, int count, bool is_periodic) {
+      return is_periodic ? 1.0 + 0.3 * std::sin(2.0 * pi * i / count) : std::pow(std::sin(pi * (i + 0.5) / count), 2);
+    };
+    return test::sampled(
+        g, [&](int i, int j)
+        { return (1.0 + 0.5 * std::cos(0.2 * i + step)) * ends(i, g.nx, false) * ends(j, g.ny, g.is_periodic_y()); });
+  }
   /// Displacements along z and x and the stress in two layers on the cells of the grid, which may lie within a larger one.
   [[nodiscard]] std::array<Field, 4> fields(int around_x, int around_y) const
   {
@@ -130,18 +142,15 @@ protected:
     g.nx += 2 * around_x;
     g.ny += 2 * around_y;
     const double duration = std::pow(spread * g.dx, 2) / kappa;
-    const auto ends = [](int i, int count, bool is_periodic) {
-      return is_periodic ? 1.0 + 0.3 * std::sin(2.0 * pi * i / count) : std::pow(std::sin(pi * (i + 0.5) / count), 2);
-    };
     ThermalField field(g, body, elastic, {duration, 3.0 * duration}, {0.0, 5.0 * g.dx});
     for (int n = 0; n < 3; ++n)
     {
-      Field flux(g.size());
+      const Field inner = flux(n);
+      Field heat(g.size());
       for (int j = 0; j < own.ny; ++j)
         for (int i = 0; i < own.nx; ++i)
-          flux[g.index(i + around_x, j + around_y)] =
-              (1.0 + 0.5 * std::cos(0.2 * i + n)) * ends(i, own.nx, false) * ends(j, own.ny, own.is_periodic_y());
-      field.take_up(flux, {duration, shift * g.dx / duration});
+          heat[g.index(i + around_x, j + around_y)] = inner[own.index(i, j)];
+      field.take_up(heat, {duration, shift * g.dx / duration});
     }
     const auto cut = [&](const auto& whole)
     { return test::sampled(own, [&](int i, int j) { return whole(g.index(i + around_x, j + around_y)); }); };
@@ -168,6 +177,29 @@ TEST_P(FluxEverywhere, ImagesAreTakenOff)
     EXPECT_LT(error, 1e-3);
   }
   std::printf("\n");
+}
+
+TEST_P(FluxEverywhere, LastStepIsAResponse)
+{
+  // What remains of the steps before and the response to the flux of the last one are the displacement at its end: by other lattices.
+  const auto& [g, spread, shift] = GetParam();
+  const double duration = std::pow(spread * g.dx, 2) / kappa;
+  const HeatMotion motion{duration, shift * g.dx / duration};
+  ThermalField field(g, body, elastic, {duration, 3.0 * duration});
+  for (int n = 0; n < 2; ++n)
+    field.take_up(flux(n), motion);
+  const Field last = flux(2), remaining = displacement_of(field, duration);
+  const ThermalResponse response(g, body, elastic, motion);
+  ThermalResponse::Scratch scratch = response.make_scratch();
+  Field sum(g.size());
+  response.apply(last, sum, scratch);
+  for (std::size_t n = 0; n < g.size(); ++n)
+    sum[n] += remaining[n];
+  field.take_up(last, motion);
+  const Field whole = displacement_of(field);
+  const double error = largest_difference(sum, whole) / test::largest(whole);
+  std::printf("response: %.1e\n", error);
+  EXPECT_LT(error, 5e-4);
 }
 
 const SurfaceGrid square{24, 24, 0.1, 0.1}, strip{24, 12, 0.1, 0.1, open, periodic},
