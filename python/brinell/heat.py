@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heat: a flux into the surface of a half space, the rise of its temperature, and how it swells and is stressed by that.
+"""Heat: a flux into the surface of a half space, the rise of its temperature, and how that swells and stresses it.
 
 The grid is at rest on the body, and the flux moves over it; no heat leaves the surface elsewhere. Arrays are [y, x].
 The method is on the page on heat of the theory. No scenario uses it yet.
@@ -34,7 +34,7 @@ from brinell.materials import Material
 __all__ = ["HeatResponse", "SurfaceTemperature", "Thermal", "ThermalField"]
 
 _BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
-"""Per cell: the planned operator; the state of all waves, without that of most of the images; the same for fields in the body."""
+"""Per cell: the planned operator; the state of all waves, without most images; the same for fields in the body."""
 
 
 @dataclass(frozen=True)
@@ -177,9 +177,9 @@ class SurfaceTemperature:
 class ThermalField:
     """Flux, step by step -> displacement of the surface, temperature and stress in the body.
 
-    The surface is free of traction. It remembers as `SurfaceTemperature` does. Along open axes there are no images, to some
-    1e-3 of the largest value; the displacement is that from far away, and of a flux that stands it grows with the logarithm
-    of the time. If both axes are periodic, the mean strain along the surface is zero.
+    The surface is free of traction. It remembers as `SurfaceTemperature` does. Along open axes there are no images, to
+    some 1e-3 of the largest value; the displacement is that from far away, and of a flux that stands it grows with the
+    logarithm of the time. If both axes are periodic, the mean strain along the surface is zero.
     """
 
     def __init__(
@@ -203,7 +203,7 @@ class ThermalField:
             depths: of the layers with temperature and stress [m]; 0 is the surface.
 
         Raises:
-            InputError: times that are not above 0, a duration below the shortest step, a depth below 0, a rigid material.
+            InputError: times that are not above 0, a duration below the shortest step, a depth below 0, a rigid body.
         """
         if material.is_rigid:
             raise InputError("a rigid body has no thermal stress; allowed: an elastic material")
@@ -245,7 +245,8 @@ class ThermalField:
 
         Args:
             axis: along which; z points into the body, so that heat makes it negative.
-            later: 0 for the end of the last step, or so much later, if nothing enters meanwhile, from `shortest_step` on [s].
+            later: 0 for the end of the last step; or so much later, if nothing enters meanwhile, at least
+                `shortest_step` [s].
 
         Returns:
             (ny, nx) [m].
@@ -259,7 +260,7 @@ class ThermalField:
         return self._engine.temperature(number(later, "later"))
 
     def stress(self, *, later: float = 0.0) -> Array:
-        """Stress at the depths, (6, len(depths), ny, nx) [Pa], in the middles of the cells; `later` as for `displacement`."""
+        """Stress at the depths, (6, len(depths), ny, nx) [Pa], in the middles of cells; `later`: see `displacement`."""
         return self._engine.stress(number(later, "later"))
 
 

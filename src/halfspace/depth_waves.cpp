@@ -28,37 +28,28 @@ DepthWaves depth_waves(double diffusivity, const DepthRange& range, double fines
   DepthWaves result;
   result.has_fields = has_fields;
   result.step = has_fields ? step_of_fields : step_of_surface;
-  const double first = fastest / std::sqrt(diffusivity * range.shortest);
+  // Once s is far beyond every k, what follows is a geometric series.
+  constexpr double far = 20.0;
+  const double lasting = fastest / std::sqrt(diffusivity * range.shortest);
+  const double first = has_fields ? far * std::max(finest, 0.1 * lasting) : lasting;
   const double last = slowest / std::max(std::sqrt(diffusivity * range.longest), range.deepest);
   const int count = std::max(1, 1 + static_cast<int>(std::ceil(std::log(first / last) / result.step)));
-  const auto wave = [&](int n)
+  for (int n = 0; n < count; ++n)
   {
     const double number = first * std::exp(-result.step * n);
-    return DepthWave{number, normal * result.step * number};
-  };
-  for (int n = 0; n < count; ++n)
-    result.waves.push_back(wave(n));
+    result.waves.push_back({number, normal * result.step * number});
+  }
   // What follows does not decay over all these times: a geometric series.
   result.waves.push_back({0.0, result.waves.back().weight / std::expm1(result.step)});
-  // Once s is far beyond every k, what follows is a geometric series again.
-  constexpr double far = 20.0;
-  if (has_fields)
-    for (int n = 1; n == 1 || result.fast.back().number < far * std::max(finest, first); ++n)
-      result.fast.push_back(wave(-n));
   return result;
 }
 
 DepthWaves DepthWaves::slower_than(double number) const
 {
-  const auto is_slower = [&](const DepthWave& wave) { return wave.number < number; };
-  DepthWaves result = *this;
-  const auto fast_end = std::partition_point(fast.begin(), fast.end(), is_slower);
-  result.fast.assign(fast.begin(), fast_end);
   // One wave with a number stays, from which the slow ones go on.
-  const auto first = std::find_if(waves.begin(), std::prev(waves.end(), 2), is_slower);
-  result.waves.assign(first, waves.end());
-  result.has_all = has_all && fast_end == fast.end();
-  return result;
+  const auto first = std::find_if(waves.begin(), std::prev(waves.end(), 2),
+                                  [&](const DepthWave& wave) { return wave.number < number; });
+  return {{first, waves.end()}, step, has_fields};
 }
 
 double DepthWaves::slow_share(double k) const
@@ -77,7 +68,7 @@ double DepthWaves::slow_share(double k) const
 
 double DepthWaves::beyond(int power) const
 {
-  return has_all ? 1.0 / std::expm1((power - 1) * step) : 0.0;
+  return 1.0 / std::expm1((power - 1) * step);
 }
 
 TurnedWave turned_wave(double x, double step)

@@ -28,21 +28,19 @@ struct DepthRange
 struct DepthWaves
 {
   std::vector<DepthWave> waves; ///< the last one, of the number 0, stands for all that are slower than the one before
-  std::vector<DepthWave> fast;  ///< those beyond the first, which do not last from step to step, from the slowest on
   double step = 0.0;            ///< of ln s
-  bool has_all = true;          ///< no fast wave is left out that counts at the surface
   bool has_fields = false;      ///< whether they are good for more than the temperature of the surface
 
-  /// Those below a number, in both lists.
+  /// Those below a number.
   [[nodiscard]] DepthWaves slower_than(double number) const;
   /// Sum over the waves that the last one stands for of weight * k/(k^2 + s^2); 1 for k = 0.
   [[nodiscard]] double slow_share(double k) const;
-  /// What the fast waves beyond the last of `fast` would add to a sum of terms that go with weight/s^power, in terms of that last one.
-  /// None if those are not all fast ones.
+  /// What waves faster than the first would add to a sum of terms that go with weight/s^power, in terms of the first one.
   [[nodiscard]] double beyond(int power) const;
 };
 
-/// @param finest  wavenumber along the surface beyond which there are none [1/m]; how far `fast` goes
+/// For fields they go on beyond those that are left after a step, which tell of its own flux at its end.
+/// @param finest  wavenumber along the surface beyond which there are none [1/m]; how far they go
 [[nodiscard]] DepthWaves depth_waves(double diffusivity, const DepthRange& range, double finest);
 
 /// Means of cos x and sin x over ln x that leave what a sum in equal steps of ln s can resolve: the same as long as x is small,

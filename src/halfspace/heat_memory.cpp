@@ -31,31 +31,62 @@ double cell_mean(double angle)
 
 DepthFactors depth_factors(const DepthWaves& waves, double depth)
 {
-  DepthFactors factors{depth, {}, {}};
-  const auto add = [&](const DepthWave& wave)
+  DepthFactors factors{depth, {}, {}, {}, {}};
+  for (const DepthWave& wave : waves.waves)
   {
     const TurnedWave turned = turned_wave(wave.number * depth, waves.step);
     factors.temperature.push_back(wave.weight * turned.cosine);
+    factors.potential.push_back(wave.weight * turned.cosine);
     factors.slope.push_back(-wave.weight * wave.number * turned.sine);
-  };
-  for (const DepthWave& wave : waves.fast)
-    add(wave);
-  for (const DepthWave& wave : waves.waves)
-    add(wave);
+    factors.at_surface.push_back(wave.weight);
+  }
+  // Of a flux that they are at rest in, waves faster than the first have 1/s^2; the potential, 1/s^4. Only at the surface they count.
+  const double more = 1.0 + waves.beyond(4);
+  factors.at_surface.front() *= more;
+  if (depth == 0.0)
+  {
+    factors.temperature.front() *= 1.0 + waves.beyond(2);
+    factors.potential.front() *= more;
+  }
   return factors;
 }
 
-/// What the waves in depth add up to, column by column.
+/// What the waves in depth add up to in one row, column by column; real and imaginary parts in turn.
 struct HeatMemory::Row
 {
   std::vector<SurfaceWave> waves;
-  std::vector<HeatAtDepth> sums;
+  std::vector<double> k2; ///< twice each
+  std::vector<double> temperature, potential, slope, at_surface;
+
+  explicit Row(std::size_t columns)
+      : k2(2 * columns), temperature(2 * columns), potential(2 * columns), slope(2 * columns), at_surface(2 * columns)
+  {
+  }
+  /// One wave in depth: potentials without their factor k.
+  void add(const double* heat, double s2, double of_temperature, double of_potential, double of_slope,
+           double of_surface)
+  {
+#pragma omp simd
+    for (std::size_t n = 0; n < k2.size(); ++n)
+    {
+      const double integrated = heat[n] / (k2[n] + s2);
+      temperature[n] += of_temperature * heat[n];
+      potential[n] += of_potential * integrated;
+      slope[n] += of_slope * integrated;
+      at_surface[n] += of_surface * integrated;
+    }
+  }
+  [[nodiscard]] HeatAtDepth at(std::size_t i) const
+  {
+    const auto value = [i](const std::vector<double>& parts) { return Complex{parts[2 * i], parts[2 * i + 1]}; };
+    const double k = waves[i].k;
+    return {value(temperature), k * value(potential), value(slope), k * value(at_surface)};
+  }
 };
 
 HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves)
     : fft_(grid, px, py), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
-      waves_(std::move(waves)), heat_(waves_.waves.size() * fft_.plane()),
-      last_flux_(waves_.fast.empty() ? 0 : fft_.plane())
+      waves_(std::move(waves)), heat_(waves_.waves.size() * fft_.plane())
 {
   if (!waves_.has_fields)
     return;
@@ -107,71 +138,39 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
     temperature[n] += field[n];
 }
 
-void HeatMemory::gather(int row, double duration, const DepthFactors& factors, Row& row_sums) const
+HeatMemory::Row HeatMemory::gather(int row, double duration, const DepthFactors& factors) const
 {
   const auto columns = static_cast<std::size_t>(fft_.kx());
-  const std::size_t at = index(row, 0), slowest = waves_.waves.size() - 1;
-  // Factors are those of all waves, of which this memory has the last ones.
-  const std::size_t skipped = factors.temperature.size() - waves_.waves.size();
-  for (std::size_t w = 0; w < slowest; ++w)
-  {
-    const DepthWave& wave = waves_.waves[w];
-    const double s2 = wave.number * wave.number, left = std::exp(-diffusivity_ * s2 * duration);
-    const double of_temperature = left * factors.temperature[skipped + w], of_slope = left * factors.slope[skipped + w],
-                 at_surface = left * wave.weight;
-    const Complex* heat = heat_.data() + w * fft_.plane() + at;
-    for (std::size_t i = 0; i < columns; ++i)
-    {
-      const double k = row_sums.waves[i].k, inverse = 1.0 / (k * k + s2);
-      HeatAtDepth& sum = row_sums.sums[i];
-      sum.temperature += of_temperature * heat[i];
-      sum.slope += of_slope * inverse * heat[i];
-      sum.potential += of_temperature * k * inverse * heat[i];
-      sum.potential_at_surface += at_surface * k * inverse * heat[i];
-    }
-  }
-  // Waves that are slower: cos(s z) = 1, s sin(s z) = s^2 z.
-  const double weight = waves_.waves.back().weight;
-  const Complex* heat = heat_.data() + slowest * fft_.plane() + at;
+  Row sums(columns);
   for (std::size_t i = 0; i < columns; ++i)
   {
-    const double k = row_sums.waves[i].k, share = slow_share_[at + i];
-    HeatAtDepth& sum = row_sums.sums[i];
-    sum.temperature += weight * heat[i];
-    sum.slope -= factors.depth * (weight - k * share) * heat[i];
-    sum.potential += share * heat[i];
-    sum.potential_at_surface += share * heat[i];
+    sums.waves.push_back(surface_wave(row, static_cast<int>(i)));
+    sums.k2[2 * i] = sums.k2[2 * i + 1] = std::pow(sums.waves[i].k, 2);
   }
+  // Factors are those of all waves, of which this memory has the last ones.
+  const std::size_t skipped = factors.temperature.size() - waves_.waves.size(), slowest = waves_.waves.size() - 1;
+  constexpr double nothing = 1e-20;
+  for (std::size_t w = 0; w < slowest; ++w)
+  {
+    const double s2 = std::pow(waves_.waves[w].number, 2), left = std::exp(-diffusivity_ * s2 * duration);
+    const std::size_t f = skipped + w;
+    if (left > nothing)
+      sums.add(reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + index(row, 0)), s2,
+               left * factors.temperature[f], left * factors.potential[f], left * factors.slope[f],
+               left * factors.at_surface[f]);
+  }
+  return sums;
 }
 
-/// The fast waves have come to rest in the flux of the last step.
-void HeatMemory::gather_fast(int row, const DepthFactors& factors, Row& row_sums) const
+/// Waves that hardly turn in depth: cos(s z) = 1, s sin(s z) = s^2 z.
+void HeatMemory::add_slowest(std::size_t at, double k, double depth, HeatAtDepth& sum) const
 {
-  for (std::size_t w = 0; w < waves_.fast.size(); ++w)
-  {
-    const DepthWave& wave = waves_.fast[w];
-    const bool is_last = w + 1 == waves_.fast.size();
-    const double s2 = wave.number * wave.number;
-    // At the surface those beyond the last count, too: the temperature goes with 1/s^2, the potential with 1/s^4.
-    const double more = is_last && factors.depth == 0.0 ? waves_.beyond(2) : 0.0;
-    const double more_of_potential = is_last ? waves_.beyond(4) : 0.0;
-    const double of_temperature = factors.temperature[w], of_slope = factors.slope[w];
-    for (std::size_t i = 0; i < row_sums.sums.size(); ++i)
-    {
-      const SurfaceWave& surface = row_sums.waves[i];
-      const double way = surface.odd_x * last_motion_.velocity_x + surface.odd_y * last_motion_.velocity_y;
-      const double inverse = 1.0 / (surface.k * surface.k + s2);
-      const Complex rate{diffusivity_ * (surface.k * surface.k + s2), -way};
-      const Complex heat = diffusivity_ / conductivity_ * last_flux_[index(row, static_cast<int>(i))] *
-                           std::conj(rate) / std::norm(rate);
-      HeatAtDepth& sum = row_sums.sums[i];
-      sum.temperature += (1.0 + more) * of_temperature * heat;
-      sum.slope += of_slope * inverse * heat;
-      sum.potential +=
-          (1.0 + (factors.depth == 0.0 ? more_of_potential : 0.0)) * of_temperature * surface.k * inverse * heat;
-      sum.potential_at_surface += (1.0 + more_of_potential) * wave.weight * surface.k * inverse * heat;
-    }
-  }
+  const double weight = waves_.waves.back().weight, share = slow_share_[at];
+  const Complex heat = heat_[(waves_.waves.size() - 1) * fft_.plane() + at];
+  sum.temperature += weight * heat;
+  sum.slope -= depth * (weight - k * share) * heat;
+  sum.potential += share * heat;
+  sum.potential_at_surface += share * heat;
 }
 
 void HeatMemory::add_fields(double duration, double factor, const DepthFactors& factors,
@@ -181,19 +180,15 @@ void HeatMemory::add_fields(double duration, double factor, const DepthFactors& 
 #pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
   for (int row = 0; row < fft_.py(); ++row)
   {
-    Row sums;
-    for (int i = 0; i < fft_.kx(); ++i)
-      sums.waves.push_back(surface_wave(row, i));
-    sums.sums.resize(sums.waves.size());
-    gather(row, duration, factors, sums);
-    if (duration == 0.0)
-      gather_fast(row, factors, sums);
+    const Row sums = gather(row, duration, factors);
     std::vector<Complex> values(fields.size());
-    for (std::size_t i = 0; i < sums.sums.size(); ++i)
+    for (std::size_t i = 0; i < sums.waves.size(); ++i)
     {
       const SurfaceWave& wave = sums.waves[i];
       const double left = factor * std::exp(-diffusivity_ * wave.k * wave.k * duration);
-      fields_of_heat(wave, sums.sums[i], values);
+      HeatAtDepth heat = sums.at(i);
+      add_slowest(index(row, static_cast<int>(i)), wave.k, factors.depth, heat);
+      fields_of_heat(wave, heat, values);
       for (std::size_t f = 0; f < values.size(); ++f)
         spectra[f][index(row, static_cast<int>(i))] = left * values[f];
     }
@@ -213,7 +208,6 @@ void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion)
   AlignedVector<Complex> spectrum(fft_.plane());
   AlignedVector<double> scratch(fft_.scratch_size());
   fft_.forward(flux.data(), spectrum.data(), scratch);
-  last_motion_ = motion;
   const double duration = motion.duration;
   const double scale = diffusivity_ / conductivity_ * duration;
   std::vector<double> rates, left_in_depth;
@@ -240,8 +234,6 @@ void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion)
             left * left_in_depth[w] * heat + mean_decay(rates[w] + in_plane_rate, left_in_depth[w] * left_moved) * in;
       }
     }
-  if (!last_flux_.empty())
-    last_flux_ = std::move(spectrum);
 }
 
 } // namespace brinell::halfspace

@@ -27,11 +27,11 @@ struct HeatAtDepth
   Complex potential_at_surface; ///< k psi for z = 0 [K m]
 };
 
-/// The weights of the waves in depth at one depth: those of `DepthWaves::fast`, then all others.
+/// The weights of the waves in depth at one depth, in the sums of `HeatAtDepth`.
 struct DepthFactors
 {
-  double depth;                           ///< [m]
-  std::vector<double> temperature, slope; ///< [1/m], [1/m^2]
+  double depth; ///< [m]
+  std::vector<double> temperature, potential, slope, at_surface;
 };
 [[nodiscard]] DepthFactors depth_factors(const DepthWaves& waves, double depth);
 
@@ -51,7 +51,7 @@ public:
   /// The waves of some fields from that of the heat, one after the other.
   using FieldsOfHeat = std::function<void(const SurfaceWave&, const HeatAtDepth&, std::span<Complex>)>;
   /// Adds `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
-  /// At once, for duration = 0, with the fast waves of the last step's flux.
+  /// For duration = 0 they are those at the end of the last step.
   /// @param factors  of all waves; those of this memory are the last ones of them
   void add_fields(double duration, double factor, const DepthFactors& factors, const FieldsOfHeat& fields_of_heat,
                   std::vector<std::vector<double>>& fields) const;
@@ -64,16 +64,15 @@ private:
   [[nodiscard]] std::size_t index(int row, int column) const;
   [[nodiscard]] double in_plane(int row, int column) const; ///< kappa k^2 [1/s]
   [[nodiscard]] SurfaceWave surface_wave(int row, int column) const;
-  void gather(int row, double duration, const DepthFactors& factors, Row& sums) const;
-  void gather_fast(int row, const DepthFactors& factors, Row& sums) const;
+  [[nodiscard]] Row gather(int row, double duration, const DepthFactors& factors) const;
+
+  void add_slowest(std::size_t at, double k, double depth, HeatAtDepth& sum) const;
 
   PaddedFft fft_;
   double diffusivity_, conductivity_;
   DepthWaves waves_;
   AlignedVector<Complex> heat_;    ///< [wave][plane] [K m]
   std::vector<double> slow_share_; ///< of each wavenumber, for fields
-  AlignedVector<Complex> last_flux_;
-  HeatMotion last_motion_;
 };
 
 } // namespace brinell::halfspace
