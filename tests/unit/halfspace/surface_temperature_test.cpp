@@ -4,14 +4,12 @@
 #include "brinell/foundation/error.hpp"
 #include "grid_fields.hpp"
 #include "halfspace/coarser_surface.hpp"
-#include "halfspace/depth_waves.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -21,7 +19,6 @@ namespace brinell::halfspace
 namespace
 {
 
-constexpr double pi = std::numbers::pi;
 constexpr auto open = Boundary::open;
 constexpr auto periodic = Boundary::periodic;
 using test::Field;
@@ -51,24 +48,6 @@ Field shifted(const SurfaceGrid& g, const Field& flux, int cells)
       if (const int from = i - cells; g.is_periodic_x() || (from >= 0 && from < g.nx))
         result[g.index(i, j)] = flux[g.index((from + g.nx) % g.nx, j)];
   return result;
-}
-
-TEST(DepthWaves, SumToTheDecayOfHeatAtAllTimes)
-{
-  const double kappa = 0.3;
-  for (const double longest : {1.0, 20.0, 5000.0})
-  {
-    const std::vector<DepthWave> waves = depth_waves(kappa, {1.0, longest}, 10.0).waves;
-    EXPECT_LT(waves.size(), 45U);
-    for (double t = 1.0; t <= longest; t *= 1.17)
-    {
-      double sum = 0.0;
-      for (const DepthWave& wave : waves)
-        sum += wave.weight * std::exp(-kappa * wave.number * wave.number * t);
-      // The trapezoidal rule leaves some e^{-pi^2/(2 * 0.4)} = 4.4e-6, times a factor of order one.
-      EXPECT_NEAR(sum * std::sqrt(pi * kappa * t), 1.0, 2e-5) << t << " of " << longest;
-    }
-  }
 }
 
 TEST(CoarserSurface, KeepsCubicsAndMoments)
