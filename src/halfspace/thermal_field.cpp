@@ -53,8 +53,8 @@ double largest_of(const std::vector<double>& depths)
 struct ThermalField::State
 {
   Elastic elastic;
-  double expansion,
-      strain; ///< alpha, and that of a layer that cannot expand along the surface: alpha (1 + nu)/(1 - nu) [1/K]
+  double expansion; ///< alpha [1/K]
+  double strain;    ///< of a layer that cannot expand along the surface: alpha (1 + nu)/(1 - nu) [1/K]
   std::vector<double> depths;
   OpenHeatMemory memory;
   std::vector<DepthFactors> layers{};
@@ -74,6 +74,8 @@ ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, cons
   for (const double depth : depths)
     if (!(depth >= 0.0) || std::isinf(depth))
       throw InputError(fmt::format("ThermalField: a depth of {} m; allowed: 0 and above", depth));
+  if (elastic.is_rigid() && !depths.empty())
+    throw InputError("ThermalField: a rigid body has no stress at any depth; allowed: an elastic body, or no depths");
   if (!std::isfinite(thermal.expansion))
     throw InputError(fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.expansion));
   const double nu = elastic.poisson_ratio, deepest = largest_of(depths);

@@ -30,7 +30,7 @@ class ThermalField
 {
 public:
   /// @param depths  of the layers [m], >= 0, in any order
-  /// @throws InputError if a constant or a time is not above 0, or a depth is below 0
+  /// @throws InputError if a constant or a time is not above 0, a depth is below 0, or a rigid body has depths
   ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatTimes& times,
                std::vector<double> depths = {});
 

@@ -191,6 +191,7 @@ TEST(ThermalField, WhatCannotBe)
   Field f(g.size());
   EXPECT_THROW(ThermalField(g, body, elastic, {0.1, 1.0}, {-0.1}), InputError);
   EXPECT_THROW(ThermalField(g, body, elastic, {0.1, 0.05}), InputError);
+  EXPECT_THROW(ThermalField(g, body, {std::numeric_limits<double>::infinity(), 0.3}, {0.1, 1.0}, {0.0}), InputError);
   ThermalField field(g, body, elastic, {0.1, 1.0}, {0.1});
   EXPECT_THROW(field.displacement({f, {}, {}}, 0.05), InputError);
   EXPECT_THROW(field.layer(1, {f, {}, {}}), InternalError);
