@@ -28,12 +28,14 @@ void BodyState::exchange(Archive& archive)
   archive("residual_displacement", residual_displacement);
   if (!residual_displacement_x.empty())
     archive("residual_displacement_x", residual_displacement_x);
+  if (!residual_displacement_y.empty())
+    archive("residual_displacement_y", residual_displacement_y);
   archive("dissipation", dissipation);
   archive("locked_in_energy", locked_in_energy);
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-           const constitutive::Material& material, bool shortcuts, bool bears_shear)
+           const constitutive::Material& material, bool shortcuts, halfspace::Displacements displacements)
     : grid_(grid), material_(material), half_space_(std::move(half_space)), shortcuts_(shortcuts), layers_(grid_.nz),
       displacement_(grid_.surface.size(), 0.0)
 {
@@ -43,9 +45,12 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
   state_.stress.assign(Deviator::size * n, 0.0);
   state_.residual_displacement = displacement_;
-  if (bears_shear && is_plastic())
+  if (displacements != halfspace::Displacements::normal && is_plastic())
     displacement_x_.assign(grid_.surface.size(), 0.0);
+  if (displacements == halfspace::Displacements::all && is_plastic())
+    displacement_y_.assign(grid_.surface.size(), 0.0);
   state_.residual_displacement_x = displacement_x_;
+  state_.residual_displacement_y = displacement_y_;
   for (int layer = 0; layer < grid_.nz; ++layer)
   {
     const double depth = (layer + 0.5) * grid_.dz;
@@ -73,6 +78,7 @@ void Body::exchange(Archive& archive)
   archive("q_field", stress_);
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
+  displacement_y_ = state_.residual_displacement_y;
   if (archive.gives())
     take_up_guess();
 }
@@ -112,6 +118,7 @@ void Body::restore()
 {
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
+  displacement_y_ = state_.residual_displacement_y;
   if (!in_increment_)
     return;
   in_increment_ = false;
@@ -191,8 +198,8 @@ void Body::integrate(Integration integration)
         }
       },
       *material_.hardening);
-  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_));
-  loaded_->displacement({.z = displacement_});
+  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, found_at_once()));
+  loaded_->displacement(displacements_found_at_once());
 }
 
 bool Body::update(const halfspace::SurfaceLoad& load)
@@ -271,6 +278,8 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load) const
   double surface_work = dot(load.pressure, displacement_);
   if (!load.shear_x.empty())
     surface_work += dot(load.shear_x, displacement_x_);
+  if (!load.shear_y.empty())
+    surface_work += dot(load.shear_y, displacement_y_);
   return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
 }
 
@@ -302,6 +311,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
   state_.residual_displacement_x = displacement_x_;
+  state_.residual_displacement_y = displacement_y_;
   state_.locked_in_energy = locked_in_energy(load);
   guessed_cells_ = active_.cells();
   guessed_q_ = active_.mapped();

@@ -40,13 +40,15 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   prepare_trial();
   work_ = half_space_->make_work();
   find_displacement_x();
-  const halfspace::HalfSpace::Loaded loaded = half_space_->load(state_.plastic_strain, grid().nz, work_);
-  loaded.displacement({.z = displacement_});
+  const halfspace::HalfSpace::Loaded loaded =
+      half_space_->load(state_.plastic_strain, grid().nz, work_, found_at_once());
+  loaded.displacement(displacements_found_at_once());
   loaded.stress(load, stress_);
   add_initial_stress(grid().nz, stress_);
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
   state_.residual_displacement_x = displacement_x_;
+  state_.residual_displacement_y = displacement_y_;
   state_.locked_in_energy = locked_in_energy(load);
   take_up_guess();
 }

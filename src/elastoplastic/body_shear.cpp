@@ -8,10 +8,24 @@
 namespace brinell::elastoplastic
 {
 
+/// What an evaluation finds of the displacement: all of it where the shear depends on it, otherwise the part on which the gap
+/// depends.
+halfspace::Displacements Body::found_at_once() const
+{
+  return displacement_y_.empty() ? halfspace::Displacements::normal : halfspace::Displacements::all;
+}
+
+halfspace::SurfaceDisplacement Body::displacements_found_at_once()
+{
+  if (displacement_y_.empty())
+    return {.z = displacement_};
+  return {.z = displacement_, .x = displacement_x_, .y = displacement_y_};
+}
+
 /// Of the same strain the displacement into the body and the stress are known by now: no layer is asked for.
 void Body::find_displacement_x()
 {
-  if (displacement_x_.empty())
+  if (displacement_x_.empty() || !displacement_y_.empty())
     return;
   if (work_.empty())
     work_ = half_space_->make_work();
@@ -20,20 +34,26 @@ void Body::find_displacement_x()
       .displacement({.x = displacement_x_});
 }
 
-/// In pure shear xz the yield surface around its centre is met at tau = centre_xz +- yield stress / sqrt(3).
-std::vector<double> Body::shear_strength(double sign) const
+/// In pure shear the yield surface is a circle of the radius yield stress / sqrt(3) around its centre (xz, yz).
+std::vector<double> Body::shear_strength(double along_x, double along_y) const
 {
   const std::size_t cells = grid().surface.size();
   std::vector<double> strength(cells, std::numeric_limits<double>::infinity());
   if (!is_plastic())
     return strength;
+  const bool is_directed = along_x != 0.0 || along_y != 0.0;
   std::visit(
       [&](const auto& law)
       {
-        // A traction q along x makes the stress xz = -q at the surface, whose normal points out of the body.
+        // A traction q makes the stresses xz, yz = -q at the surface, whose normal points out of the body.
         for (std::size_t cell = 0; cell < cells; ++cell)
-          strength[cell] = std::max(0.0, law_of(law, 0).yield_stress_at(state_.equivalent[cell]) / std::sqrt(3.0) -
-                                             sign * centre(cell)[Deviator::xz]);
+        {
+          const Deviator c = centre(cell);
+          const double taken = is_directed ? along_x * c[Deviator::xz] + along_y * c[Deviator::yz]
+                                           : std::hypot(c[Deviator::xz], c[Deviator::yz]);
+          strength[cell] =
+              std::max(0.0, law_of(law, 0).yield_stress_at(state_.equivalent[cell]) / std::sqrt(3.0) - taken);
+        }
       },
       *material_.hardening);
   return strength;

@@ -40,7 +40,8 @@ BodyState BodyView::state() const
           deviators(&BodyState::backstress),
           deviators(&BodyState::stress),
           scalars(&BodyState::residual_displacement),
-          vector_x(solved.residual_displacement_x),
+          rows(solved.residual_displacement_x, -1.0),
+          rows(solved.residual_displacement_y, 1.0),
           solved.dissipation,
           solved.locked_in_energy};
 }
@@ -61,23 +62,28 @@ std::vector<double> BodyView::scalars(std::vector<double> BodyState::*field) con
   return copy;
 }
 
-/// A copy of a field of components along x.
-std::vector<double> BodyView::vector_x(std::span<const double> solved) const
+/// A copy of a field on the surface. @param parity  the sign that its mirror image has
+std::vector<double> BodyView::rows(std::span<const double> solved, double parity) const
 {
   std::vector<double> copy(solved.begin(), solved.end());
   if (is_mirrored())
-    reverse_rows(copy, grid().surface.nx, -1.0);
+    reverse_rows(copy, grid().surface.nx, parity);
   return copy;
 }
 
 std::vector<double> BodyView::residual_displacement_x() const
 {
-  return vector_x(solved_->residual_displacement_x());
+  return rows(solved_->residual_displacement_x(), -1.0);
 }
 
-std::vector<double> BodyView::shear_strength(double sign) const
+std::vector<double> BodyView::residual_displacement_y() const
 {
-  std::vector<double> strength = solved_->shear_strength(is_mirrored() ? -sign : sign);
+  return rows(solved_->residual_displacement_y(), 1.0);
+}
+
+std::vector<double> BodyView::shear_strength(double along_x, double along_y) const
+{
+  std::vector<double> strength = solved_->shear_strength(is_mirrored() ? -along_x : along_x, along_y);
   if (is_mirrored())
     reverse_rows(strength, grid().surface.nx, 1.0);
   return strength;
@@ -85,11 +91,7 @@ std::vector<double> BodyView::shear_strength(double sign) const
 
 std::vector<double> BodyView::residual_displacement() const
 {
-  const std::span<const double> solved = solved_->residual_displacement();
-  std::vector<double> displacement(solved.begin(), solved.end());
-  if (is_mirrored())
-    reverse_rows(displacement, grid().surface.nx, 1.0);
-  return displacement;
+  return rows(solved_->residual_displacement(), 1.0);
 }
 
 } // namespace brinell::elastoplastic

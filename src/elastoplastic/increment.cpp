@@ -23,6 +23,22 @@ std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, co
   return elastic.is_rigid() ? nullptr : std::make_shared<const halfspace::HalfSpace>(grid, elastic);
 }
 
+std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const Elastic& lower, const Elastic& upper,
+                                          const Sliding& sliding, double reference)
+{
+  if (sliding.sticks)
+    return std::make_unique<PartialSlip>(contact, lower, upper, sliding.friction, reference);
+  return std::make_unique<SlidingInterface>(contact, lower, upper, sliding.friction, sliding.direction, reference);
+}
+
+/// Those of the surfaces on which the shear works.
+halfspace::Displacements displacements_under(const Interface* interface)
+{
+  if (interface == nullptr)
+    return halfspace::Displacements::normal;
+  return interface->shears()[1].empty() ? halfspace::Displacements::along_x : halfspace::Displacements::all;
+}
+
 } // namespace
 
 CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
@@ -48,13 +64,13 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   if (has_friction && twin == Twin::alike)
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
   if (has_friction)
-    sliding_.emplace(contact, lower_material.elastic, upper_material.elastic, sliding.friction, sliding.direction,
-                     reference);
+    interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
   const auto half_space = operators(lower, lower_material.elastic);
-  sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts, has_friction), &Placement::lower});
+  const halfspace::Displacements displacements = displacements_under(interface_.get());
+  sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts, displacements), &Placement::lower});
   if (twin == Twin::none)
     sides_.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
-                                   upper_material, settings.shortcuts, has_friction),
+                                   upper_material, settings.shortcuts, displacements),
                       .place = &Placement::upper,
                       .shear_sign = -1.0});
 }
@@ -102,13 +118,14 @@ CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved
   if (view.material().elastic.is_rigid())
     throw InputError("the body is rigid: it has no stress");
   const VolumeGrid& volume = view.grid();
-  std::vector<double> pressure, shear;
+  std::vector<double> pressure;
+  std::array<std::vector<double>, 2> shear;
   spread_traction(grid(), pressure_, place, volume.surface, pressure);
-  if (sliding_)
+  if (interface_)
     spread_shear(place, volume.surface, shear_sign, shear);
   Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
-  solved.full_stress({.pressure = pressure, .shear_x = shear}, view.deviators(&BodyState::plastic_strain),
-                     result.deviator, result.trace);
+  solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]},
+                     view.deviators(&BodyState::plastic_strain), result.deviator, result.trace);
   return result;
 }
 
@@ -159,7 +176,7 @@ void CoupledContact::spread(const Placement& placement)
     const Place& place = placement.*side.place;
     const SurfaceGrid& surface = side.body.grid().surface;
     side.leaves_grid = !spread_traction(grid(), pressure_, place, surface, side.pressure);
-    if (sliding_)
+    if (interface_)
       spread_shear(place, surface, side.shear_sign, side.shear);
   }
 }
@@ -176,7 +193,7 @@ double CoupledContact::stiffness() const
 
 double CoupledContact::elastic_energy() const
 {
-  return pressure_energy() + (sliding_ ? sliding_->elastic_energy(pressure_) : 0.0);
+  return pressure_energy() + (interface_ ? interface_->elastic_energy(pressure_) : 0.0);
 }
 
 double CoupledContact::pressure_energy() const
@@ -207,8 +224,8 @@ void CoupledContact::solve_contact(std::span<const double> distance, const conta
   std::copy(distance.begin(), distance.end(), distance_.begin());
   add_lower_depth(placement.lower, distance_);
   add_upper_depth(placement.upper, distance_);
-  if (sliding_)
-    solve_sliding_contact(drive, strategy, report);
+  if (interface_)
+    solve_frictional_contact(drive, placement, strategy, report);
   else
     press(drive, strategy, report);
   spread(placement);
@@ -236,7 +253,8 @@ double CoupledContact::energy(double approach) const
     bodies += side.body.energy(side.load()) - work_of_shear(side);
   if (twin_ != Twin::none)
     bodies *= 2.0;
-  return bodies - pressure_energy() - work * grid().cell_area();
+  const double of_shear = interface_ ? interface_->held_energy() : 0.0;
+  return bodies - pressure_energy() - work * grid().cell_area() + of_shear;
 }
 
 namespace
@@ -247,8 +265,8 @@ template <typename Sides>
 class Undo
 {
 public:
-  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, std::optional<SlidingInterface>& sliding)
-      : pressure_(pressure), gap_(gap), sides_(sides), sliding_(sliding), old_pressure_(pressure), old_gap_(gap)
+  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, Interface* interface)
+      : pressure_(pressure), gap_(gap), sides_(sides), interface_(interface), old_pressure_(pressure), old_gap_(gap)
   {
   }
   ~Undo()
@@ -259,8 +277,8 @@ public:
     gap_.swap(old_gap_);
     for (auto& side : sides_)
       side.body.restore();
-    if (sliding_)
-      sliding_->restore();
+    if (interface_ != nullptr)
+      interface_->restore();
   }
   Undo(const Undo&) = delete;
   Undo& operator=(const Undo&) = delete;
@@ -269,7 +287,7 @@ public:
 private:
   std::vector<double>&pressure_, &gap_;
   Sides& sides_;
-  std::optional<SlidingInterface>& sliding_;
+  Interface* interface_; ///< nullptr: none
   std::vector<double> old_pressure_, old_gap_;
   bool committed_ = false;
 };
@@ -347,7 +365,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
              report.displacement_error <= factor * settings_.displacement_tolerance * scales_.displacement;
     };
     report.converged = report.contact_converged && !grew && settled && complete && within(1.0);
-    const bool renewed = report.converged && strategy.watch_energy && renews_shear(report);
+    const bool renewed = report.converged && strategy.watch_energy && renews_law(report);
     closing = strategy.watch_energy || within(closing_factor);
     const bool finite = std::isfinite(report.yield_error + report.displacement_error + report.gap_error);
     if (report.converged || !finite || report.evaluations >= strategy.max_evaluations)
@@ -377,12 +395,13 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
 }
 
 IncrementReport CoupledContact::advance(std::span<const double> distance, const contact::Drive& drive,
-                                        const Placement& placement, const Strategy& strategy)
+                                        const Placement& placement, const Strategy& strategy,
+                                        const contact::TangentialDrive& along)
 {
   require_size("CoupledContact::advance: the distance", distance, grid().size());
-  if (sliding_)
-    sliding_->begin(strategy.slides, shear_limit(placement));
-  Undo undo(pressure_, gap_, sides_, sliding_);
+  if (interface_)
+    begin_friction(placement, strategy, along);
+  Undo undo(pressure_, gap_, sides_, interface_.get());
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
   IncrementReport report = iterate(distance, drive, placement, strategy);
@@ -401,8 +420,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   report.energy = energy(imposed_approach(drive, report.approach));
   for (Side& side : sides_)
     side.body.commit(side.load());
-  if (sliding_)
-    end_sliding(placement);
+  if (interface_)
+    settle_friction(placement);
   placement_ = placement;
   approach_ = report.approach;
   undo.commit();

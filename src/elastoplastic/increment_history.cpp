@@ -41,17 +41,16 @@ void CoupledContact::exchange(Archive& archive)
   archive("approach", approach_);
   archive("pressure", pressure_);
   archive("gap", gap_);
-  if (sliding_)
-    archive("sliding", sliding_->state());
+  if (interface_)
+    archive("sliding", *interface_);
 }
 
 History CoupledContact::take_history() &&
 {
-  History history{grid(), lower().grid(), upper().grid(), {}, placement_, approach_, std::move(pressure_)};
+  History history{grid(),     lower().grid(), upper().grid(),       {},
+                  placement_, approach_,      std::move(pressure_), std::move(interface_)};
   for (Side& side : sides_)
     history.solved.push_back(std::move(side.body).take_state());
-  if (sliding_)
-    history.sliding = sliding_->state();
   return history;
 }
 
@@ -64,21 +63,19 @@ void CoupledContact::continue_from(History history)
     return (now - before) / 2;
   };
   const int columns = columns_added(grid().nx, history.contact.nx);
-  const int rows = columns_added(grid().ny, history.contact.ny);
-  for (int j = 0; j < history.contact.ny; ++j)
-    std::copy_n(history.pressure.data() + history.contact.index(0, j), history.contact.nx,
-                pressure_.data() + grid().index(columns, j + rows));
+  static_cast<void>(columns_added(grid().ny, history.contact.ny));
+  embed_field(history.contact, history.pressure, grid(), pressure_);
   approach_ = history.approach;
   placement_ = history.placement;
   placement_.lower.column += columns_added(lower().grid().surface.nx, history.lower_grid.surface.nx) - columns;
   placement_.upper.column += columns_added(upper().grid().surface.nx, history.upper_grid.surface.nx) - columns;
-  if (sliding_)
-    sliding_->embed(history.sliding, history.contact);
+  if (interface_)
+    interface_->embed(*history.interface);
   spread(placement_);
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid, sides_[i].load());
-  if (sliding_)
-    recall_sliding();
+  if (interface_)
+    recall_friction();
 }
 
 } // namespace brinell::elastoplastic

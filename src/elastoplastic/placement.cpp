@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/placement.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -81,6 +82,14 @@ bool spread_traction(const SurfaceGrid& contact, std::span<const double> tractio
         out[body.index(column_on(body, column), j)] += t;
     }
   return all;
+}
+
+void embed_field(const SurfaceGrid& small, std::span<const double> from, const SurfaceGrid& large, std::span<double> to)
+{
+  const int columns = (large.nx - small.nx) / 2;
+  const int rows = (large.ny - small.ny) / 2;
+  for (int j = 0; j < small.ny; ++j)
+    std::copy_n(from.data() + small.index(0, j), small.nx, to.data() + large.index(columns, j + rows));
 }
 
 } // namespace brinell::elastoplastic

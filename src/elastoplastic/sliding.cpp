@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/sliding.hpp"
 
+#include "brinell/elastoplastic/placement.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ void add(double factor, std::span<const double> field, std::span<double> to)
 
 SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper,
                                    const Friction& friction, int direction, double reference)
-    : pair_(grid, lower, upper, reference), unit_(grid, unit_body, rigid_body, reference), friction_(friction),
+    : Interface(friction), pair_(grid, lower, upper, reference), unit_(grid, unit_body, rigid_body, reference),
       direction_(direction), lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
       limit_(grid.size(), std::numeric_limits<double>::infinity())
 {
@@ -74,23 +75,39 @@ void SlidingInterface::State::exchange(Archive& archive)
   archive("limited_share", limited_share);
 }
 
-void SlidingInterface::begin(bool slides, std::vector<double> limit)
+std::array<double, 2> SlidingInterface::direction(const contact::TangentialDrive& /*along*/) const
 {
-  before_ = state_;
-  slides_ = slides;
-  if (!slides)
-    for (std::vector<double>* field : {&state_.shear, &state_.depth})
-      std::fill(field->begin(), field->end(), 0.0);
-  limit_ = std::move(limit);
+  return {static_cast<double>(direction_), 0.0};
 }
 
-SlidingInterface::Change SlidingInterface::follow(std::span<const double> pressure)
+void SlidingInterface::begin(Start start)
+{
+  before_ = state_;
+  slides_ = start.slides;
+  is_held_ = start.holds_law;
+  if (!slides_)
+    for (std::vector<double>* field : {&state_.shear, &state_.depth})
+      std::fill(field->begin(), field->end(), 0.0);
+  limit_ = std::move(start.limit);
+}
+
+SlidingInterface::Change SlidingInterface::follow(const Bodies& bodies)
+{
+  return is_held_ ? Change{} : set_shear(bodies.pressure);
+}
+
+SlidingInterface::Change SlidingInterface::renew(const Bodies& bodies)
+{
+  return set_shear(bodies.pressure);
+}
+
+SlidingInterface::Change SlidingInterface::set_shear(std::span<const double> pressure)
 {
   Change change;
   std::size_t pressed = 0, limited = 0;
   for (std::size_t i = 0; i < pressure.size(); ++i)
   {
-    const double wanted = slides_ ? friction_.coefficient * pressure[i] : 0.0;
+    const double wanted = slides_ ? friction().coefficient * pressure[i] : 0.0;
     pressed += pressure[i] > 0.0 ? 1 : 0;
     limited += wanted > limit_[i] ? 1 : 0;
     const double shear = direction_ * std::min(wanted, limit_[i]);
@@ -165,15 +182,12 @@ double SlidingInterface::force() const
   return sum(state_.shear) * pair_.grid().cell_area();
 }
 
-void SlidingInterface::embed(const State& state, const SurfaceGrid& from)
+void SlidingInterface::embed(const Interface& smaller)
 {
-  const SurfaceGrid& grid = pair_.grid();
-  const int columns = (grid.nx - from.nx) / 2;
-  const int rows = (grid.ny - from.ny) / 2;
-  for (int j = 0; j < from.ny; ++j)
-    std::copy_n(state.shear.data() + from.index(0, j), from.nx, state_.shear.data() + grid.index(columns, j + rows));
-  state_.work = state.work;
-  state_.limited_share = state.limited_share;
+  const auto& other = dynamic_cast<const SlidingInterface&>(smaller);
+  embed_field(other.pair_.grid(), other.state_.shear, pair_.grid(), state_.shear);
+  state_.work = other.state_.work;
+  state_.limited_share = other.state_.limited_share;
 }
 
 } // namespace brinell::elastoplastic

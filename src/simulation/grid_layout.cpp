@@ -46,10 +46,10 @@ double field_bytes(const VolumeGrid& grid, double fields)
 }
 
 /// One body that is computed: kernels and state; if it is plastic, the trial, its spectra and the accelerator, too.
-double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic, bool has_friction)
+double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic, int shears)
 {
-  // Six, real, a quarter of the plane each; of pressure, and of shear.
-  const double kernels = (has_friction ? 12.0 : 6.0) / 4.0 * padded_bytes(grid);
+  // Six, real, a quarter of the plane each; of pressure, and of each shear.
+  const double kernels = 6.0 * (1.0 + shears) / 4.0 * padded_bytes(grid);
   constexpr double state = 5.0 + 1.0 + 5.0; // plastic strain, its equivalent, stress
   if (!is_plastic)
     return kernels + field_bytes(grid, state);
@@ -201,12 +201,11 @@ int step_count(double steps, const std::string& key)
   return static_cast<int>(steps);
 }
 
-double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth,
-                    bool has_friction)
+double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth, int shears)
 {
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
-  const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic, has_friction);
-  return body_bytes(plan.lower, anderson_depth, lower_is_plastic, has_friction) + upper +
+  const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic, shears);
+  return body_bytes(plan.lower, anderson_depth, lower_is_plastic, shears) + upper +
          std::max(snapshot_bytes(plan.lower, plan.upper),
                   checkpoint_bytes(plan.lower, lower_is_plastic) +
                       checkpoint_bytes(plan.upper, upper_is_plastic && !has_twin));

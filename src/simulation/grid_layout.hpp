@@ -37,9 +37,9 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
 [[nodiscard]] int grown(int cells);
 
 /// What operators, fields and the final state take [bytes].
-/// @param has_friction  shear acts on both bodies, too
+/// @param shears  components of the shear that acts on both bodies, too
 [[nodiscard]] double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth,
-                                  bool has_friction);
+                                  int shears);
 
 /// A number of steps as a whole one. @throws KeyError of the key if there are far too many
 [[nodiscard]] int step_count(double steps, const std::string& key);

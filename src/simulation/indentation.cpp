@@ -269,7 +269,7 @@ IndentationPlan plan(const IndentationCase& indentation)
                           "indentation.steps");
   plan.memory_bytes =
       memory_bytes(plan, indentation.lower.material.is_plastic(), indentation.upper.material.is_plastic(),
-                   indentation.solver.anderson_depth, indentation.friction.coefficient > 0.0);
+                   indentation.solver.anderson_depth, indentation.friction.coefficient > 0.0 ? 1 : 0);
   return plan;
 }
 

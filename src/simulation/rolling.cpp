@@ -240,7 +240,7 @@ RollingPlan plan(const RollingCase& rolling)
                           "rolling.passes");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
-                                   rolling.solver.anderson_depth, rolling.friction.coefficient > 0.0);
+                                   rolling.solver.anderson_depth, rolling.friction.coefficient > 0.0 ? 1 : 0);
   return plan;
 }
 

@@ -46,4 +46,19 @@ void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapsho
   snapshot.stress = six_fields(stress.deviator, stress.trace);
 }
 
+void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
+{
+  const auto copy = [](std::span<const double> field) { return std::vector<double>(field.begin(), field.end()); };
+  if (pair.interface() != nullptr)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      snapshot.shear[axis] = copy(pair.interface()->shears()[axis]);
+  const elastoplastic::PartialSlip* partial = pair.partial_slip();
+  if (partial == nullptr)
+    return;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    snapshot.slip[axis] = copy(partial->slips()[axis]);
+  snapshot.slip_path = copy(partial->path());
+  snapshot.friction_heat = copy(partial->heat_per_area());
+}
+
 } // namespace brinell::simulation

@@ -10,6 +10,8 @@ namespace brinell::simulation
 /// All fields of a body in its present state but for the stress; of a rigid one none.
 /// @param origin  surface coordinate of column 0 of its grid [m].
 [[nodiscard]] BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x);
+/// Shear and slip of the contact.
+void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// The stress.
 void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot);
 

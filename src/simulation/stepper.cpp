@@ -183,7 +183,7 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
   {
     const Frame frame = lattice_.frame(target.centre);
     place(frame);
-    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, strategy);
+    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, strategy, target.along);
     evaluations_ += report.evaluations;
     if (!report.outgrown.any())
       return report;
@@ -196,7 +196,7 @@ bool Stepper::attempt(const Target& target)
 {
   const elastoplastic::Settings& s = setup_.solver;
   // A surface at its shear limit flows almost freely, and the iteration is slow there; shorter steps do not help.
-  const int patience = pair_->sliding() != nullptr ? 4 : 1;
+  const int patience = pair_->interface() != nullptr ? 4 : 1;
   for (const double share : {0.6, 1.0})
   {
     const IncrementReport report = solved(target, {s.integration, patience * s.max_evaluations, s.anderson_depth, share,
@@ -222,6 +222,11 @@ void Stepper::descend(const Target& target)
     if (has_energy && !report.energy_rose)
       break;
   }
+  if (report.overloaded)
+    throw InputError(
+        fmt::format("{}: friction cannot hold the surfaces against the force along them; allowed: a smaller "
+                    "force, or a displacement in its place. All earlier steps are kept",
+                    where_));
   throw ConvergenceError(fmt::format(
       "{}: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), change of displacement "
       "{:.2e} m, contact gap {:.2e} m. All earlier steps are kept. Shorter steps or a larger solver.max_evaluations "
@@ -263,8 +268,9 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
 
 double Stepper::memory_of(const Plan& plan) const
 {
+  const int shears = setup_.sliding.friction.coefficient > 0.0 ? (setup_.sliding.sticks ? 2 : 1) : 0;
   return simulation::memory_bytes(plan, setup_.lower.is_plastic(), setup_.upper.is_plastic(),
-                                  setup_.solver.anderson_depth, setup_.sliding.friction.coefficient > 0.0);
+                                  setup_.solver.anderson_depth, shears);
 }
 
 void Stepper::announce(const Plan& larger)
@@ -345,8 +351,10 @@ const Stepper::Depths& Stepper::loaded_depths(const Centre& centre)
 
 halfspace::SurfaceLoad Stepper::load() const
 {
-  const elastoplastic::SlidingInterface* sliding = pair_->sliding();
-  return {.pressure = pair_->pressure(), .shear_x = sliding != nullptr ? sliding->shear() : std::span<const double>{}};
+  if (pair_->interface() == nullptr)
+    return {.pressure = pair_->pressure()};
+  const auto [shear_x, shear_y] = pair_->interface()->shears();
+  return {.pressure = pair_->pressure(), .shear_x = shear_x, .shear_y = shear_y};
 }
 
 std::pair<double, double> Stepper::residual_range(const Centre& centre) const
@@ -394,10 +402,11 @@ void Stepper::fill(StepRecord& r) const
 void Stepper::fill(SlidingRecord& r) const
 {
   fill(static_cast<StepRecord&>(r));
-  if (const elastoplastic::SlidingInterface* sliding = pair_->sliding())
+  if (const elastoplastic::Interface* interface = pair_->interface())
   {
-    r.F_friction = std::abs(sliding->force());
-    r.share_at_shear_limit = sliding->limited_share();
+    const auto [x, y] = interface->forces();
+    r.F_friction = std::hypot(x, y);
+    r.share_at_shear_limit = interface->limited_share();
   }
 }
 
@@ -410,6 +419,7 @@ Snapshot Stepper::snapshot(const Centre& centre) const
   s.y0 = s.contact.y(0);
   s.pressure.assign(pair_->pressure().begin(), pair_->pressure().end());
   s.gap.assign(pair_->gap().begin(), pair_->gap().end());
+  set_shear(*pair_, s);
   s.lower = body_snapshot(pair_->lower(), lattice_.lower_origin(), centre.lower);
   if (!setup_.lower.elastic.is_rigid())
     set_stress(pair_->lower_stress(frame.placement.lower), s.lower);

@@ -21,7 +21,8 @@ struct Target
 {
   Centre centre;
   contact::Drive drive;
-  bool slides = true; ///< the surfaces on each other; else there is no friction
+  bool slides = true;               ///< the surfaces on each other; else there is no friction
+  contact::TangentialDrive along{}; ///< of surfaces that may stick, see CoupledContact::advance
 };
 
 /// The contact grid at one moment of the motion.

@@ -220,7 +220,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   plan.memory_bytes = memory_bytes(plan, tugging.lower.material.is_plastic(), tugging.upper.material.is_plastic(),
-                                   tugging.solver.anderson_depth, tugging.friction.coefficient > 0.0);
+                                   tugging.solver.anderson_depth, tugging.friction.coefficient > 0.0 ? 1 : 0);
   return plan;
 }
 

@@ -24,6 +24,7 @@ struct BodyState
   std::vector<double> stress;                  ///< deviatoric stress at the end of the last increment [Pa]
   std::vector<double> residual_displacement;   ///< of the surface, into the body positive [m]
   std::vector<double> residual_displacement_x; ///< along x [m]; empty unless the surface bears shear
+  std::vector<double> residual_displacement_y; ///< along y [m]; empty unless it bears shear along y, too
   double dissipation =
       0.0; ///< plastic work since the start [J]; with back stresses, a part of it stays in the material
   double locked_in_energy = 0.0; ///< elastic energy of the residual stress [J]
@@ -50,9 +51,11 @@ public:
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid.
   /// @param shortcuts   compute only the layers and cells near yield until an evaluation closes the increment; see
   ///                    Settings::shortcuts.
-  /// @param bears_shear  loads have shear along x, too; then the displacement along x is kept, on which it works.
+  /// @param displacements  those on which the loads work: along x with shear along x, all with shears along x and y. All are
+  ///                    computed in each evaluation, along x only when asked for.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-       const constitutive::Material& material, bool shortcuts = true, bool bears_shear = false);
+       const constitutive::Material& material, bool shortcuts = true,
+       halfspace::Displacements displacements = halfspace::Displacements::normal);
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
@@ -78,7 +81,8 @@ public:
   /// Stress under `load` (on the whole surface grid) and, from it, the next fixed-point value g of q.
   /// @returns whether cells outside the active set yield; they have been added to it.
   bool update(const halfspace::SurfaceLoad& load);
-  /// Finds the displacement along x of the present trial, if the surface bears shear: `energy` and `commit` need it.
+  /// Finds the displacement along x of the present trial, if the surface bears shear: `energy` and `commit` need it. Where all
+  /// displacements are kept it is known.
   void find_displacement_x();
   /// Makes the present trial the new state.
   void commit(const halfspace::SurfaceLoad& load);
@@ -102,9 +106,11 @@ public:
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
   /// Empty unless the surface bears shear and the body is plastic.
   [[nodiscard]] std::span<const double> residual_displacement_x() const { return displacement_x_; }
-  /// Shear that the cells of the surface can carry along x, in the direction of the sign, before the increment [Pa]; infinite
-  /// if the body does not yield.
-  [[nodiscard]] std::vector<double> shear_strength(double sign) const;
+  /// Likewise along y; empty unless all displacements are kept.
+  [[nodiscard]] std::span<const double> residual_displacement_y() const { return displacement_y_; }
+  /// Shear that the cells of the surface can carry along a unit vector, before the increment [Pa]; infinite if the body does not
+  /// yield. Without a direction, that which they carry in all of them.
+  [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
   /// Stress in all layers [Pa] of a load and a plastic strain, and that from before the first load: deviator, 5 values
   /// per cell, and trace. The strain may be the body's own or that of its twin. The body must not be rigid.
   void full_stress(const halfspace::SurfaceLoad& load, std::span<const double> plastic_strain,
@@ -133,6 +139,8 @@ private:
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
   [[nodiscard]] bool may_yield_beneath() const;
   [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load) const;
+  [[nodiscard]] halfspace::Displacements found_at_once() const;
+  [[nodiscard]] halfspace::SurfaceDisplacement displacements_found_at_once();
 
   VolumeGrid grid_;
   constitutive::Material material_;
@@ -152,7 +160,7 @@ private:
   /// These cells and their q, for when an increment fails.
   std::vector<std::size_t> guessed_cells_;
   std::vector<double> guessed_q_;
-  std::vector<double> displacement_, displacement_x_;
+  std::vector<double> displacement_, displacement_x_, displacement_y_;
 };
 
 } // namespace brinell::elastoplastic

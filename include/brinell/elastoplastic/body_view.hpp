@@ -44,11 +44,13 @@ public:
   [[nodiscard]] std::vector<double> residual_displacement() const;
   /// Likewise along x [m]; empty unless the surface bears shear.
   [[nodiscard]] std::vector<double> residual_displacement_x() const;
+  /// Likewise along y.
+  [[nodiscard]] std::vector<double> residual_displacement_y() const;
   /// See Body::shear_strength.
-  [[nodiscard]] std::vector<double> shear_strength(double sign) const;
+  [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
 
 private:
-  [[nodiscard]] std::vector<double> vector_x(std::span<const double> solved) const;
+  [[nodiscard]] std::vector<double> rows(std::span<const double> solved, double parity) const;
 
   const Body* solved_;
   Twin twin_;

@@ -3,12 +3,14 @@
 
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/elastoplastic/body_view.hpp"
+#include "brinell/elastoplastic/partial_slip.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/elastoplastic/sliding.hpp"
 
+#include <array>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,6 +45,7 @@ struct IncrementReport
   double gap_error = 0.0;          ///< contact complementarity [m]
   double energy = 0.0;             ///< locked-in, elastic and dissipated energy: what backward Euler minimises [J]
   bool energy_rose = false;        ///< stopped by Strategy::watch_energy
+  bool overloaded = false;         ///< friction could not carry the force along the surface in the last evaluation
 };
 
 /// Reference lengths of the tolerances [m].
@@ -88,14 +91,16 @@ struct History
   Placement placement;
   double approach = 0.0;
   std::vector<double> pressure;
-  SlidingInterface::State sliding{}; ///< empty without friction
+  std::unique_ptr<Interface> interface {
+  }; ///< none without friction
 };
 
-/// Friction, and which way the upper body slides over the lower one: +1 towards +x, or -1.
+/// Friction, and what the surfaces do along each other.
 struct Sliding
 {
   Friction friction{};
-  int direction = 1;
+  int direction = 1;   ///< in which the upper body slides over the lower one: +1 towards +x, or -1
+  bool sticks = false; ///< where friction can hold the surfaces they stick: there is no direction then
 };
 
 /// The coupled solver, with its buffers.
@@ -121,7 +126,11 @@ public:
   [[nodiscard]] double load() const;                                           ///< sum of the pressure [N]
   [[nodiscard]] double elastic_energy() const; ///< recoverable, of pressure and shear [J]
   /// The shear between the surfaces; nullptr without friction.
-  [[nodiscard]] const SlidingInterface* sliding() const { return sliding_ ? &*sliding_ : nullptr; }
+  [[nodiscard]] const Interface* interface() const { return interface_.get(); }
+  /// The same of surfaces that slide everywhere; nullptr of others.
+  [[nodiscard]] const SlidingInterface* sliding() const;
+  /// The same of surfaces that may stick; nullptr of others.
+  [[nodiscard]] const PartialSlip* partial_slip() const;
   /// Load per approach with which the bodies would begin to part or to approach further without yielding [N/m]:
   /// contact::stiffness.
   [[nodiscard]] double stiffness() const;
@@ -130,10 +139,12 @@ public:
   /// Solves one increment from the present state; commits it only if it converged.
   /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m], one per cell.
   /// @param placement  of the contact grid on the material grids.
+  /// @param along      of surfaces that may stick: forces at the end of the increment, or shifts since the first one.
   /// @throws Interrupted between two evaluations or within a contact solution; GridError. Without convergence, or after these,
   /// everything is as it was before the increment.
   [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,
-                                        const Placement& placement, const Strategy& strategy);
+                                        const Placement& placement, const Strategy& strategy,
+                                        const contact::TangentialDrive& along = {});
 
   /// Depth of the surfaces under the contact grid, each with texture and residual displacement [m]; zero outside their grids.
   /// They are added to `out`.
@@ -165,12 +176,15 @@ private:
   {
     Body body;
     Place Placement::*place;
-    std::vector<double> pressure{}; ///< of the trial, on the grid of the body [Pa]
-    bool leaves_grid = false;       ///< pressure of the trial lies beyond an end of the body's grid
-    double shear_sign = 1.0;        ///< of the shear on this body
-    std::vector<double> shear{};    ///< of the trial [Pa]; empty without friction
+    std::vector<double> pressure{};             ///< of the trial, on the grid of the body [Pa]
+    bool leaves_grid = false;                   ///< pressure of the trial lies beyond an end of the body's grid
+    double shear_sign = 1.0;                    ///< of the shear on this body
+    std::array<std::vector<double>, 2> shear{}; ///< of the trial, along x and y [Pa]; empty if there never is one
 
-    [[nodiscard]] halfspace::SurfaceLoad load() const { return {.pressure = pressure, .shear_x = shear}; }
+    [[nodiscard]] halfspace::SurfaceLoad load() const
+    {
+      return {.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]};
+    }
   };
 
   void solve_contact(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
@@ -178,21 +192,26 @@ private:
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
   [[nodiscard]] bool has_unknowns() const;
-  void solve_sliding_contact(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report);
+  void solve_frictional_contact(const contact::Drive& drive, const Placement& placement, const Strategy& strategy,
+                                IncrementReport& report);
   void press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report);
-  [[nodiscard]] bool renews_shear(IncrementReport& report);
+  [[nodiscard]] bool renews_law(IncrementReport& report);
   [[nodiscard]] double energy(double approach) const;
   [[nodiscard]] double pressure_energy() const;
   [[nodiscard]] double work_of_shear(const Side& side) const;
-  [[nodiscard]] std::vector<double> shear_limit(const Placement& placement) const;
+  [[nodiscard]] std::vector<double> shear_limit(const Placement& placement,
+                                                const std::array<double, 2>& direction) const;
   template <typename Use>
   void with_bodies(const Placement& placement, const Use& use) const;
-  void end_sliding(const Placement& placement);
-  void recall_sliding();
+  void begin_friction(const Placement& placement, const Strategy& strategy, const contact::TangentialDrive& along);
+  [[nodiscard]] Interface::Change follow(const Placement& placement);
+  void settle_friction(const Placement& placement);
+  void recall_friction();
   [[nodiscard]] Outgrown outgrown() const;
   [[nodiscard]] std::pair<bool, bool> pressed_edges() const;
   void spread(const Placement& placement);
-  void spread_shear(const Place& place, const SurfaceGrid& body, double sign, std::vector<double>& out) const;
+  void spread_shear(const Place& place, const SurfaceGrid& body, double sign,
+                    std::array<std::vector<double>, 2>& out) const;
   [[nodiscard]] Stress stress(const BodyView& view, Body& solved, const Place& place, double shear_sign) const;
 
   halfspace::SurfaceCompliance compliance_;
@@ -202,7 +221,7 @@ private:
   Scales scales_;
   Settings settings_;
   Twin twin_;
-  std::optional<SlidingInterface> sliding_;
+  std::unique_ptr<Interface> interface_; ///< none without friction
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

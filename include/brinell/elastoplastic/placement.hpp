@@ -35,4 +35,8 @@ void add_depth(const SurfaceGrid& body, std::span<const double> displacement, st
 bool spread_traction(const SurfaceGrid& contact, std::span<const double> traction, const Place& place,
                      const SurfaceGrid& body, std::vector<double>& out);
 
+/// Copies a field of a grid into the middle of a larger one.
+void embed_field(const SurfaceGrid& small, std::span<const double> from, const SurfaceGrid& large,
+                 std::span<double> to);
+
 } // namespace brinell::elastoplastic

@@ -192,6 +192,12 @@ struct Snapshot
   double x0 = 0.0, y0 = 0.0;    ///< centre of contact cell (0, 0) from the contact's own centre [m]
   std::vector<double> pressure; ///< [Pa]
   std::vector<double> gap;      ///< [m], >= 0
+  /// On the lower body along x and y [Pa]; empty where there never is one.
+  std::array<std::vector<double>, 2> shear;
+  /// Of surfaces that may stick, since the start; empty of others.
+  std::array<std::vector<double>, 2> slip; ///< of the upper surface over the lower one, along x and y [m]
+  std::vector<double> slip_path;           ///< length of the way slipped [m]
+  std::vector<double> friction_heat;       ///< [J/m^2]
   BodySnapshot lower, upper;
 };
 

@@ -19,6 +19,7 @@ struct PressOptions
   bool lower_plastic = true, upper_plastic = true;
   double hardening_modulus = 0.0; ///< [Pa]
   Friction friction{};            ///< the upper sphere slides towards +x
+  bool sticks = false;            ///< where friction can hold it
   double upper_stiffness = 1.0;   ///< Young's modulus of the upper sphere over that of the lower one
 };
 
@@ -37,7 +38,7 @@ public:
         contact_(grid_, volume(), volume(), material(options.lower_plastic),
                  material(options.upper_plastic, options.upper_stiffness),
                  Scales{alpha_c / options.unit, 6.0 * alpha_c / options.unit}, options.settings, Twin::none, {}, 0.0,
-                 {options.friction, 1})
+                 {options.friction, 1, options.sticks})
   {
   }
 
@@ -63,9 +64,11 @@ public:
     strategy.anderson_depth = options_.settings.anderson_depth;
     return press(interference, strategy, offset);
   }
-  [[nodiscard]] IncrementReport press(double interference, const Strategy& strategy, int offset = 0)
+  /// @param along  of spheres that may stick, see CoupledContact::advance
+  [[nodiscard]] IncrementReport press(double interference, const Strategy& strategy, int offset = 0,
+                                      const contact::TangentialDrive& along = {})
   {
-    return contact_.advance(rigid_gap(interference), {}, Placement{{offset}, {offset}}, strategy);
+    return contact_.advance(rigid_gap(interference), {}, Placement{{offset}, {offset}}, strategy, along);
   }
 
   /// Normal force [N].

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "brinell/simulation/fretting.hpp"
 #include "brinell/simulation/scenarios.hpp"
 
 #include <concepts>
@@ -47,7 +48,7 @@ class ColumnsOf : public testing::Test
 {
 };
 template <typename... Case>
-using RowsAndEntries = testing::Types<typename Case::Record..., Indent, RollingPass>;
+using RowsAndEntries = testing::Types<typename Case::Record..., FrettingRecord, Indent, RollingPass, FrettingCycle>;
 using Records = Scenarios<RowsAndEntries>;
 TYPED_TEST_SUITE(ColumnsOf, Records);
 

@@ -261,7 +261,8 @@ TEST(PlanTest, FrictionBringsFirstYieldForward)
   const double with = earliest_first_yield(t.lower, t.upper, t.domain, 0.4)->critical.interference;
   const double C = reference::critical_pressure_ratio(t.lower.material.elastic.poisson_ratio);
   const double sliding = reference::sliding_first_yield(t.lower.material.elastic.poisson_ratio, 0.4).pressure_ratio;
-  EXPECT_NEAR(with / without, std::pow(sliding / C, 2), 1e-12); // Hertz: the approach goes as the square of the pressure
+  EXPECT_NEAR(with / without, std::pow(sliding / C, 2),
+              1e-12); // Hertz: the approach goes as the square of the pressure
   EXPECT_LT(with, 0.7 * without);
 }
 

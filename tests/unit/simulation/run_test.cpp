@@ -3,6 +3,7 @@
 #include "brinell/simulation/run.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/simulation/fretting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,22 @@ RollingCase rolling()
   return c;
 }
 
+FrettingCase fretting()
+{
+  FrettingCase c;
+  c.lower = {Plane{}, steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, {{400e9, 0.25}, {}}};
+  c.press = {contact::Drive::Kind::load, 2.0};
+  c.press_steps = 3;
+  c.kind = FrettingCase::Kind::force;
+  c.amplitude = 0.5;
+  c.steps_per_cycle = 8;
+  c.direction = 0.4;
+  c.resolution = 4.0;
+  c.friction.coefficient = 0.4;
+  return c;
+}
+
 template <typename Case>
 struct Sample;
 template <>
@@ -71,6 +88,12 @@ template <>
 struct Sample<RollingCase>
 {
   static RollingCase make() { return rolling(); }
+};
+
+template <>
+struct Sample<FrettingCase>
+{
+  static FrettingCase make() { return fretting(); }
 };
 
 template <typename Case>
@@ -99,7 +122,7 @@ protected:
   }
 };
 
-using Cases = testing::Types<TuggingCase, IndentationCase, RollingCase>;
+using Cases = testing::Types<TuggingCase, IndentationCase, RollingCase, FrettingCase>;
 TYPED_TEST_SUITE(RunTest, Cases);
 
 TYPED_TEST(RunTest, SteppedIsTheSameAsWhole)

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/elastic_contact.hpp"
+#include "brinell/contact/tangential_contact.hpp"
+#include "brinell/simulation/columns.hpp"
+#include "brinell/simulation/quality.hpp"
+
+/// The upper body is pressed on the lower one and moved to and fro along it, so little that it sticks in places.
+namespace brinell::simulation
+{
+
+struct FrettingPlan;
+struct FrettingRecord;
+struct FrettingSummary;
+
+struct FrettingCase : Numerics
+{
+  using Plan = FrettingPlan;
+  using Record = FrettingRecord; ///< row of its history
+  using Summary = FrettingSummary;
+  /// What oscillates: the displacement of the upper body past the lower one, distant points of both, or the force between them.
+  using Kind = contact::TangentialDrive::Kind;
+
+  ShapedBody lower;
+  ShapedBody upper;
+  contact::Drive press;    ///< load or approach, reached first and kept then
+  int press_steps = 10;    ///< in which it is reached
+  Kind kind = Kind::shift; ///< of the amplitude
+  double amplitude = 0.0;  ///< from 0 to this, to the opposite and back to 0 in each cycle [m] or [N], >= 0
+  int cycles = 1;
+  int steps_per_cycle = 40; ///< a multiple of 4
+  double direction = 0.0;   ///< of the motion, from x towards y [rad]
+};
+
+struct FrettingPlan : Plan
+{
+  double contact_radius = 0.0;   ///< estimate, along x [m]
+  double contact_radius_y = 0.0; ///< and along y [m]
+  /// Displacement from which on smooth elastic bodies with a round contact slide everywhere, estimate [m]; 0 without friction.
+  double sliding_displacement = 0.0;
+};
+
+/// One row of the history.
+struct FrettingRecord : SlidingRecord
+{
+  int cycle = 0;               ///< counts from 1; 0 while the bodies are pressed together
+  double approach = 0.0;       ///< [m]
+  double displacement = 0.0;   ///< of the upper body past the lower one, along the direction [m]
+  double force = 0.0;          ///< on the lower body, along the direction [N]
+  double F_x = 0.0, F_y = 0.0; ///< the same along x and y [N]
+  double stick_share = 0.0;    ///< of the contact: there nothing slipped in this step
+  double stick_area = 0.0;     ///< [m^2]
+  double slip_path = 0.0;      ///< longest way that a place of one surface has slipped on the other since the start [m]
+
+  void exchange(Archive& archive);
+};
+
+/// One cycle, from the middle over both turns back to the middle.
+struct FrettingCycle
+{
+  int cycle = 0;                              ///< counts from 1
+  double work = 0.0;                          ///< of the force along the surface: area of the loop [J]
+  double dissipation_friction = 0.0;          ///< heat of friction [J]
+  double dissipation_plastic = 0.0;           ///< of both bodies [J]
+  double max_force = 0.0;                     ///< largest size [N]
+  double max_displacement = 0.0;              ///< likewise [m]
+  double slip_amplitude = 0.0;                ///< where the surfaces slip most: a quarter of the way there [m]
+  double stick_share = 0.0;                   ///< smallest
+  double max_equivalent_plastic_strain = 0.0; ///< of both bodies, at its end
+
+  void exchange(Archive& archive);
+};
+
+struct FrettingSummary : RunTotals
+{
+  std::vector<FrettingCycle> cycles; ///< those that are complete
+  FrettingRecord last;
+};
+
+/// Grids, number of steps and memory of a case.
+/// @throws InputError
+[[nodiscard]] FrettingPlan plan(const FrettingCase& fretting);
+
+/// What can be told of the result before a run, and after it.
+[[nodiscard]] Quality expected_quality(const FrettingCase& fretting, const FrettingPlan& plan);
+[[nodiscard]] Quality quality(const FrettingCase& fretting, const FrettingPlan& plan, const RunTotals& totals);
+
+template <>
+inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({
+    common::step,
+    common::pass,
+    {"cycle", "1", &FrettingRecord::cycle, "cycle, counts from 1; 0 while the bodies are pressed together"},
+    {"approach", "m", &FrettingRecord::approach, "approach of the bodies from first touch of the undeformed ones"},
+    common::F_n,
+    {"displacement", "m", &FrettingRecord::displacement,
+     "displacement of distant points of the upper body past those of the lower one, along the motion"},
+    {"force", "N", &FrettingRecord::force, "force on the lower body along the motion"},
+    {"F_x", "N", &FrettingRecord::F_x, "force on the lower body along x"},
+    {"F_y", "N", &FrettingRecord::F_y, "force on the lower body along y"},
+    common::F_friction,
+    common::share_at_shear_limit,
+    {"stick_share", "1", &FrettingRecord::stick_share, "share of the contact where nothing slipped in this step"},
+    {"stick_area", "m^2", &FrettingRecord::stick_area, "area of that"},
+    {"slip_path", "m", &FrettingRecord::slip_path,
+     "longest way that a place of one surface has slipped on the other since the start"},
+    common::contact_area,
+    common::max_pressure,
+});
+
+/// In summary.json its unit ends each name.
+template <>
+inline constexpr std::array<Column<FrettingCycle>, 9> columns<FrettingCycle>{{
+    {"cycle", "1", &FrettingCycle::cycle},
+    {"work", "J", &FrettingCycle::work},
+    {"dissipation_friction", "J", &FrettingCycle::dissipation_friction},
+    {"dissipation_plastic", "J", &FrettingCycle::dissipation_plastic},
+    {"max_force", "N", &FrettingCycle::max_force},
+    {"max_displacement", "m", &FrettingCycle::max_displacement},
+    {"slip_amplitude", "m", &FrettingCycle::slip_amplitude},
+    {"stick_share", "1", &FrettingCycle::stick_share},
+    {"max_equivalent_plastic_strain", "1", &FrettingCycle::max_equivalent_plastic_strain},
+}};
+
+} // namespace brinell::simulation

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+#include "foundation/sharing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+/// What friction adds to an increment: docs/theory/elastoplastic.md (coulomb).
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// Adds to `limit` what a surface can carry: the smaller of both. Between the columns of the body it is interpolated; beyond its
+/// ends it goes on as it is there.
+void take_smaller(const SurfaceGrid& body, const std::vector<double>& strength, const Place& place,
+                  const SurfaceGrid& contact, std::vector<double>& limit)
+{
+  const auto column_on = [&](int column)
+  {
+    if (body.is_periodic_x())
+      return ((column % body.nx) + body.nx) % body.nx;
+    return std::clamp(column, 0, body.nx - 1);
+  };
+  for (int j = 0; j < contact.ny; ++j)
+    for (int i = 0; i < contact.nx; ++i)
+    {
+      const double here = strength[body.index(column_on(i + place.column), j)];
+      const double next = strength[body.index(column_on(i + place.column + 1), j)];
+      double& value = limit[contact.index(i, j)];
+      value = std::min(value, (1.0 - place.fraction) * here + place.fraction * next);
+    }
+}
+
+} // namespace
+
+const SlidingInterface* CoupledContact::sliding() const
+{
+  return dynamic_cast<const SlidingInterface*>(interface_.get());
+}
+
+const PartialSlip* CoupledContact::partial_slip() const
+{
+  return dynamic_cast<const PartialSlip*>(interface_.get());
+}
+
+/// What each cell of the contact can carry at the start of an increment, in a direction on the lower body.
+std::vector<double> CoupledContact::shear_limit(const Placement& placement,
+                                                const std::array<double, 2>& direction) const
+{
+  const std::optional<double>& given = interface_->friction().shear_limit;
+  std::vector<double> limit(grid().size(), given.value_or(std::numeric_limits<double>::infinity()));
+  if (given)
+    return limit;
+  const auto& [x, y] = direction;
+  if (const BodyView body = lower(); body.material().is_plastic())
+    take_smaller(body.grid().surface, body.shear_strength(x, y), placement.lower, grid(), limit);
+  if (const BodyView body = upper(); body.material().is_plastic())
+    take_smaller(body.grid().surface, body.shear_strength(-x, -y), placement.upper, grid(), limit);
+  return limit;
+}
+
+void CoupledContact::spread_shear(const Place& place, const SurfaceGrid& body, double sign,
+                                  std::array<std::vector<double>, 2>& out) const
+{
+  const contact::ConstAlongSurface shears = interface_->shears();
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    if (shears[axis].empty())
+      continue;
+    spread_traction(grid(), shears[axis], place, body, out[axis]);
+    for (double& q : out[axis])
+      q *= sign;
+  }
+}
+
+/// Calls `use` with what the interface needs to know of both bodies.
+template <typename Use>
+void CoupledContact::with_bodies(const Placement& placement, const Use& use) const
+{
+  const auto field = [&](std::vector<double> (BodyView::*of)() const)
+  {
+    std::array<std::vector<double>, 2> both{std::vector<double>(grid().size()), std::vector<double>(grid().size())};
+    const auto add = [&](const BodyView& body, const Place& place, std::vector<double>& out)
+    {
+      if (const std::vector<double> residual = (body.*of)(); !residual.empty())
+        add_depth(body.grid().surface, residual, {}, place, grid(), out);
+    };
+    add(lower(), placement.lower, both[0]);
+    add(upper(), placement.upper, both[1]);
+    return both;
+  };
+  const auto x = field(&BodyView::residual_displacement_x);
+  const auto y = field(&BodyView::residual_displacement_y);
+  const auto moved = [](const Place& now, const Place& before)
+  { return (now.column - before.column) + (now.fraction - before.fraction); };
+  use(Interface::Bodies{pressure_, x[0], x[1], y[0], y[1], moved(placement.lower, placement_.lower),
+                        moved(placement.upper, placement_.upper)});
+}
+
+void CoupledContact::begin_friction(const Placement& placement, const Strategy& strategy,
+                                    const contact::TangentialDrive& along)
+{
+  std::vector<double> limit = shear_limit(placement, interface_->direction(along));
+  with_bodies(placement,
+              [&](const Interface::Bodies& bodies)
+              {
+                interface_->begin({.slides = strategy.slides,
+                                   .along = along,
+                                   .limit = std::move(limit),
+                                   .bodies = bodies,
+                                   .holds_law = strategy.watch_energy,
+                                   .tolerance = settings_.contact_tolerance * scales_.gap,
+                                   .wants_stop = strategy.wants_stop});
+              });
+}
+
+void CoupledContact::settle_friction(const Placement& placement)
+{
+  with_bodies(placement, [&](const Interface::Bodies& bodies) { interface_->settle(bodies); });
+}
+
+/// After the history has moved to larger grids.
+void CoupledContact::recall_friction()
+{
+  with_bodies(placement_, [&](const Interface::Bodies& bodies) { interface_->recall(bodies); });
+}
+
+/// Pressure and shear by turns, until the shear no longer moves the gap. Where it never does, one turn.
+void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,
+                                              const Strategy& strategy, IncrementReport& report)
+{
+  constexpr int most_turns = 60;
+  const double tolerance = settings_.contact_tolerance * scales_.gap;
+  const std::vector<double> without_shear = distance_;
+  for (int turn = 1;; ++turn)
+  {
+    std::copy(without_shear.begin(), without_shear.end(), distance_.begin());
+    if (interface_->moves_gap())
+      interface_->add_to_gap(distance_);
+    press(drive, strategy, report);
+    const Interface::Change change = follow(placement);
+    report.overloaded = change.is_overloaded;
+    report.contact_converged = report.contact_converged && change.is_solved;
+    if (change.gap <= tolerance)
+      return;
+    report.contact_converged = false;
+    if (turn == most_turns || !std::isfinite(change.gap))
+    {
+      report.gap_error = change.gap;
+      return;
+    }
+  }
+}
+
+/// The shear that belongs to the pressure of the trial.
+Interface::Change CoupledContact::follow(const Placement& placement)
+{
+  if (!interface_->follows_displacement())
+    return interface_->follow({.pressure = pressure_, .lower_x = {}, .upper_x = {}});
+  Interface::Change change;
+  with_bodies(placement, [&](const Interface::Bodies& bodies) { change = interface_->follow(bodies); });
+  return change;
+}
+
+/// With the law of friction held the increment has converged: what belongs to the pressure takes its place.
+/// @returns whether that is something else; then the increment goes on.
+bool CoupledContact::renews_law(IncrementReport& report)
+{
+  if (!interface_)
+    return false;
+  const Interface::Change change = interface_->renew({.pressure = pressure_, .lower_x = {}, .upper_x = {}});
+  const contact::ConstAlongSurface shears = interface_->shears();
+  double largest = 0.0;
+  for (const std::span<const double>& shear : shears)
+    for (const double q : shear)
+      largest = std::max(largest, std::abs(q));
+  report.converged =
+      change.shear <= settings_.yield_tolerance * largest && change.gap <= settings_.contact_tolerance * scales_.gap;
+  return !report.converged;
+}
+
+/// Of the shear on the residual displacement of one body [J].
+double CoupledContact::work_of_shear(const Side& side) const
+{
+  double work = 0.0;
+  for (const auto& [shear, displacement] :
+       {std::pair{std::span<const double>(side.shear[0]), side.body.residual_displacement_x()},
+        {std::span<const double>(side.shear[1]), side.body.residual_displacement_y()}})
+    if (!displacement.empty() && !shear.empty())
+      work += dot(shear, displacement) * grid().cell_area();
+  return work;
+}
+
+} // namespace brinell::elastoplastic

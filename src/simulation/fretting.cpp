@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/fretting.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "domain.hpp"
+#include "footprint.hpp"
+#include "friction.hpp"
+#include "grid_layout.hpp"
+#include "judgement.hpp"
+#include "run_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+using contact::TangentialDrive;
+
+/// Pressed together, then to and fro.
+class Fretting
+{
+public:
+  Fretting(const FrettingCase& fretting, const FrettingPlan& plan)
+      : case_(fretting), steps_(plan.steps), cos_(std::cos(fretting.direction)), sin_(std::sin(fretting.direction))
+  {
+    // A right angle, but for the rounding of pi.
+    for (double* part : {&cos_, &sin_})
+      if (std::abs(*part) < 1e-15)
+        *part = 0.0;
+  }
+
+  [[nodiscard]] Stepper::Setup setup() const
+  {
+    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {});
+    setup.sliding = {.friction = case_.friction, .sticks = true};
+    return setup;
+  }
+  [[nodiscard]] Centre centre() const { return {}; }
+  [[nodiscard]] bool is_done() const { return done_ == steps_; }
+  [[nodiscard]] int step_count() const { return steps_; }
+
+  [[nodiscard]] Move next(Stepper& stepper)
+  {
+    if (done_ == 0)
+    {
+      const double touch = stepper.clearance({});
+      from_ = by_load() ? 0.0 : std::min(0.0, touch);
+      at_.approach = touch;
+    }
+    const auto path = [this](double t) {
+      return Target{{}, {case_.press.kind, pressed(done_ + t)}, true, along(share(done_ + t))};
+    };
+    constexpr double finest = 1.0 / 64;
+    const bool is_pressing = done_ < case_.press_steps;
+    return {path, finest,
+            is_pressing
+                ? fmt::format("step {}, pressing", done_)
+                : fmt::format("step {}, cycle {}, {} = {:g} {}", done_, cycle(), by_force() ? "force" : "displacement",
+                              share(done_ + 1.0) * case_.amplitude, by_force() ? "N" : "m")};
+  }
+
+  void read(Stepper& stepper, const FrettingRecord& /*before*/, FrettingRecord& r)
+  {
+    r.cycle = cycle();
+    r.pass = std::max(1, r.cycle);
+    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance({});
+    r.work += 0.5 * (r.F_n + at_.F_n) * (r.approach - at_.approach);
+    at_.F_n = r.F_n;
+    at_.approach = r.approach;
+    if (const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip())
+      read(*slip, r);
+    if (r.cycle > 0)
+      add_to_cycle(r);
+    ++done_;
+    const int moved = done_ - case_.press_steps;
+    if (moved < 0 || moved % case_.steps_per_cycle != 0)
+      return;
+    if (moved > 0)
+      cycles_.push_back(current_);
+    begin_cycle(r);
+  }
+
+  void summarise(FrettingSummary& summary) const { summary.cycles = cycles_; }
+
+  void exchange(Archive& archive)
+  {
+    archive("at", at_);
+    archive("current", current_);
+    archive("begun", begun_);
+    archive.list("cycles", cycles_);
+    archive("from", from_);
+    archive("done", done_, 0, steps_);
+  }
+
+private:
+  /// Where the drive has worked so far.
+  struct WorkedTo
+  {
+    double approach = 0.0, F_n = 0.0, along = 0.0; ///< [m], [N], [J]
+
+    void exchange(Archive& archive)
+    {
+      archive("approach", approach);
+      archive("F_n", F_n);
+      archive("along", along);
+    }
+  };
+  /// Sums before the present cycle.
+  struct Begun
+  {
+    double along = 0.0, friction = 0.0, plastic = 0.0, path = 0.0; ///< [J], [J], [J], [m]
+
+    void exchange(Archive& archive)
+    {
+      archive("along", along);
+      archive("friction", friction);
+      archive("plastic", plastic);
+      archive("path", path);
+    }
+  };
+
+  [[nodiscard]] bool by_load() const { return case_.press.kind == Drive::Kind::load; }
+  [[nodiscard]] bool by_force() const { return case_.kind == FrettingCase::Kind::force; }
+  /// Of the step at hand.
+  [[nodiscard]] int cycle() const
+  {
+    return done_ < case_.press_steps ? 0 : (done_ - case_.press_steps) / case_.steps_per_cycle + 1;
+  }
+  /// Load or approach. Loads go by their power 2/3, so that the approach grows evenly.
+  [[nodiscard]] double pressed(double steps) const
+  {
+    const double share = std::min(1.0, steps / case_.press_steps);
+    if (!by_load())
+      return from_ + (case_.press.value - from_) * share;
+    return share == 1.0 ? case_.press.value : std::pow(std::pow(case_.press.value, 2.0 / 3.0) * share, 1.5);
+  }
+  /// Of the amplitude: 0, 1, 0, -1, 0 in the quarters of a cycle, straight in between.
+  [[nodiscard]] double share(double steps) const
+  {
+    const double quarters = std::max(0.0, steps - case_.press_steps) / (0.25 * case_.steps_per_cycle);
+    const double phase = quarters - 4.0 * std::floor(0.25 * quarters);
+    return phase <= 1.0 ? phase : (phase <= 3.0 ? 2.0 - phase : phase - 4.0);
+  }
+  [[nodiscard]] TangentialDrive along(double share) const
+  {
+    const double size = share * case_.amplitude;
+    return {{case_.kind, size * cos_}, {case_.kind, size * sin_}, 0.0};
+  }
+
+  void read(const elastoplastic::PartialSlip& slip, FrettingRecord& r)
+  {
+    const auto [x, y] = slip.shift();
+    const auto [F_x, F_y] = slip.forces();
+    r.displacement = x * cos_ + y * sin_;
+    r.F_x = F_x;
+    r.F_y = F_y;
+    r.force = F_x * cos_ + F_y * sin_;
+    r.work += slip.work() - at_.along;
+    at_.along = slip.work();
+    r.dissipation_friction = slip.heat();
+    r.stick_share = slip.pressed_cells() > 0 ? static_cast<double>(slip.sticking_cells()) / slip.pressed_cells() : 0.0;
+    r.stick_area = r.stick_share * r.contact_area;
+    r.slip_path = *std::max_element(slip.path().begin(), slip.path().end());
+  }
+
+  void begin_cycle(const FrettingRecord& r)
+  {
+    begun_ = {at_.along, r.dissipation_friction, plastic(r), r.slip_path};
+    current_ = {};
+    current_.stick_share = 1.0;
+  }
+
+  void add_to_cycle(const FrettingRecord& r)
+  {
+    FrettingCycle& c = current_;
+    c.cycle = r.cycle;
+    c.work = at_.along - begun_.along;
+    c.dissipation_friction = r.dissipation_friction - begun_.friction;
+    c.dissipation_plastic = plastic(r) - begun_.plastic;
+    c.max_force = std::max(c.max_force, std::abs(r.force));
+    c.max_displacement = std::max(c.max_displacement, std::abs(r.displacement));
+    c.slip_amplitude = 0.25 * (r.slip_path - begun_.path);
+    c.stick_share = std::min(c.stick_share, r.stick_share);
+    c.max_equivalent_plastic_strain = r.max_equivalent_plastic_strain;
+  }
+
+  [[nodiscard]] static double plastic(const FrettingRecord& r) { return r.dissipation_lower + r.dissipation_upper; }
+
+  const FrettingCase& case_;
+  int steps_; ///< of the run
+  double cos_, sin_;
+  double from_ = 0.0; ///< load or approach at the start
+  WorkedTo at_;
+  Begun begun_;
+  FrettingCycle current_;
+  std::vector<FrettingCycle> cycles_;
+  int done_ = 0; ///< steps
+};
+
+void require_press(const Drive& press, int steps)
+{
+  const bool by_load = press.kind == Drive::Kind::load;
+  const char* key = by_load ? "fretting.load" : "fretting.approach";
+  if (press.kind == Drive::Kind::mean_gap)
+    throw KeyError("fretting.load", "fretting needs a load or an approach");
+  if (!(press.value > 0.0 && std::isfinite(press.value)))
+    throw KeyError(key, fmt::format("{} = {:g} {}; allowed: > 0", key, press.value, by_load ? "N" : "m"));
+  if (steps < 1)
+    throw KeyError("fretting.press_steps", fmt::format("fretting.press_steps = {}; allowed: >= 1", steps));
+}
+
+void require_cycles(const FrettingCase& fretting)
+{
+  if (fretting.cycles < 0)
+    throw KeyError("fretting.cycles", fmt::format("fretting.cycles = {}; allowed: >= 0", fretting.cycles));
+  if (fretting.steps_per_cycle < 4 || fretting.steps_per_cycle % 4 != 0)
+    throw KeyError("fretting.steps_per_cycle",
+                   fmt::format("fretting.steps_per_cycle = {}; allowed: multiples of 4", fretting.steps_per_cycle));
+  if (!std::isfinite(fretting.direction))
+    throw KeyError("fretting.direction", fmt::format("fretting.direction = {:g}; allowed: finite", fretting.direction));
+}
+
+/// What friction can carry, and the contact that stays where it is.
+void require_amplitude(const FrettingCase& fretting, double contact_radius)
+{
+  const bool by_force = fretting.kind == FrettingCase::Kind::force;
+  const std::string key = by_force ? "fretting.force" : "fretting.displacement";
+  const std::string given = fmt::format("{} = {:g} {}", key, fretting.amplitude, by_force ? "N" : "m");
+  if (!(fretting.amplitude >= 0.0 && std::isfinite(fretting.amplitude)))
+    throw KeyError(key, given + "; allowed: >= 0");
+  if (fretting.amplitude > 0.0 && fretting.friction.coefficient == 0.0)
+    throw KeyError("interface.friction",
+                   "interface.friction = 0 with " + given + ": nothing holds the surfaces; allowed: > 0");
+  if (by_force && fretting.press.kind == Drive::Kind::load && fretting.amplitude > 0.0)
+    if (const double most = fretting.friction.coefficient * fretting.press.value; !(fretting.amplitude < most))
+      throw KeyError(key,
+                     fmt::format("{}; allowed: below {:g} N, friction times load, at which all of the contact slides: "
+                                 "give a displacement for that",
+                                 given, most));
+  if (!by_force && !(fretting.amplitude <= contact_radius))
+    throw KeyError(
+        key, fmt::format("{}; allowed: up to {:.3g} m, the radius of the contact, which is counted as staying where "
+                         "it is",
+                         given, contact_radius));
+}
+
+/// Of a round contact (Mindlin 1949): shift over approach at full sliding.
+double sliding_displacement(const FrettingCase& fretting, double approach)
+{
+  double compliance = 0.0;
+  for (const Elastic& body : {fretting.lower.material.elastic, fretting.upper.material.elastic})
+    compliance += body.is_rigid() ? 0.0 : (2.0 - body.poisson_ratio) / body.shear_modulus();
+  const double modulus = contact_modulus(fretting.lower.material.elastic, fretting.upper.material.elastic);
+  return 0.25 * fretting.friction.coefficient * approach * modulus * compliance;
+}
+
+/// Whether the upper body always is the image of the lower one, reversed in x: one of them is moved to the left as the other is
+/// to the right, under a pressure that is even.
+bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
+{
+  const bool is_along_x = std::abs(std::sin(fretting.direction)) < 1e-15;
+  return fretting.solver.mirror && is_along_x && !fretting.domain.x.is_periodic() && plan.lower == plan.upper &&
+         alike(fretting.lower, fretting.upper);
+}
+
+// docs/verification.md (expected error)
+constexpr Documented documented[] = {{"largest force along the surface", 0.002, 8.0, 1.0},
+                                     {"heat of friction", 0.01, 8.0, 1.0},
+                                     {"plastic work", 0.05, 8.0, 1.0},
+                                     {"slip amplitude", 0.2, 8.0, 1.0}};
+
+Facts facts(const FrettingCase& c, const FrettingPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
+  f.documented = documented;
+  return f;
+}
+
+} // namespace
+
+FrettingPlan plan(const FrettingCase& fretting)
+{
+  require_friction(fretting, fretting.lower, fretting.upper, "");
+  require_press(fretting.press, fretting.press_steps);
+  require_cycles(fretting);
+  // Where nothing moves, there is no shear that would let the bodies yield earlier.
+  const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
+  const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
+  require_amplitude(fretting, f.half_x);
+  FrettingPlan plan;
+  lay_out(fretting, f, 0.0, 0.0, plan);
+  require_cells_in_periods(fretting.lower, fretting.upper, fretting.domain, plan.contact);
+  plan.reference = reference_distance(fretting.lower.shape, fretting.upper.shape, fretting.domain);
+  plan.contact_radius = f.half_x;
+  plan.contact_radius_y = f.half_y;
+  plan.sliding_displacement = sliding_displacement(fretting, f.approach);
+  plan.steps = step_count(fretting.press_steps + static_cast<double>(fretting.cycles) * fretting.steps_per_cycle,
+                          "fretting.cycles");
+  plan.twin = are_twins(fretting, plan) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
+  plan.memory_bytes = memory_bytes(plan, fretting.lower.material.is_plastic(), fretting.upper.material.is_plastic(),
+                                   fretting.solver.anderson_depth, fretting.friction.coefficient > 0.0 ? 2 : 0);
+  return plan;
+}
+
+void FrettingRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+}
+
+void FrettingCycle::exchange(Archive& archive)
+{
+  exchange_columns(*this, archive);
+}
+
+Quality expected_quality(const FrettingCase& fretting, const FrettingPlan& plan)
+{
+  return quality_before(facts(fretting, plan));
+}
+
+Quality quality(const FrettingCase& fretting, const FrettingPlan& plan, const RunTotals& totals)
+{
+  return quality_after(facts(fretting, plan), totals);
+}
+
+template <>
+struct MotionOf<FrettingCase>
+{
+  using Type = Fretting;
+};
+
+template class Run<FrettingCase>;
+
+} // namespace brinell::simulation

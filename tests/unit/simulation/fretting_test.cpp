@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scenario fretting: what it refuses, and what it shares with an indentation.
+#include "brinell/simulation/fretting.hpp"
+
+#include "brinell/simulation/indentation.hpp"
+#include "brinell/simulation/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+const constitutive::Material steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
+
+/// A ball on a flat of the same steel, moved by less than would make all of the contact slide.
+FrettingCase sample()
+{
+  FrettingCase c;
+  c.lower = {Plane{}, steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.press = {contact::Drive::Kind::load, 2.0};
+  c.press_steps = 3;
+  c.amplitude = 1e-7;
+  c.steps_per_cycle = 8;
+  c.resolution = 4.0;
+  c.friction.coefficient = 0.3;
+  return c;
+}
+
+std::vector<FrettingRecord> history(const FrettingCase& c)
+{
+  std::vector<FrettingRecord> rows;
+  simulation::Run run(c);
+  while (!run.is_done())
+    rows.push_back(run.step());
+  return rows;
+}
+
+template <typename Change>
+void expect_refused(const std::string& key, const std::string& part, const Change& change)
+{
+  FrettingCase c = sample();
+  change(c);
+  try
+  {
+    static_cast<void>(plan(c));
+    ADD_FAILURE() << "not refused: " << key;
+  }
+  catch (const KeyError& error)
+  {
+    EXPECT_EQ(error.key(), key) << error.what();
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(FrettingTest, RefusesWhatHasNoSolution)
+{
+  using Kind = FrettingCase::Kind;
+  EXPECT_NO_THROW(static_cast<void>(plan(sample())));
+  expect_refused("interface.friction", "fretting.displacement = 1e-07 m",
+                 [](auto& c) { c.friction.coefficient = 0.0; });
+  expect_refused("fretting.displacement", "-1e-07", [](auto& c) { c.amplitude = -1e-7; });
+  expect_refused("fretting.displacement", "radius of the contact", [](auto& c) { c.amplitude = 1e-3; });
+  expect_refused("fretting.force", "-1", [](auto& c) { c.kind = Kind::force, c.amplitude = -1.0; });
+  expect_refused("fretting.force", "below 0.6 N", [](auto& c) { c.kind = Kind::force, c.amplitude = 0.6; });
+  expect_refused("fretting.load", "= -2", [](auto& c) { c.press.value = -2.0; });
+  expect_refused("fretting.approach", "= 0", [](auto& c) { c.press = {contact::Drive::Kind::approach, 0.0}; });
+  expect_refused("fretting.press_steps", "= 0", [](auto& c) { c.press_steps = 0; });
+  expect_refused("fretting.steps_per_cycle", "= 6", [](auto& c) { c.steps_per_cycle = 6; });
+  expect_refused("fretting.cycles", "= -1", [](auto& c) { c.cycles = -1; });
+  expect_refused("fretting.direction", "nan", [](auto& c) { c.direction = std::numeric_limits<double>::quiet_NaN(); });
+  expect_refused("interface.friction", "two rigid bodies",
+                 [](auto& c)
+                 {
+                   for (ShapedBody* body : {&c.lower, &c.upper})
+                     body->material = {{std::numeric_limits<double>::infinity(), 0.3}, {}};
+                 });
+}
+
+TEST(FrettingTest, AForceThatFrictionCannotCarryIsNamedWhenItIsFound)
+{
+  // With an approach the load is not known before.
+  FrettingCase c = sample();
+  c.lower.material.hardening.reset();
+  c.upper.material.hardening.reset();
+  c.press = {contact::Drive::Kind::approach, 5e-7};
+  c.kind = FrettingCase::Kind::force;
+  c.amplitude = 100.0;
+  simulation::Run run(c);
+  try
+  {
+    while (!run.is_done())
+      run.step();
+    ADD_FAILURE() << "not refused";
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("friction cannot hold"), std::string::npos) << error.what();
+  }
+}
+
+TEST(FrettingTest, WithoutMotionItIsAnIndentation)
+{
+  // Of equal bodies friction holds what does not move: to the last digit; of all without friction.
+  for (const bool has_friction : {true, false})
+  {
+    FrettingCase c = sample();
+    c.amplitude = 0.0;
+    c.steps_per_cycle = 4;
+    c.solver.mirror = false;
+    if (!has_friction)
+    {
+      c.friction.coefficient = 0.0;
+      c.upper.material.elastic.young_modulus *= 2.0;
+    }
+    IndentationCase i;
+    static_cast<Numerics&>(i) = c;
+    i.friction = {};
+    i.lower = c.lower;
+    i.upper = c.upper;
+    i.sequence = {c.press};
+    i.steps = c.press_steps;
+    const std::vector<FrettingRecord> rows = history(c);
+    ASSERT_EQ(rows.size(), 7U);
+    simulation::Run run(i);
+    for (int step = 0; step < i.steps; ++step)
+    {
+      const IndentationRecord& r = run.step();
+      const FrettingRecord& f = rows[static_cast<std::size_t>(step)];
+      EXPECT_EQ(f.F_n, r.F_n);
+      EXPECT_EQ(f.approach, r.approach);
+      EXPECT_EQ(f.contact_area, r.contact_area);
+      EXPECT_EQ(f.max_pressure, r.max_pressure);
+      EXPECT_EQ(f.dissipation_lower, r.dissipation_lower);
+      EXPECT_DOUBLE_EQ(f.work, r.work); // summed in another order
+    }
+    EXPECT_EQ(rows.back().force, 0.0);
+    EXPECT_EQ(rows.back().dissipation_friction, 0.0);
+    EXPECT_GT(rows.back().dissipation_lower, 0.0);
+    // Nothing moves any more, but within the tolerance of the yield condition.
+    EXPECT_NEAR(rows.back().dissipation_lower / rows[2].dissipation_lower, 1.0, c.solver.yield_tolerance);
+  }
+}
+
+TEST(FrettingTest, CyclesBeginAndEndInTheMiddle)
+{
+  FrettingCase c = sample();
+  c.cycles = 2;
+  std::vector<FrettingRecord> rows;
+  simulation::Run run(c);
+  while (!run.is_done())
+    rows.push_back(run.step());
+  ASSERT_EQ(rows.size(), 19U);
+  const double share[] = {0.0, 0.0, 0.0, 0.5, 1.0, 0.5, 0.0, -0.5, -1.0, -0.5, 0.0, 0.5};
+  for (std::size_t i = 0; i < std::size(share); ++i)
+  {
+    EXPECT_NEAR(rows[i].displacement, share[i] * c.amplitude, 1e-15 * c.amplitude);
+    EXPECT_EQ(rows[i].cycle, i < 3 ? 0 : (i < 11 ? 1 : 2));
+  }
+  const FrettingSummary s = run.summary();
+  ASSERT_EQ(s.cycles.size(), 2U);
+  double heat = 0.0, plastic = rows[2].dissipation_lower + rows[2].dissipation_upper;
+  for (const FrettingCycle& cycle : s.cycles)
+  {
+    heat += cycle.dissipation_friction;
+    plastic += cycle.dissipation_plastic;
+    EXPECT_GT(cycle.slip_amplitude, 0.0);
+    EXPECT_LT(cycle.slip_amplitude, c.amplitude); // what is elastic of it does not slip
+    EXPECT_EQ(cycle.max_displacement, c.amplitude);
+    EXPECT_GT(cycle.stick_share, 0.0);
+    EXPECT_LT(cycle.stick_share, 1.0);
+  }
+  EXPECT_NEAR(heat / s.dissipation_friction, 1.0, 1e-12);
+  EXPECT_NEAR(plastic / (s.dissipation_lower + s.dissipation_upper), 1.0, 1e-12);
+  // The area of the second loop, which begins and ends within the steady state, from the rows.
+  double area = 0.0;
+  for (std::size_t i = 11; i < rows.size(); ++i)
+    area += 0.5 * (rows[i].force + rows[i - 1].force) * (rows[i].displacement - rows[i - 1].displacement);
+  EXPECT_NEAR(s.cycles[1].work / area, 1.0, 1e-9);
+  EXPECT_EQ(s.final_state.shear[0].size(), s.final_state.pressure.size());
+  EXPECT_EQ(s.final_state.slip[1].size(), s.final_state.pressure.size());
+}
+
+TEST(FrettingTest, TheDirectionTurnsWithTheCase)
+{
+  // A round contact on square cells: along y as along x.
+  FrettingCase c = sample();
+  const FrettingRecord along_x = history(c).back();
+  c.direction = 0.5 * std::numbers::pi;
+  const FrettingRecord along_y = history(c).back();
+  EXPECT_NEAR(along_y.F_y, along_x.F_x, 1e-4 * std::abs(along_x.F_x));
+  EXPECT_NEAR(along_y.force, along_x.force, 1e-4 * std::abs(along_x.force));
+  EXPECT_NEAR(along_y.F_x, 0.0, 1e-4 * std::abs(along_x.F_x));
+  EXPECT_NEAR(along_y.dissipation_friction / along_x.dissipation_friction, 1.0, 1e-3);
+  EXPECT_NEAR(along_y.dissipation_lower / along_x.dissipation_lower, 1.0, 1e-3);
+}
+
+TEST(FrettingTest, EqualBodiesAreSolvedOnce)
+{
+  FrettingCase c = sample();
+  c.cycles = 2;
+  EXPECT_EQ(plan(c).twin, elastoplastic::Twin::mirror_image);
+  const std::vector<FrettingRecord> one = history(c);
+  c.solver.mirror = false;
+  EXPECT_EQ(plan(c).twin, elastoplastic::Twin::none);
+  const std::vector<FrettingRecord> both = history(c);
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    EXPECT_NEAR(one[i].force, both[i].force, 1e-4 * std::abs(both[4].force));
+    EXPECT_NEAR(one[i].dissipation_friction, both[i].dissipation_friction, 1e-3 * both.back().dissipation_friction);
+    EXPECT_NEAR(one[i].dissipation_upper, both[i].dissipation_upper, 1e-3 * both.back().dissipation_upper);
+    EXPECT_NEAR(one[i].max_residual_upper, both[i].max_residual_upper, 1e-3 * both.back().max_residual_upper);
+  }
+  EXPECT_GT(both.back().dissipation_upper, both[2].dissipation_upper);
+  c.solver.mirror = true;
+  c.direction = 0.1;
+  EXPECT_EQ(plan(c).twin, elastoplastic::Twin::none);
+}
+
+TEST(FrettingTest, GridsGrowWithTheShear)
+{
+  FrettingCase c = sample();
+  c.upper.material.elastic.young_modulus *= 2.0;
+  simulation::Run wide(c);
+  while (!wide.is_done())
+    wide.step();
+  c.extent = 0.5;
+  simulation::Run run(c);
+  while (!run.is_done())
+    run.step();
+  const FrettingSummary one = run.summary(), other = wide.summary();
+  EXPECT_FALSE(one.grid_changes.empty());
+  EXPECT_NEAR(one.dissipation_friction / other.dissipation_friction, 1.0, 2e-3);
+  EXPECT_NEAR(one.dissipation_lower / other.dissipation_lower, 1.0, 2e-3);
+  EXPECT_NEAR(one.last.slip_path / other.last.slip_path, 1.0, 2e-3);
+}
+
+} // namespace
+} // namespace brinell::simulation
