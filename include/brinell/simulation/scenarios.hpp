@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/simulation/fretting.hpp"
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/tugging.hpp"
@@ -14,7 +15,7 @@ namespace brinell::simulation
 /// The cases of all scenarios, as arguments of a template. This list is the only one: what goes through all scenarios, in files,
 /// messages and Python, follows from it.
 template <template <typename...> typename Of>
-using Scenarios = Of<TuggingCase, IndentationCase, RollingCase>;
+using Scenarios = Of<TuggingCase, IndentationCase, RollingCase, FrettingCase>;
 
 template <typename... Case>
 using PlansOf = std::variant<typename Case::Plan...>;

@@ -128,7 +128,7 @@ std::vector<Entry> interface_entries()
                  "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
                  "pressure on each of them, against its motion over the other, as far as it can carry it. "
                  "In rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
-                 "lifted off."},
+                 "lifted off. In fretting the surfaces stick where less shear is enough."},
             &Friction::coefficient),
       entry({.key = "interface.shear_limit",
              .dimension = dimension::pressure,

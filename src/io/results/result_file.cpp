@@ -91,6 +91,17 @@ void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapsho
   h5::write_dataset(group, "pressure", snapshot.pressure, shape, "Pa", "contact pressure, compression positive",
                     storage);
   h5::write_dataset(group, "gap", snapshot.gap, shape, "m", "gap between the deformed surfaces", storage);
+  const auto write = [&](const char* name, const std::vector<double>& field, const char* unit, const char* text)
+  {
+    if (is_stored(field))
+      h5::write_dataset(group, name, field, shape, unit, text, storage);
+  };
+  write("shear_x", snapshot.shear[0], "Pa", "shear on the lower body along x");
+  write("shear_y", snapshot.shear[1], "Pa", "shear on the lower body along y");
+  write("slip_x", snapshot.slip[0], "m", "slip of the upper surface over the lower one since the start, along x");
+  write("slip_y", snapshot.slip[1], "m", "slip of the upper surface over the lower one since the start, along y");
+  write("slip_path", snapshot.slip_path, "m", "length of the way slipped since the start");
+  write("friction_heat", snapshot.friction_heat, "J/m^2", "heat of friction since the start");
 }
 
 void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body, Place place)

@@ -235,17 +235,26 @@ std::vector<Block::Part> contact_part(const char* name, const StateLayout& layou
 }
 
 /// A sheet of points in the cells' centres: so it can be warped by its values.
-void write_surface(Block block, Body which, const BodyLayout& body, bool with_contact)
+/// @param contact  what is known of it; nullptr for the body that does not show it
+void write_surface(Block block, Body which, const BodyLayout& body, const ContactLayout* contact)
 {
   const SurfaceGrid& s = body.grid.surface;
   block.place({s.nx - 1, s.ny - 1, 0}, {body.x0, body.y0, 0.0}, {s.dx, s.dy, body.grid.dz});
   block.begin("PointData");
   if (body.has_residual_displacement)
     block.add_surface("residual_displacement", which, unknown);
-  if (!with_contact)
+  if (contact == nullptr)
     return;
-  block.add("pressure", cells(s), 0.0, [&](const StateLayout& l) { return contact_part("pressure", l, body); });
-  block.add("gap", cells(s), unknown, [&](const StateLayout& l) { return contact_part("gap", l, body); });
+  const auto add = [&](const char* name, double elsewhere)
+  { block.add(name, cells(s), elsewhere, [&, name](const StateLayout& l) { return contact_part(name, l, body); }); };
+  add("pressure", 0.0);
+  add("gap", unknown);
+  if (contact->has_shear)
+    for (const char* name : {"shear_x", "shear_y"})
+      add(name, 0.0);
+  if (contact->has_slip)
+    for (const char* name : {"slip_x", "slip_y", "slip_path", "friction_heat"})
+      add(name, 0.0);
 }
 
 BodyLayout layout_of(const simulation::BodySnapshot& body)
@@ -281,6 +290,8 @@ void ContactLayout::exchange(Archive& archive)
   archive("ny", ny);
   archive("column", column);
   archive("row", row);
+  archive("has_shear", has_shear);
+  archive("has_slip", has_slip);
 }
 
 void StateLayout::exchange(Archive& archive)
@@ -300,7 +311,9 @@ StateLayout layout_of(const simulation::Snapshot& snapshot)
           .contact = {.nx = grid.nx,
                       .ny = grid.ny,
                       .column = static_cast<int>(std::lround(x / grid.dx)),
-                      .row = static_cast<int>(std::lround(y / grid.dy))}};
+                      .row = static_cast<int>(std::lround(y / grid.dy)),
+                      .has_shear = !snapshot.shear[0].empty(),
+                      .has_slip = !snapshot.slip_path.empty()}};
 }
 
 void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states)
@@ -323,9 +336,9 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
     write_volume(block("lower_volume", "lower"), &StateLayout::lower, lower, -1.0);
   if (upper.has_plastic_strain || upper.has_stress)
     write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper, 1.0);
-  write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, true);
+  write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, &contact);
   if (upper.has_residual_displacement)
-    write_surface(block("upper_surface", "upper"), &StateLayout::upper, upper, false);
+    write_surface(block("upper_surface", "upper"), &StateLayout::upper, upper, nullptr);
   if (states.size() > 1)
     Block(root, "Steps", "", count, states).imitate_steps();
 }

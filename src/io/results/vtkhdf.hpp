@@ -28,6 +28,7 @@ struct ContactLayout
 {
   int nx = 0, ny = 0;
   int column = 0, row = 0; ///< of the lower body, where the contact's first ones are
+  bool has_shear = false, has_slip = false;
 
   void exchange(Archive& archive);
 };

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "description.hpp"
+
+#include <cmath>
+
+/// The fretting in files and messages.
+namespace brinell::io
+{
+
+namespace
+{
+
+using contact::Drive;
+using simulation::FrettingCase;
+using simulation::FrettingCycle;
+using simulation::FrettingPlan;
+using simulation::FrettingRecord;
+using simulation::FrettingSummary;
+
+std::vector<Entry> keys()
+{
+  const auto press = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
+  {
+    return Entry{.key = std::string("fretting.") + key,
+                 .type = Type::number,
+                 .dimension = dimension,
+                 .range = above(0.0),
+                 .unset = "not imposed",
+                 .text = text,
+                 .hint = "one of fretting.load and fretting.approach",
+                 .fill = [kind](Case& c, const Value& value) {
+                   std::get<FrettingCase>(c.scenario).press = {kind, std::get<double>(value)};
+                 }};
+  };
+  const auto amplitude = [](const char* key, Dimension dimension, FrettingCase::Kind kind, const char* text)
+  {
+    return Entry{.key = std::string("fretting.") + key,
+                 .type = Type::number,
+                 .dimension = dimension,
+                 .range = at_least(0.0),
+                 .unset = "not imposed",
+                 .text = text,
+                 .hint = "one of fretting.displacement and fretting.force",
+                 .fill = [kind](Case& c, const Value& value)
+                 {
+                   auto& fretting = std::get<FrettingCase>(c.scenario);
+                   fretting.kind = kind;
+                   fretting.amplitude = std::get<double>(value);
+                 }};
+  };
+  return {
+      press("load", dimension::force, Drive::Kind::load, "Load that is reached first, and kept then."),
+      press("approach", dimension::length, Drive::Kind::approach, "The same, imposed as approach of the bodies."),
+      amplitude("displacement", dimension::length, FrettingCase::Kind::shift,
+                "Amplitude by which distant points of the upper body are moved past those of the lower one: from the "
+                "middle to it, to its opposite and back to the middle in each cycle. Up to the radius of the contact."),
+      amplitude("force", dimension::force, FrettingCase::Kind::force,
+                "The same, imposed as force along the surface; less than friction times load."),
+      bound({.key = "fretting.direction",
+             .range = between(-360.0, 360.0),
+             .degrees = true,
+             .text = "Of the motion, from x towards y, in degrees."},
+            &FrettingCase::direction),
+      bound(
+          {.key = "fretting.cycles", .range = between(0, 100000), .text = "How often the upper body goes to and fro."},
+          &FrettingCase::cycles),
+      bound({.key = "fretting.steps_per_cycle",
+             .range = between(4, 100000),
+             .text = "Steps of a cycle, a multiple of 4: the middle and both turns are reached."},
+            &FrettingCase::steps_per_cycle),
+      bound({.key = "fretting.press_steps",
+             .range = between(1, 100000),
+             .text = "Steps in which load or approach is reached."},
+            &FrettingCase::press_steps),
+  };
+}
+
+/// Just one of two keys must be given.
+void require_one(const CaseReader& reader, const char* one, const char* other)
+{
+  const auto given = reader.given({one, other});
+  if (given.empty())
+    reader.problems.add(reader.place(one), fmt::format("none of {} and {} is given; one is needed", one, other));
+  else if (given.size() > 1)
+    reader.add(given[1], fmt::format("cannot stand together with {}; keep one of them", given[0]));
+}
+
+std::string read(const CaseReader& reader, Case& /*c*/, FrettingCase& /*f*/)
+{
+  require_one(reader, "fretting.load", "fretting.approach");
+  require_one(reader, "fretting.displacement", "fretting.force");
+  return reader.has("fretting.force") ? "fretting.force" : "fretting.displacement";
+}
+
+std::string amplitude_text(const FrettingCase& f)
+{
+  const bool by_force = f.kind == FrettingCase::Kind::force;
+  return fmt::format("{} = {:.6e} {}", by_force ? "force" : "displacement", f.amplitude, by_force ? "N" : "m");
+}
+
+std::string motion(const FrettingCase& f, const FrettingPlan& plan)
+{
+  const bool by_load = f.press.kind == Drive::Kind::load;
+  std::string text = fmt::format("# Fretting: {} = {:.6e} {}, then {} cycle{} of {} steps, {}\n"
+                                 "# Contact radius about {:.4e} m",
+                                 by_load ? "load" : "approach", f.press.value, by_load ? "N" : "m", f.cycles,
+                                 f.cycles == 1 ? "" : "s", f.steps_per_cycle, amplitude_text(f), plan.contact_radius);
+  if (plan.sliding_displacement > 0.0)
+    text +=
+        fmt::format("; an elastic one slides everywhere from a displacement of {:.4e} m on", plan.sliding_displacement);
+  return text + "\n";
+}
+
+std::string place(const Case&, const FrettingRecord& record)
+{
+  if (record.cycle == 0)
+    return fmt::format("pressing  approach {:.3e} m  load {:.3e} N", record.approach, record.F_n);
+  return fmt::format("cycle {}  displacement {:+.3e} m  force {:+.3e} N  sticks {:.0f} %", record.cycle,
+                     record.displacement, record.force, 100.0 * record.stick_share);
+}
+
+std::string results(const Case&, const FrettingSummary& s)
+{
+  return table_text("cycle  energy [J]  friction [J]   plastic [J]     force [N]      slip [m]  sticks\n", s.cycles,
+                    [](const FrettingCycle& c)
+                    {
+                      return fmt::format("{:5} {:11.4e} {:13.6e} {:13.6e} {:13.6e} {:13.6e} {:5.0f} %\n", c.cycle,
+                                         c.work, c.dissipation_friction, c.dissipation_plastic, c.max_force,
+                                         c.slip_amplitude, 100.0 * c.stick_share);
+                    });
+}
+
+void summarise(Json& json, const Case& c, const FrettingCase& f, const FrettingPlan& plan, const FrettingSummary& s)
+{
+  json["geometry"] = geometry_json(c);
+  json["geometry"]["estimated_contact_radius_m"] = plan.contact_radius;
+  json["geometry"]["estimated_sliding_displacement_m"] = plan.sliding_displacement;
+  json["drive"] = {{f.press.kind == Drive::Kind::load ? "load_N" : "approach_m", f.press.value},
+                   {f.kind == FrettingCase::Kind::force ? "force_N" : "displacement_m", f.amplitude}};
+  json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
+  json["cycles"] = Json::array();
+  for (const FrettingCycle& cycle : s.cycles)
+    json["cycles"].push_back(row_json(cycle));
+  json["energy"] = energy_json(s);
+  json["residual"] = residual_json(s);
+}
+
+/// The turns, and the ends of pressing and of each cycle.
+bool is_key_step(const FrettingCase& f, const FrettingRecord& record, NearestToMiddle& /*middle*/)
+{
+  const int moved = record.step + 1 - f.press_steps, quarter = f.steps_per_cycle / 4;
+  return moved >= 0 && moved % quarter == 0 && moved / quarter % 4 != 2;
+}
+
+void cite(Sources& sources, const FrettingCase&)
+{
+  sources.add("mindlin1953", "fretting: stick and slip under an oscillating force, and the energy of a cycle");
+  sources.add("johnson1985", "contacts that stick in places");
+}
+
+} // namespace
+
+template <>
+struct DescriptionOf<FrettingCase>
+{
+  static ScenarioIo<FrettingCase> make()
+  {
+    return {
+        .name = "fretting",
+        .text = "it is pressed on and moved to and fro along the surface, so little that it sticks in places",
+        .keys = keys,
+        .read = read,
+        .half_x = &FrettingPlan::contact_radius,
+        .half_y = &FrettingPlan::contact_radius_y,
+        .moves = false,
+        .motion = motion,
+        .is_key_step = is_key_step,
+        .key_steps = [](const FrettingCase& f, const FrettingPlan&) { return 1.0 + 3.0 * f.cycles; },
+        .aligned = "in fretting the turns and the ends of the cycles",
+        .place = place,
+        .results = results,
+        .summarise = summarise,
+        .lists = {{"cycles", columns(FrettingCycle())}},
+        .key_numbers = [](const FrettingCase& f) -> std::vector<std::string>
+        {
+          return {f.kind == FrettingCase::Kind::force ? "cycles[].max_displacement_m" : "cycles[].max_force_N",
+                  "cycles[].dissipation_friction_J", "cycles[].slip_amplitude_m"};
+        },
+        .imposed_load = [](const FrettingCase& f) { return f.press.kind == Drive::Kind::load ? f.press.value : 0.0; },
+        .cite = cite,
+    };
+  }
+};
+
+template const ScenarioIo<FrettingCase>& scenario_io<FrettingCase>();
+
+} // namespace brinell::io
