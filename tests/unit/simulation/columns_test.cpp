@@ -48,7 +48,7 @@ class ColumnsOf : public testing::Test
 {
 };
 template <typename... Case>
-using RowsAndEntries = testing::Types<typename Case::Record..., FrettingRecord, Indent, RollingPass, FrettingCycle>;
+using RowsAndEntries = testing::Types<typename Case::Record..., Indent, RollingPass, FrettingCycle>;
 using Records = Scenarios<RowsAndEntries>;
 TYPED_TEST_SUITE(ColumnsOf, Records);
 
