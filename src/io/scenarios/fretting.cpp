@@ -19,28 +19,31 @@ using simulation::FrettingSummary;
 
 std::vector<Entry> keys()
 {
-  const auto press = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
+  const auto press = [](const char* key, const char* other, Dimension dimension, Drive::Kind kind, const char* text)
   {
     return Entry{.key = std::string("fretting.") + key,
                  .type = Type::number,
                  .dimension = dimension,
                  .range = above(0.0),
-                 .unset = "not imposed",
+                 .unset = std::string("fretting.") + other,
                  .text = text,
                  .hint = "one of fretting.load and fretting.approach",
+                 .excludes = std::string("fretting.") + other,
                  .fill = [kind](Case& c, const Value& value) {
                    std::get<FrettingCase>(c.scenario).press = {kind, std::get<double>(value)};
                  }};
   };
-  const auto amplitude = [](const char* key, Dimension dimension, FrettingCase::Kind kind, const char* text)
+  const auto amplitude =
+      [](const char* key, const char* other, Dimension dimension, FrettingCase::Kind kind, const char* text)
   {
     return Entry{.key = std::string("fretting.") + key,
                  .type = Type::number,
                  .dimension = dimension,
                  .range = at_least(0.0),
-                 .unset = "not imposed",
+                 .unset = std::string("fretting.") + other,
                  .text = text,
                  .hint = "one of fretting.displacement and fretting.force",
+                 .excludes = std::string("fretting.") + other,
                  .fill = [kind](Case& c, const Value& value)
                  {
                    auto& fretting = std::get<FrettingCase>(c.scenario);
@@ -49,12 +52,13 @@ std::vector<Entry> keys()
                  }};
   };
   return {
-      press("load", dimension::force, Drive::Kind::load, "Load that is reached first, and kept then."),
-      press("approach", dimension::length, Drive::Kind::approach, "The same, imposed as approach of the bodies."),
-      amplitude("displacement", dimension::length, FrettingCase::Kind::shift,
+      press("load", "approach", dimension::force, Drive::Kind::load, "Load that is reached first, and kept then."),
+      press("approach", "load", dimension::length, Drive::Kind::approach,
+            "The same, imposed as approach of the bodies."),
+      amplitude("displacement", "force", dimension::length, FrettingCase::Kind::shift,
                 "Amplitude by which distant points of the upper body are moved past those of the lower one: from the "
                 "middle to it, to its opposite and back to the middle in each cycle. Up to the radius of the contact."),
-      amplitude("force", dimension::force, FrettingCase::Kind::force,
+      amplitude("force", "displacement", dimension::force, FrettingCase::Kind::force,
                 "The same, imposed as force along the surface; less than friction times load."),
       bound({.key = "fretting.direction",
              .range = between(-360.0, 360.0),
@@ -75,14 +79,11 @@ std::vector<Entry> keys()
   };
 }
 
-/// Just one of two keys must be given.
+/// One of two keys must be given.
 void require_one(const CaseReader& reader, const char* one, const char* other)
 {
-  const auto given = reader.given({one, other});
-  if (given.empty())
+  if (!reader.has(one) && !reader.has(other))
     reader.problems.add(reader.place(one), fmt::format("none of {} and {} is given; one is needed", one, other));
-  else if (given.size() > 1)
-    reader.add(given[1], fmt::format("cannot stand together with {}; keep one of them", given[0]));
 }
 
 std::string read(const CaseReader& reader, Case& /*c*/, FrettingCase& /*f*/)
