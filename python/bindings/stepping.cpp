@@ -73,6 +73,17 @@ public:
     result["y"] = line(s.y0, s.contact.dy, s.contact.ny);
     result["pressure"] = array(std::move(s.pressure), shape);
     result["gap"] = array(std::move(s.gap), shape);
+    const auto add = [&](const char* name, std::vector<double>& field)
+    {
+      if (!field.empty())
+        result[name] = array(std::move(field), shape);
+    };
+    add("shear_x", s.shear[0]);
+    add("shear_y", s.shear[1]);
+    add("slip_x", s.slip[0]);
+    add("slip_y", s.slip[1]);
+    add("slip_path", s.slip_path);
+    add("friction_heat", s.friction_heat);
     result["lower"] = body(std::move(s.lower));
     result["upper"] = body(std::move(s.upper));
     return result;

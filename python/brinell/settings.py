@@ -57,7 +57,7 @@ class Grid(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Interface(_Table):
-    """What is between the surfaces where they slide on each other, in tugging and in rolling with slip.
+    """What is between the surfaces where they slide on each other: in tugging, in rolling with slip, in fretting.
 
     Attributes:
         friction: shear over pressure.

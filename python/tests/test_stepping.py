@@ -19,13 +19,17 @@ def indentation() -> Case:
     return brinell.Indentation(flat, RIGID_BALL, load=["2 N", 0], steps=4, grid={"resolution": 5})
 
 
-@pytest.fixture(params=["tugging", "indentation", "rolling"])
+@pytest.fixture(params=["tugging", "indentation", "rolling", "fretting"])
 def case(request: pytest.FixtureRequest) -> Case:
     if request.param == "indentation":
         return indentation()
     if request.param == "rolling":
         flat = brinell.Body(brinell.Flat(), STEEL)
         return brinell.Rolling(flat, BALL, load="2 N", distance="60 um", load_steps=2, grid={"resolution": 4})
+    if request.param == "fretting":
+        motion = {"displacement": "20 nm", "steps_per_cycle": 4, "press_steps": 3}
+        flat = brinell.Body(brinell.Flat(), STEEL)
+        return brinell.Fretting(flat, BALL, load="2 N", interface={"friction": 0.4}, grid={"resolution": 4}, **motion)
     return brinell.Tugging(BALL, BALL, 3, grid={"resolution": 4})
 
 

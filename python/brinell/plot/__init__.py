@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures of results; each function returns a matplotlib Figure, `style.save` writes it.
 
-Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling` (several runs of these
-scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of any
-scenario), `history` and `energy` (one run step by step), `animation` (one pass as a moving picture), `standard`
-(what suits a run), `surfaces` (a height map), `cli` (`brinell
-plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the
-fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which
-state and which bodies), `cells` (cell values as pictures).
+Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting` (several runs of
+these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of any
+scenario), `slip` (stick and slip in one state), `history` and `energy` (one run step by step), `animation` (one pass as
+a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style`
+(the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and
+`cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which bodies), `cells`
+(cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
+from brinell.plot.fretting import contact_maps, contact_profiles, cycle_by_cycle, force_loops, fretting_course
 from brinell.plot.history import run_history
 from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
@@ -23,6 +24,7 @@ from brinell.plot.rolling import along_track, depth_profiles, pass_by_pass, trac
 from brinell.plot.rough import contact_fraction
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
+from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
@@ -33,7 +35,10 @@ __all__ = [
     "along_track",
     "animate",
     "contact_fraction",
+    "contact_maps",
     "contact_pressure",
+    "contact_profiles",
+    "cycle_by_cycle",
     "depth_profiles",
     "energy_balance",
     "fig11",
@@ -41,6 +46,8 @@ __all__ = [
     "fig13",
     "fig14",
     "fig15",
+    "force_loops",
+    "fretting_course",
     "gap_map",
     "imprint",
     "in_si",
@@ -54,6 +61,8 @@ __all__ = [
     "save_animation",
     "section",
     "standard_figures",
+    "stick_slip_maps",
+    "stick_slip_profiles",
     "stress_over_depth",
     "surface",
     "track_profile",

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from brinell.results import ContactFields
 
-__all__ = ["at_centre", "contact_edge", "contact_span", "draw_cells", "extent", "refined"]
+__all__ = ["at_centre", "contact_edge", "contact_patch", "contact_span", "draw_cells", "extent", "refined"]
 
 FloatArray = NDArray[np.float64]
 
@@ -63,6 +63,15 @@ def contact_span(contact: ContactFields, along: Literal["x", "y"] = "x", at: flo
 
     first, last = int(inside[0]), int(inside[-1])
     return crossing(first, first - 1), crossing(last, last + 1)
+
+
+def contact_patch(contact: ContactFields, scale: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Ranges of x and y around the contact, over the scale, within the grid."""
+    left, right, bottom, top = extent(contact.x, contact.y, scale)
+    columns, rows = np.any(contact.pressure > 0.0, axis=0), np.any(contact.pressure > 0.0, axis=1)
+    reach_x = 1.25 * np.abs(contact.x[columns]).max() / scale + (right - left) / contact.x.size
+    reach_y = 1.25 * np.abs(contact.y[rows]).max() / scale + (top - bottom) / contact.y.size
+    return (max(left, -reach_x), min(right, reach_x)), (max(bottom, -reach_y), min(top, reach_y))
 
 
 def refined(values: FloatArray, factor: int) -> FloatArray:

@@ -203,12 +203,12 @@ def _state_name(which: int | str) -> str:
 @_takes_si
 @tells_errors
 def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, formats: list[str]) -> None:
-    """Contact pressure, gap, residual surfaces, stress and plastic strain of one state."""
+    """Contact pressure, gap, residual surfaces, stress, plastic strain, stick and slip of one state."""
     opened = open_run(run, allow_unfinished=True)
     for which in steps:
         snapshot = opened.snapshot(which)
         for name, draw in state.FIGURES.items():
-            if draw in state.NEED_CONTACT and not snapshot.in_contact:
+            if not state.suits(name, snapshot):
                 continue
             figure = draw(opened, snapshot, cells=cells)
             _print(style.save(figure, output or folder_of(run) / "figures", f"{_state_name(which)}-{name}", formats))

@@ -14,14 +14,15 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.cells import at_centre, contact_edge, draw_cells, extent, refined
+from brinell.plot.cells import at_centre, contact_edge, contact_patch, draw_cells, extent, refined
 from brinell.plot.scales import Scale, Scales
 from brinell.plot.sections import section
+from brinell.plot.slip import has_slip, stick_slip_maps
 from brinell.plot.states import Side, sides, state_title
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
 from brinell.scenarios import SCENARIOS
 
-__all__ = ["FIGURES", "NEED_CONTACT", "gap_map", "pressure_map", "residual_surfaces", "section"]
+__all__ = ["FIGURES", "gap_map", "pressure_map", "residual_surfaces", "section", "suits"]
 
 FloatArray = NDArray[np.float64]
 
@@ -52,7 +53,7 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
     ax = fig.subplots()
     draw = _pressure_cells if cells else _smooth_pressure
     image = draw(ax, contact, length.size, pressure.size)
-    _crop(ax, *_patch(contact, length.size))
+    _crop(ax, *contact_patch(contact, length.size))
     _name_axes(ax, length, snapshot)
     ax.set_title(title)
     fig.colorbar(image, ax=ax, label=pressure.label("", "p"), pad=0.02)
@@ -69,7 +70,7 @@ def _row(
 ) -> Figure:
     """A field of the contact over x, around what touches, where there is one row of cells."""
     contact = snapshot.contact
-    left, right = _patch(contact, length.size)[0]
+    left, right = contact_patch(contact, length.size)[0]
     x = contact.x / length.size
     shown = (left <= x) & (x <= right)
     fig = style.new_figure(5.4, 3.2)
@@ -112,15 +113,6 @@ def _pressure_image(ax: Axes, contact: ContactFields, shown: FloatArray, length:
     )
 
 
-def _patch(contact: ContactFields, scale: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Ranges of x and y around the contact, over the scale, within the grid."""
-    left, right, bottom, top = extent(contact.x, contact.y, scale)
-    columns, rows = np.any(contact.pressure > 0.0, axis=0), np.any(contact.pressure > 0.0, axis=1)
-    reach_x = 1.25 * np.abs(contact.x[columns]).max() / scale + (right - left) / contact.x.size
-    reach_y = 1.25 * np.abs(contact.y[rows]).max() / scale + (top - bottom) / contact.y.size
-    return (max(left, -reach_x), min(right, reach_x)), (max(bottom, -reach_y), min(top, reach_y))
-
-
 def _crop(ax: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
     ax.set_xlim(*x)
     ax.set_ylim(*y)
@@ -143,7 +135,7 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
         raise RunError(f"{run.path}: no contact in the state at step {snapshot.step}, so no gap around it to draw")
     scales = Scales(run)
     length = scales.length(max(np.abs(contact.x).max(), np.abs(contact.y).max()))
-    ranges = _patch(contact, length.size)
+    ranges = contact_patch(contact, length.size)
     shown = [
         (low <= c / length.size) & (c / length.size <= high)
         for c, (low, high) in zip((contact.x, contact.y), ranges, strict=True)
@@ -307,8 +299,13 @@ FIGURES: dict[str, Callable[..., Figure]] = {
     "gap": gap_map,
     "residual-surfaces": residual_surfaces,
     "section": section,
+    "stick-slip": stick_slip_maps,
 }
 """What the command `fields` writes: end of the file name and function."""
 
-NEED_CONTACT = (pressure_map, gap_map)
-"""Those that have nothing to draw while the bodies do not touch."""
+
+def suits(name: str, snapshot: Snapshot) -> bool:
+    """Whether a figure of `FIGURES` has something to draw: contact, or what sticks and slips there."""
+    if name == "stick-slip":
+        return has_slip(snapshot) and not _is_one_row(snapshot.contact)
+    return snapshot.in_contact or name not in ("pressure", "gap")

@@ -14,7 +14,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.scales import Scale, Scales
+from brinell.plot.scales import PERCENT, Scale, Scales
 from brinell.results import History, Run
 from brinell.scenarios import SCENARIOS
 
@@ -23,9 +23,11 @@ __all__ = [
     "Panel",
     "approach",
     "force_across_and_slopes",
+    "force_along_surface",
     "normal_force",
     "resistance_to_rolling",
     "run_history",
+    "shares_of_contact",
     "tangential_force_and_slopes",
 ]
 
@@ -65,7 +67,7 @@ class Course:
 
 
 def _course(run: Run) -> Course:
-    passes = run.history.passes()
+    passes = [run.history] if SCENARIOS[run.scenario].continuous else run.history.passes()
     scales = Scales(run)
     abscissa = SCENARIOS[run.scenario].abscissa
     if abscissa is None:
@@ -131,6 +133,29 @@ def resistance_to_rolling(ax: Axes, course: Course) -> None:
     ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
     ax.set_title("resistance to rolling")
     ax.set_ylabel(force.label("", "F_X"))
+
+
+def force_along_surface(ax: Axes, course: Course) -> None:
+    """The force that moves a body to and fro, and the sum of the shear's sizes, which friction bounds."""
+    force = course.scales.force(course.largest("force", "F_friction"))
+    course.draw(ax, "force", force, "along the motion", _LOWER)
+    course.draw(ax, "F_friction", force, "sum of the shear", _ASIDE)
+    ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
+    ax.set_title("force along the surface")
+    ax.set_ylabel(force.label("", "Q"))
+    _headroom(ax, 1.4)
+    _legend(ax, loc="upper left", ncol=2)
+
+
+def shares_of_contact(ax: Axes, course: Course) -> None:
+    """What sticks, and where the surface carries no more shear."""
+    course.draw(ax, "stick_share", PERCENT, "sticks", _LOWER)
+    course.draw(ax, "share_at_shear_limit", PERCENT, "at the shear limit", _UPPER)
+    ax.set_title("share of the contact")
+    ax.set_ylabel("share  [%]")
+    ax.set_ylim(0.0, 125.0)
+    ax.set_yticks(range(0, 101, 25))
+    _legend(ax, loc="upper left", ncol=2)
 
 
 def normal_force(ax: Axes, course: Course) -> None:

@@ -62,9 +62,18 @@ def _of_scenario(run: Run) -> Iterator[Named]:
             yield Named(name, drawing.caption, "result", figure)
 
 
+def _place_of_loaded_state(run: Run) -> str:
+    traits = SCENARIOS[run.scenario]
+    return "in the middle of the first pass" if traits.motion else f"at the largest {_LARGEST[traits.largest]}"
+
+
+_LARGEST = {"F_n": "load", "displacement": "displacement"}
+"""In words."""
+
+
 def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     """The contact, and the stress under it."""
-    where = "in the middle of the first pass" if _moves(run) else "at the largest load"
+    where = _place_of_loaded_state(run)
     if not snapshot.in_contact:
         return
     drawn: dict[str, tuple[str, Callable[[], Figure]]] = {
@@ -80,14 +89,16 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
 
 
 def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
-    """What is left when the bodies have parted; nothing if none has yielded."""
+    """What is left when the bodies have parted, or at the end if they have not; nothing if none has yielded."""
     if not any(np.any(body.equivalent_plastic_strain) for body in (snapshot.lower, snapshot.upper)):
         return
-    caption = "Residual surfaces after unloading: profile on y = 0, and maps."
+    when, kind = ("at the end, under load", "Stress") if snapshot.in_contact else ("after unloading", "Residual stress")
+    caption = f"Residual surfaces {when}: profile on y = 0, and maps."
     yield Named("residual-surfaces", caption, "residual", fields.residual_surfaces(run, snapshot))
-    caption = "Residual stress and plastic strain in the plane y = 0 after unloading."
+    caption = f"{kind} and plastic strain in the plane y = 0 {when}."
     yield Named("residual-section", caption, "residual", fields.section(run, snapshot))
     if any(np.any(stress) for body in (snapshot.lower, snapshot.upper) for stress in body.stress.values()):
-        x, under = (0.0, "the point x = y = 0") if _moves(run) else (float(run.history["x"][0]), "the first place")
-        caption = f"Residual stress and plastic strain over the depth under {under}."
+        has_places = not _moves(run) and "x" in run.history
+        x, under = (float(run.history["x"][0]), "the first place") if has_places else (0.0, "the point x = y = 0")
+        caption = f"{kind} and plastic strain over the depth under {under}{', under load' * snapshot.in_contact}."
         yield Named("residual-depth", caption, "residual", depth.stress_over_depth(run, snapshot, x=x))

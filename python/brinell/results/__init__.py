@@ -12,6 +12,7 @@ that says where and what.
 
     brinell.open("results/vickers").indents[0].hardness      # "indentation"
     brinell.open("results/raceway").passes[-1].rut_depth     # "rolling"; also .profile.residual_xx over .profile.depth
+    brinell.open("results/fretted").cycles[-1].work          # "fretting"
 
 Modules: `opening`, `run` (the result; what only one scenario has is in `brinell.scenarios`), `history`, `result_file`
 (result.vtkhdf), `snapshots` (the fields of a state), `fields` and `labelled` (a field over all states).
@@ -26,6 +27,7 @@ from brinell.results.opening import open_run
 from brinell.results.run import Run
 from brinell.results.snapshots import COMPONENTS, BodyFields, ContactFields, Snapshot
 from brinell.scenarios import Scenario
+from brinell.scenarios.fretting import FrettingCycle
 from brinell.scenarios.indentation import Indent
 from brinell.scenarios.rolling import RollingPass, TrackProfile
 from brinell.summary import CriticalValues
@@ -38,6 +40,7 @@ __all__ = [
     "BodyFields",
     "ContactFields",
     "CriticalValues",
+    "FrettingCycle",
     "History",
     "Indent",
     "Labelled",

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from brinell.errors import InputError, MissingExtraError
 from brinell.results.errors import listed
-from brinell.results.snapshots import COMPONENTS, TENSORS, BodyFields, ContactFields, Snapshot
+from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, BodyFields, ContactFields, Snapshot
 
 if TYPE_CHECKING:
     import pyvista
@@ -44,14 +44,14 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
         if _wanted("residual_displacement", fields):
             sheet = {"residual_displacement": body.residual_displacement}
             blocks[f"{name}_surface"] = _sheet(pyvista, (left, body.y[0]), _spacing(body), sheet)
-    contact = {name: getattr(snapshot.contact, name) for name in _CONTACT if _wanted(name, fields)}
+    found = {name: getattr(snapshot.contact, name) for name in CONTACT_FIELDS if _wanted(name, fields)}
+    contact = {name: values for name, values in found.items() if values is not None}
     if snapshot.in_contact and contact:
         corner = (snapshot.contact.x[0], snapshot.contact.y[0])
         blocks["contact"] = _sheet(pyvista, corner, _spacing(snapshot.contact), contact)
     return blocks
 
 
-_CONTACT = ("pressure", "gap")
 _VOLUME = (
     "von_mises_stress",
     "equivalent_plastic_strain",
@@ -65,7 +65,7 @@ def _wanted(name: str, fields: Sequence[str] | None) -> bool:
 
 
 def _require_known(fields: Sequence[str] | None) -> None:
-    known = (*_VOLUME, *TENSORS, "residual_displacement", *_CONTACT)
+    known = (*_VOLUME, *TENSORS, "residual_displacement", *CONTACT_FIELDS)
     for name in (fields,) if isinstance(fields, str) else fields or ():
         if isinstance(fields, str) or name not in known:
             wrong = f"fields = {fields!r} is no list" if isinstance(fields, str) else f"no field {name!r}"

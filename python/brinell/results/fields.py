@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from brinell.results.errors import RunError, listed, tells_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile, Source
-from brinell.results.snapshots import COMPONENTS, TENSORS, component_of
+from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of
 
 __all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
 
@@ -24,9 +24,6 @@ FloatArray = NDArray[np.float64]
 Body = Literal["lower", "upper"]
 Grid = tuple[FloatArray, ...]
 """Cell centres along [z,] y and x."""
-
-CONTACT_FIELDS = ("pressure", "gap")
-"""Fields of the contact, which lie on the surface of the lower body."""
 
 
 def field_names(path: Source, body: Body) -> list[str]:
@@ -43,7 +40,8 @@ def field_names(path: Source, body: Body) -> list[str]:
             raise RunError(f"{path}: no stored step; [output] of the case chooses them")
         group = file.group(next(iter(states.values())))
         with tells_damage(path, str(group.name)):
-            return [*group[body], *(CONTACT_FIELDS if body == "lower" else ())]
+            of_contact = [one for one in CONTACT_FIELDS if one in group["contact"]] if body == "lower" else []
+            return [*group[body], *of_contact]
 
 
 def labelled_field(path: Source, body: Body, name: str) -> Labelled:
@@ -155,13 +153,13 @@ def _part_of_tensor(state: h5py.Group, body: str, name: str, taken: tuple[Axis, 
 
 
 def _part_of_contact(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
-    """The contact's grid takes cells of the lower body's surface; around it there is no pressure."""
+    """The contact's grid takes cells of the lower body's surface; around it nothing acts and nothing slips."""
     surface, contact = state[body], state["contact"]
     values = np.asarray(contact[name][()], dtype=np.float64)
     origin = contact.attrs["origin"] + [surface.attrs["contact_x"], 0.0]
     column, row = np.rint((origin - [grid[-1][0], grid[-2][0]]) / contact.attrs["spacing"]).astype(int)
     ny, nx = len(grid[-2]), len(grid[-1])
-    whole = np.full((ny, nx), 0.0 if name == "pressure" else np.nan)
+    whole = np.full((ny, nx), np.nan if name == "gap" else 0.0)
     to_row, to_column = max(row, 0), max(column, 0)
     inside = values[to_row - row : max(ny - row, 0), to_column - column : max(nx - column, 0)]
     whole[to_row : to_row + inside.shape[0], to_column : to_column + inside.shape[1]] = inside

@@ -120,9 +120,9 @@ class Run(OfScenarios):
 
         Args:
             body: whose grid it is on.
-            name: a field of `BodyFields`, or a component of a tensor, as "stress_xx"; "pressure" or "gap" of the
-                contact, which lie on the lower body's surface (around the contact's grid the pressure is 0, the gap
-                NaN).
+            name: a field of `BodyFields`, or a component of a tensor, as "stress_xx"; of `ContactFields`, as
+                "pressure", "gap" and, where surfaces stick and slip, "shear_x" or "slip_path": they lie on the lower
+                body's surface (around the contact's grid the gap is NaN, all others 0).
 
         Returns:
             The axes are step, component (of a tensor), z (of a volume), y, x. The final state has the number after the
@@ -138,8 +138,8 @@ class Run(OfScenarios):
 
         Args:
             which: number of a stored step; "aligned", the stored step of the first pass nearest to the middle (X = 0 or
-                x = 0), in an indentation the one under the largest load; or "final", the state after the last step,
-                over the entire track.
+                x = 0), in an indentation the one under the largest load, in fretting that at the first turn; or
+                "final", the state after the last step, over the entire track.
             tensors: read all components of plastic strain and stress at once; otherwise each one when it is asked
                 for, as in `snapshot.lower.stress["xx"]`.
 
@@ -168,9 +168,9 @@ class Run(OfScenarios):
         Returns:
             The blocks "lower_volume" and "upper_volume", of cells; "lower_surface" and "upper_surface", sheets of
             points with the residual displacement, which warp_by_scalar raises (by a negative factor that of the lower
-            body: the displacement is into the body); and "contact", a sheet with pressure and gap, if they touch. What
-            is not stored, as of a rigid body, is left out. Components of tensors are those of each body's own axes,
-            with z into it.
+            body: the displacement is into the body); and "contact", a sheet with what is stored of it, as pressure and
+            gap, if they touch. What is not stored, as of a rigid body, is left out. Components of tensors are those of
+            each body's own axes, with z into it.
 
         Raises:
             RunError: there is no such step, or the file is damaged.

@@ -18,6 +18,7 @@ from brinell.scenarios import Scenario
 
 __all__ = [
     "COMPONENTS",
+    "CONTACT_FIELDS",
     "TENSORS",
     "BodyFields",
     "ContactFields",
@@ -32,6 +33,11 @@ FloatArray = NDArray[np.float64]
 
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 """Components of a symmetric tensor, in order."""
+
+_OF_FRICTION = ("shear_x", "shear_y", "slip_x", "slip_y", "slip_path", "friction_heat")
+CONTACT_FIELDS = ("pressure", "gap", *_OF_FRICTION)
+"""Fields of the contact, which lie on the surface of the lower body; those after the gap only where surfaces stick and
+slip."""
 
 TENSORS = ("plastic_strain", "stress")
 """Fields of six components."""
@@ -91,6 +97,18 @@ class ContactFields:
     """Positive in compression [Pa]."""
     gap: FloatArray
     """Zero in contact [m]."""
+    shear_x: FloatArray | None = None
+    """On the lower body along x [Pa]; this and what follows is None if the run has not stored it."""
+    shear_y: FloatArray | None = None
+    """On the lower body along y [Pa]."""
+    slip_x: FloatArray | None = None
+    """Of the upper surface over the lower one since the start, along x [m]."""
+    slip_y: FloatArray | None = None
+    """The same along y [m]."""
+    slip_path: FloatArray | None = None
+    """Length of the way slipped since the start [m]."""
+    friction_heat: FloatArray | None = None
+    """Heat of friction since the start [J/m^2]."""
 
     def __repr__(self) -> str:
         return f"<ContactFields {cells(self.pressure.shape)}>"
@@ -226,6 +244,7 @@ def _contact(group: h5py.Group) -> ContactFields:
         y=_axis(origin[1], spacing[1], ny),
         pressure=pressure,
         gap=np.asarray(group["gap"][()], dtype=np.float64),
+        **{name: np.asarray(group[name][()], dtype=np.float64) for name in _OF_FRICTION if name in group},
     )
 
 

@@ -57,7 +57,11 @@ class Traits:
 
     name: Scenario
     motion: str | None
-    """Column with the place of the contact, 0 in the middle; None: it rests, and the largest load counts instead."""
+    """Column with the place of the contact, 0 in the middle; None: it rests, and what is `largest` counts instead."""
+    largest: str = "F_n"
+    """Where the contact rests, the column whose largest value tells the state that one looks at first."""
+    continuous: bool = False
+    """Whether a pass goes on where the one before has ended, so that the figure of the history draws one line."""
     abscissa: str | None = None
     """Column, a length in which the contact never rests, that figures of the history have below; None: the steps."""
     key_numbers: Callable[[Run], Iterator[KeyNumber]]
@@ -74,6 +78,6 @@ class Traits:
 
         Args:
             row: the step's row of the history. Where the contact rests the stored steps are the ends of the list of
-                loads: the unloaded ones have nothing to show.
+                loads, or the turns: unloaded, or in the middle, there is little to show.
         """
-        return -row["F_n"] if self.motion is None else abs(row[self.motion])
+        return -row[self.largest] if self.motion is None else abs(row[self.motion])
