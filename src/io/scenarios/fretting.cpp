@@ -2,6 +2,7 @@
 #include "description.hpp"
 
 #include <cmath>
+#include <numbers>
 
 /// The fretting in files and messages.
 namespace brinell::io
@@ -60,11 +61,18 @@ std::vector<Entry> keys()
                 "middle to it, to its opposite and back to the middle in each cycle. Up to the radius of the contact."),
       amplitude("force", "displacement", dimension::force, FrettingCase::Kind::force,
                 "The same, imposed as force along the surface; less than friction times load."),
-      bound({.key = "fretting.direction",
-             .range = between(-360.0, 360.0),
-             .degrees = true,
-             .text = "Of the motion, from x towards y, in degrees."},
-            &FrettingCase::direction),
+      Entry{.key = "fretting.direction",
+            .type = Type::number,
+            .range = between(-360.0, 360.0),
+            .degrees = true,
+            .fallback = 0.0,
+            .text = "Of the motion, from x towards y, in degrees.",
+            .fill =
+                [](Case& c, const Value& value)
+            {
+              constexpr double degree = std::numbers::pi / 180.0;
+              std::get<FrettingCase>(c.scenario).direction = std::get<double>(value) * degree;
+            }},
       bound(
           {.key = "fretting.cycles", .range = between(0, 100000), .text = "How often the upper body goes to and fro."},
           &FrettingCase::cycles),
