@@ -30,6 +30,7 @@ UNITS: Mapping[str, str] = {
             "mean_gap",
             "approach",
             "places",
+            "displacement",
             "distance",
             "shift",
             "amplitude",
@@ -59,7 +60,9 @@ UNITS: Mapping[str, str] = {
         ),
         "Pa",
     ),
+    "force": "N",
     "load": "N",
+    "direction": "°",
     "half_angle": "°",
     "checkpoint_interval": "s",
 }
