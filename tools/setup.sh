@@ -39,6 +39,7 @@ make_venv() {
   local mirror="It needs the Python package index or a mirror set in pip's own configuration; then say 'make setup' again."
   # The tools of the build stay in .venv, so that CMake finds them at the same place the next time and builds only what changed.
   "${pip[@]}" 'scikit-build-core>=0.11' 'nanobind>=2.7' 'ninja>=1.11' || fail "pip could not install the build tools. $mirror"
+  echo "setup: compiling the engine and its Python package into .venv, which takes some minutes the first time"
   "${pip[@]}" --no-build-isolation --config-settings=build-dir=build/python --config-settings=editable.mode=redirect \
     -e ".[test,lint]" || fail "pip could not install the package into .venv (see above). $mirror"
 }

@@ -234,6 +234,28 @@ Reason against(const RandomSurface& surface, double size_x, double size_y)
 
 } // namespace
 
+double rms_slope(const HeightMap& map)
+{
+  double sum = 0.0;
+  std::size_t count = 0;
+  const auto add = [&](std::size_t here, std::size_t next, double distance)
+  {
+    const double slope = (map.heights[next] - map.heights[here]) / distance;
+    sum += slope * slope;
+    ++count;
+  };
+  const auto nx = static_cast<std::size_t>(map.nx), ny = static_cast<std::size_t>(map.ny);
+  for (std::size_t j = 0; j < ny; ++j)
+    for (std::size_t i = 0; i < nx; ++i)
+    {
+      if (i + 1 < nx)
+        add(j * nx + i, j * nx + i + 1, map.dx);
+      if (j + 1 < ny)
+        add(j * nx + i, j * nx + i + nx, map.dy);
+    }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
 double depth(const Texture& texture, double x, double y)
 {
   double sum = 0.0;

@@ -39,6 +39,9 @@ struct HeightMap
   bool operator==(const HeightMap&) const = default;
 };
 
+/// Root mean square of the slopes between neighbouring points; 0 without neighbours.
+[[nodiscard]] double rms_slope(const HeightMap& map);
+
 /// Waves on the whole surface: the height amplitude * cos(2 pi (X - x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at (X, Y).
 /// Along an axis of infinite wavelength there are none, and its cosine is 1.
 struct Sinusoid

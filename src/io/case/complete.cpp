@@ -65,6 +65,21 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
                      key, last, 100.0 * last)});
 }
 
+/// Heights in nm or um that are taken for m make walls. As in Python: brinell/surfaces/heightmap.py.
+void warn_of_heights(const std::string& name, const simulation::Texture& texture, Case& c)
+{
+  constexpr double steepest = 10.0; // root mean square slope
+  for (const simulation::TexturePart& part : texture.parts)
+    if (const auto* map = std::get_if<simulation::HeightMap>(&part))
+      if (const double slope = simulation::rms_slope(*map); slope > steepest)
+        c.warnings.push_back(
+            {"steep_texture",
+             fmt::format("{}.texture: the height map has a root mean square slope of {:.3g} between points at {:.3g} x "
+                         "{:.3g} m; is a unit missing? Heights in the file are in m: brinell surface convert FILE "
+                         "heights.npy --unit um makes such a file",
+                         name, slope, map->dx, map->dy)});
+}
+
 void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const simulation::Domain& domain, Case& c)
 {
   c.contact_modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
@@ -100,8 +115,11 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   reader.problems.throw_if_any();
   warn_of_material("lower", lower.material, c);
   warn_of_material("upper", upper.material, c);
-  for (const char* name : {"lower", "upper"})
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+  {
     warn_of_table(reader, name, c);
+    warn_of_heights(name, body->texture, c);
+  }
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
   if (const auto reason = simulation::reason_against_contact(lower, upper, domain))

@@ -33,6 +33,7 @@ TEST(CaseDifference, NoneOfTheSameCaseAndNoneOfTheFirstExtent)
 {
   EXPECT_EQ(case_difference(resolved, resolved), "");
   EXPECT_EQ(case_difference(resolved, with(resolved, "extent = 1.0", "extent = 2.0")), "");
+  EXPECT_EQ(case_difference(resolved, std::string(resolved) + "[output]\ncheckpoint_interval = 5.0\n"), "");
 }
 
 TEST(CaseDifference, NamesKeysWithBothValues)

@@ -252,6 +252,27 @@ TEST(ScenarioCase, HeightMapsStandInTheCase)
     EXPECT_NE(message.find(expected), std::string::npos) << expected << "\n  in: " << message;
 }
 
+TEST(ScenarioCase, FrettingHasItsDirectionInDegrees)
+{
+  const std::string ball = R"({young_modulus = "210 GPa", poisson_ratio = 0.3})";
+  const std::string text = "scenario = \"fretting\"\nlower.material = " + ball + "\nupper.material = " + ball +
+                           R"(
+lower.shape.type = "flat"
+upper.shape = {type = "sphere", radius = "10 mm"}
+interface.friction = 0.5
+[fretting]
+load = 50
+displacement = "0.5 um"
+)";
+  const auto direction = [&](const std::string& value)
+  {
+    const Case c = parse_case(text + "direction = " + value + "\n", "sample.toml");
+    return std::get<simulation::FrettingCase>(c.scenario).direction;
+  };
+  EXPECT_DOUBLE_EQ(direction("90"), 0.5 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(direction("\"0.5 rad\""), 0.5);
+}
+
 TEST(ScenarioCase, HertzPressureIsALoad)
 {
   // p0 = (6 P E'^2 / (pi^3 R^2))^(1/3) for balls, (P E' / (pi R L))^(1/2) for rollers.

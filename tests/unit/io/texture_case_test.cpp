@@ -136,6 +136,25 @@ TEST(TextureCase, ErrorsNameLineAndKey)
   expect_refused(refusal("\"texture[0]\".type = \"dent\"\n"), "unknown key lower.texture[0]");
 }
 
+TEST(TextureCase, HeightsInAnotherUnitAreWarnedOf)
+{
+  const auto warnings = [](const std::string& heights)
+  {
+    return parse_case(
+               head + (R"(texture = {type = "height_map", columns = 2, spacing = ["5 um", "5 um"], heights = )" +
+                       heights + "}"),
+               "sample.toml",
+               {"upper.material.rigid=false", "upper.material.young_modulus=2e11", "upper.material.poisson_ratio=0.3"})
+        .warnings;
+  };
+  EXPECT_TRUE(warnings("[0.3e-6, -0.2e-6, 0.1e-6, 0]").empty());
+  const auto steep = warnings("[0.3, -0.2, 0.1, 0]"); // in um
+  ASSERT_EQ(steep.size(), 1u);
+  EXPECT_EQ(steep.front().key, "steep_texture");
+  // Slopes 0.5, 0.2, 0.1, 0.2 over 5 um.
+  EXPECT_NE(steep.front().text.find("slope of 5.83e+04"), std::string::npos) << steep.front().text;
+}
+
 TEST(TextureCase, OverridesThatMissTheList)
 {
   const std::string list = R"(texture = [{type = "smooth"}, {type = "dent", depth = 1e-6, radius = 4e-5}])";
