@@ -225,7 +225,8 @@ SymTensor line_contact_stress(double x, double z, double half_width, double peak
 
 FirstYield first_yield(double poisson_ratio)
 {
-  require_within(poisson_ratio, -1e-300, 0.5, "Poisson's ratio");
+  if (!(poisson_ratio >= 0.0 && poisson_ratio <= 0.5))
+    throw InputError(fmt::format("Poisson's ratio = {} is outside [0, 0.5].", poisson_ratio));
   const double g = 1.0 + poisson_ratio;
   const auto slope = [g](double s)
   {
