@@ -11,12 +11,14 @@ Surfaces that go on without end: SurfaceGrid(..., boundary="periodic").
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
+from brinell._names import level_of_caller
 from brinell._reprs import cells
 from brinell._tangential import (
     TangentialContact,
@@ -54,6 +56,8 @@ class ContactResult:
         converged: whether the residual is within the tolerance.
         residual: largest |gap| under pressure or penetration elsewhere [m].
         area: of the contact, finer than its cells: see `contact_area` [m^2].
+        reaches_edge: whether pressure acts on the outermost cells of an axis that is not periodic: the grid cuts the
+            contact off, and the result is that of a smaller body. It is warned of.
     """
 
     pressure: Array
@@ -64,6 +68,7 @@ class ContactResult:
     converged: bool
     residual: float
     area: float
+    reaches_edge: bool = False
 
     def __repr__(self) -> str:
         return f"<ContactResult {cells(self.pressure.shape)}, load {self.load:g} N, approach {self.approach:g} m>"
@@ -297,6 +302,15 @@ class FrictionalContact:
 
 
 def _result(compliance: SurfaceCompliance, pressure: Array, gap: Array, report: _core.ContactReport) -> ContactResult:
+    reaches_edge = _reaches_edge(compliance.grid, pressure)
+    if reaches_edge:
+        from brinell.case import CaseWarning
+
+        warnings.warn(
+            "the contact reaches the edge of its grid, which cuts it off: take more cells",
+            CaseWarning,
+            stacklevel=level_of_caller(),
+        )
     return ContactResult(
         pressure,
         gap,
@@ -306,7 +320,14 @@ def _result(compliance: SurfaceCompliance, pressure: Array, gap: Array, report: 
         report.converged,
         _residual(report),
         contact_area(compliance.grid, pressure, gap, compliance.contact_modulus),
+        reaches_edge,
     )
+
+
+def _reaches_edge(grid: SurfaceGrid, pressure: Array) -> bool:
+    periodic_x, periodic_y = grid.is_periodic
+    at_ends = not periodic_x and bool(pressure[:, [0, -1]].any())
+    return at_ends or (not periodic_y and bool(pressure[[0, -1], :].any()))
 
 
 def _residual(report: _core.ContactReport) -> float:

@@ -99,6 +99,13 @@ def test_without_load_the_surfaces_touch() -> None:
     assert apart.gap.min() == pytest.approx(1e-6)
 
 
+def test_a_contact_that_the_grid_cuts_off_is_told() -> None:
+    contact, distance = ball(6)
+    assert not contact.solve(distance, load=10.0).reaches_edge
+    with pytest.warns(brinell.CaseWarning, match="reaches the edge of its grid"):
+        assert contact.solve(distance, load=100.0).reaches_edge
+
+
 def test_unconverged_is_an_error() -> None:
     contact, distance = ball(8)
     with pytest.raises(brinell.ConvergenceError, match="no convergence after 2 iterations: .* residual is .* m"):

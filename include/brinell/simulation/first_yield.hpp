@@ -35,8 +35,9 @@ enum class ContactKind
 /// First yield of an elastic contact: at the peak pressure C(nu) S_y of the weaker body.
 struct PairYield
 {
-  double pressure_ratio = 0.0; ///< C of the weaker body: Green's (2005) fit of a point contact, exact of a line and with friction
-  double yield_stress = 0.0;   ///< its S_y [Pa]
+  double pressure_ratio =
+      0.0; ///< C of the weaker body: Green's (2005) fit of a point contact, exact of a line and with friction
+  double yield_stress = 0.0; ///< its S_y [Pa]
   YieldsFirst body = YieldsFirst::both;
 
   [[nodiscard]] double peak_pressure() const { return pressure_ratio * yield_stress; } ///< [Pa]
