@@ -26,13 +26,13 @@ def in_source(suite: str, test: str) -> tuple[str, str]:
     return suite.split("/")[-1], test.split("/")[0]
 
 
-PEOPLE = {"Cattaneo", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Johnson", "Mindlin"}
+PEOPLE = {"Cattaneo", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Johnson", "Mindlin", "Persson"}
 
 
 def words(name: str) -> str:
     """'PaperTugging' -> 'Paper tugging'."""
     text = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
-    return text[:1] + re.sub(r"\b[A-Z][a-z]*\b", lambda m: m[0] if m[0] in PEOPLE else m[0].lower(), text[1:])
+    return text[:1] + re.sub(r"\b[A-Z][a-z]*", lambda m: m[0] if m[0] in PEOPLE else m[0].lower(), text[1:])
 
 
 def tests_of(folder: Path) -> dict[tuple[str, str], bool]:
