@@ -130,6 +130,12 @@ void PartialSlip::begin(Start start)
   start_.bodies = {}; // does not last
 }
 
+/// Largest shear of a cell.
+double PartialSlip::bound_at(std::size_t cell, double pressure) const
+{
+  return std::min(friction().coefficient * pressure, start_.limit[cell]);
+}
+
 /// Largest shear of each cell; held after the first time in an increment, if it shall be.
 void PartialSlip::set_bound(std::span<const double> pressure)
 {
@@ -137,7 +143,7 @@ void PartialSlip::set_bound(std::span<const double> pressure)
     return;
   has_bound_ = true;
   for (std::size_t i = 0; i < bound_.size(); ++i)
-    bound_[i] = std::min(friction().coefficient * pressure[i], start_.limit[i]);
+    bound_[i] = bound_at(i, pressure[i]);
 }
 
 /// Whether the bound is enough for a force that is imposed.
@@ -202,12 +208,14 @@ Interface::Change PartialSlip::follow(const Bodies& bodies)
   return change;
 }
 
+/// The bound of the solution stays until there is another one: what slips is told by it.
 Interface::Change PartialSlip::renew(const Bodies& bodies)
 {
-  const std::vector<double> held = bound_;
   has_bound_ = false;
-  set_bound(bodies.pressure);
-  return {.shear = largest_difference(bound_, held)};
+  Change change;
+  for (std::size_t i = 0; i < bound_.size(); ++i)
+    change.shear = larger(change.shear, std::abs(bound_at(i, bodies.pressure[i]) - bound_[i]));
+  return change;
 }
 
 /// The dual value of the tangential problem: -1/2 q C q + q (what the shears would have to displace without slip).

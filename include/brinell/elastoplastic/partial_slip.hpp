@@ -75,6 +75,7 @@ private:
     void exchange(Archive& archive);
   };
 
+  [[nodiscard]] double bound_at(std::size_t cell, double pressure) const;
   void set_bound(std::span<const double> pressure);
   [[nodiscard]] bool carries_drive() const;
   [[nodiscard]] bool solve(const Bodies& bodies);

@@ -232,6 +232,10 @@ TEST(PartialSlipTest, DescentUnderAHeldBoundFindsTheSameSolution)
       expect_near(copy(interface_of(watched).shears()[0]), copy(interface_of(fast).shears()[0]), 1e-4, "shear");
       expect_near(watched.contact().lower().state().plastic_strain, fast.contact().lower().state().plastic_strain, 1e-3,
                   "plastic strain");
+      // Of the cells that slip none is missing.
+      expect_near(copy(interface_of(watched).path()), copy(interface_of(fast).path()), 1e-3, "way slipped");
+      EXPECT_NEAR(interface_of(watched).heat() / interface_of(fast).heat(), 1.0, 1e-3);
+      EXPECT_EQ(interface_of(watched).sticking_cells(), interface_of(fast).sticking_cells());
     }
 }
 
