@@ -139,6 +139,43 @@ TEST(Fretting, ElasticWorkIsHeatToSecondOrderInTheStep)
                      "exact: all of it; trapezoidal rule");
 }
 
+TEST(Fretting, OfWavesInAPeriodIsTheDifferenceOfTwoIndentations)
+{
+  // Where shears displace as pressure does, nu = 0, the shear of any contact under P is that of a contact under P less that of one
+  // under P - Q/f, in which nothing slips (Jaeger 1998; Ciavarella 1998): the displacement is f times the difference of the approaches, what
+  // sticks is the contact of the smaller load.
+  FrettingCase c;
+  c.lower = c.upper = {simulation::Plane{}, {{200e9, 0.0}, {}}};
+  c.domain.x = c.domain.y = {Boundary::periodic, 1e-3, 64};
+  c.lower.texture = simulation::Sinusoid{.amplitude = 1e-6, .wavelength_x = 1e-3, .wavelength_y = 1e-3};
+  c.press = load(120.0);
+  c.friction.coefficient = 0.4;
+  c.kind = FrettingCase::Kind::force;
+  const double share = 0.5; // of friction times load
+  c.amplitude = share * c.friction.coefficient * c.press.value;
+  c.cycles = 1;
+  c.steps_per_cycle = 16;
+  const FrettingRun run = computed(c);
+  const FrettingRecord& pressed = run.history[static_cast<std::size_t>(c.press_steps) - 1];
+  const FrettingRecord& turn = run.history[static_cast<std::size_t>(c.press_steps) + 3];
+  ASSERT_NEAR(turn.force, c.amplitude, 1e-9 * c.amplitude);
+  ASSERT_GT(turn.contact_area, 0.3e-6); // of a period of 1e-6: the neighbours are felt
+
+  simulation::IndentationCase smaller;
+  static_cast<simulation::Numerics&>(smaller) = c;
+  smaller.friction = {};
+  smaller.lower = c.lower;
+  smaller.upper = c.upper;
+  smaller.sequence = {load((1.0 - share) * c.press.value)};
+  const IndentationRun indentation = verification::computed(smaller);
+  const simulation::IndentationRecord& at_smaller = indentation.history.back();
+  // Both on the same cells: to the tolerance of the solver. A cell that is at its bound to rounding may count either way.
+  EXPECT_NEAR(turn.displacement, c.friction.coefficient * (pressed.approach - at_smaller.approach),
+              1e-6 * turn.displacement);
+  EXPECT_NEAR(turn.stick_area, at_smaller.contact_area, 0.01 * at_smaller.contact_area);
+  EXPECT_NEAR(run.summary.cycles[0].work / run.summary.cycles[0].dissipation_friction, 1.0, 0.1);
+}
+
 /// A ball on a flat that both yield when they are pressed: p0/k = 4 and some more under the shear.
 FrettingCase yielding(double cells, bool are_alike)
 {
