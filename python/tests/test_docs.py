@@ -14,7 +14,7 @@ import pytest
 
 import brinell
 from brinell import _core
-from brinell.results import FrettingCycle, Indent, RollingPass
+from brinell.results import FrettingCycle, Indent, RollingPass, SlidingStroke
 from brinell.scenarios import SCENARIOS
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -117,7 +117,10 @@ def test_the_page_of_the_results_has_the_columns_of_the_history(scenario: str) -
     assert shown == [(column.name, column.unit) for column in _core.columns()[scenario]]
 
 
-@pytest.mark.parametrize(("part", "kind"), [("indents", Indent), ("passes", RollingPass), ("cycles", FrettingCycle)])
+@pytest.mark.parametrize(
+    ("part", "kind"),
+    [("indents", Indent), ("passes", RollingPass), ("cycles", FrettingCycle), ("strokes", SlidingStroke)],
+)
 def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind: type) -> None:
     columns = {column.name: column.unit for column in _core.columns()[part]}
     derived = {"steady"} if part == "passes" else set()
@@ -128,7 +131,9 @@ def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind:
     assert set(re.findall(rf"`{part}\[\]\.(\w+)`", page)) == keys | derived
 
 
-@pytest.mark.parametrize("page", ["boundaries", "curves", "fretting", "notebooks", "rough-sliding", "rough-surfaces"])
+@pytest.mark.parametrize(
+    "page", ["boundaries", "curves", "fretting", "notebooks", "rough-sliding", "rough-surfaces", "sliding"]
+)
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
 def test_the_code_of_a_page_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pandas")

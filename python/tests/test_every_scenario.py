@@ -30,7 +30,8 @@ def run_of(tmp_path_factory: pytest.TempPathFactory) -> Runs:
         if scenario not in found:
             arguments = [sys.executable, "-m", "brinell", "new", scenario]
             text = subprocess.run(arguments, check=True, capture_output=True, text=True).stdout
-            case = brinell.Case(text, overrides=["grid.resolution=3"])
+            coarse = 'grid.spacing=["10 um", "10 um", "5 um"]' if "\nspacing = " in text else "grid.resolution=3"
+            case = brinell.Case(text, overrides=[coarse])
             found[scenario] = case.run(tmp_path_factory.mktemp(scenario))
         return found[scenario]
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import brinell
-from brinell import bodies, reference
+from brinell import bodies, reference, scenarios
 from brinell.plot.scales import Scales
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -224,7 +224,7 @@ def test_with_values_keeps_the_class() -> None:
     assert tomllib.loads(other.to_toml())["tugging"]["interference"] == 2
 
 
-@pytest.mark.parametrize("scenario", [brinell.Tugging, brinell.Indentation, brinell.Rolling, brinell.Fretting])
+@pytest.mark.parametrize("scenario", [getattr(brinell, name) for name in scenarios.__all__])
 def test_a_scenario_has_all_keys_of_its_table(scenario: type) -> None:
     arguments = set(inspect.signature(scenario.__init__).parameters)
     shared = {"self", "lower", "upper", "title", "interface", "grid", "solver", "output"}

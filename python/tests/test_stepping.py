@@ -19,7 +19,7 @@ def indentation() -> Case:
     return brinell.Indentation(flat, RIGID_BALL, load=["2 N", 0], steps=4, grid={"resolution": 5})
 
 
-@pytest.fixture(params=["tugging", "indentation", "rolling", "fretting"])
+@pytest.fixture(params=["tugging", "indentation", "rolling", "fretting", "sliding"])
 def case(request: pytest.FixtureRequest) -> Case:
     if request.param == "indentation":
         return indentation()
@@ -30,6 +30,11 @@ def case(request: pytest.FixtureRequest) -> Case:
         motion = {"displacement": "20 nm", "steps_per_cycle": 4, "press_steps": 3}
         flat = brinell.Body(brinell.Flat(), STEEL)
         return brinell.Fretting(flat, BALL, load="2 N", interface={"friction": 0.4}, grid={"resolution": 4}, **motion)
+    if request.param == "sliding":
+        waves = brinell.Sinusoid("0.2 um", wavelength_x="40 um", wavelength_y="40 um")
+        cells = {"boundary": "periodic", "size": ["40 um", "40 um"], "cells": [12, 12]}
+        flat = brinell.Body(brinell.Flat(), STEEL, waves)
+        return brinell.Sliding(flat, flat, "10 um", pressure="300 MPa", press_steps=2, grid=cells)
     return brinell.Tugging(BALL, BALL, 3, grid={"resolution": 4})
 
 

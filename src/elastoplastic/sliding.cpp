@@ -75,15 +75,17 @@ void SlidingInterface::State::exchange(Archive& archive)
   archive("limited_share", limited_share);
 }
 
-std::array<double, 2> SlidingInterface::direction(const contact::TangentialDrive& /*along*/) const
+std::array<double, 2> SlidingInterface::direction(const contact::TangentialDrive& along) const
 {
-  return {static_cast<double>(direction_), 0.0};
+  const double shift = along.x.value;
+  return {shift == 0.0 ? static_cast<double>(direction_) : std::copysign(1.0, shift), 0.0};
 }
 
 void SlidingInterface::begin(Start start)
 {
   before_ = state_;
   slides_ = start.slides;
+  direction_ = direction(start.along)[0] > 0.0 ? 1 : -1;
   is_held_ = start.holds_law;
   if (!slides_)
     for (std::vector<double>* field : {&state_.shear, &state_.depth})

@@ -187,7 +187,7 @@ void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, 
 }
 
 std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper, double approach,
-                                                   const Domain& domain)
+                                                   const Domain& domain, std::string_view scenario)
 {
   if (!domain.is_periodic())
     return std::nullopt;
@@ -202,10 +202,10 @@ std::optional<std::string> reason_against_approach(const ShapedBody& lower, cons
   if (most > 0.0 && approach <= most * rounding)
     return std::nullopt;
   return fmt::format(
-      "cannot be reached: with both axes periodic it counts from the mean planes, and at {:.3g} m all of "
-      "the surfaces touches; allowed: {}a load or mean pressure instead "
-      "(indentation.load, indentation.pressure, indentation.mean_gap)",
-      most, most > 0.0 ? "less than that, or " : "");
+      "cannot be reached: with both axes periodic it counts from the mean planes, and at {0:.3g} m all of "
+      "the surfaces touches; allowed: {1}a load or mean pressure instead "
+      "({2}.load, {2}.pressure, {2}.mean_gap)",
+      most, most > 0.0 ? "less than that, or " : "", scenario);
 }
 
 void require_finite_depth(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain)

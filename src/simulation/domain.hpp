@@ -22,8 +22,10 @@ void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, 
 
 /// Why bodies that are periodic along both axes cannot approach so far [m]; empty if they can. Approaches are counted from the
 /// mean planes then, and at the mean distance of the surfaces all of them touches.
+/// @param scenario  whose keys the text names
 [[nodiscard]] std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper,
-                                                                 double approach, const Domain& domain);
+                                                                 double approach, const Domain& domain,
+                                                                 std::string_view scenario);
 
 /// A mean pressure on bodies that are periodic along both axes is there at any depth. Held in its plane, material under it
 /// carries a von Mises stress of p (1 - 2 nu)/(1 - nu): what yields under that yields without end, and no grid is deep enough.

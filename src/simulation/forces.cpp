@@ -10,10 +10,18 @@ namespace brinell::simulation
 namespace
 {
 
-/// Central difference along one direction, one-sided at the edge of the grid.
-double slope(std::span<const double> field, std::size_t index, int stride, int position, int count, double spacing)
+/// Central difference along one direction: one-sided at the edge of the grid, or round the period.
+double slope(std::span<const double> field, std::size_t index, int stride, int position, int count, double spacing,
+             bool wraps = false)
 {
   const auto step = static_cast<std::size_t>(stride);
+  const std::size_t round = step * static_cast<std::size_t>(count - 1);
+  if (wraps && (position == 0 || position == count - 1))
+  {
+    const double before = field[position > 0 ? index - step : index + round];
+    const double after = field[position < count - 1 ? index + step : index - round];
+    return (after - before) / (2.0 * spacing);
+  }
   const std::size_t low = position > 0 ? index - step : index;
   const std::size_t high = position < count - 1 ? index + step : index;
   if (low == high)
@@ -80,8 +88,8 @@ double rolling_resistance(const SurfaceGrid& grid, std::span<const double> press
       const std::size_t n = grid.index(i, j);
       const double p = pressure[n] * grid.cell_area();
       if (p != 0.0)
-        force -= p * (slope(lower_depth, n, 1, i, grid.nx, grid.dx) +
-                      upper_share * slope(upper_depth, n, 1, i, grid.nx, grid.dx));
+        force -= p * (slope(lower_depth, n, 1, i, grid.nx, grid.dx, grid.is_periodic_x()) +
+                      upper_share * slope(upper_depth, n, 1, i, grid.nx, grid.dx, grid.is_periodic_x()));
     }
   return force;
 }

@@ -216,8 +216,8 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
 {
   if (indentation.sequence.front().kind != Drive::Kind::approach)
     return;
-  if (const auto reason =
-          reason_against_approach(indentation.lower, indentation.upper, largest.value, indentation.domain))
+  if (const auto reason = reason_against_approach(indentation.lower, indentation.upper, largest.value,
+                                                  indentation.domain, "indentation"))
     throw InputError(fmt::format("an approach of {:.4g} m {}", largest.value, *reason));
 }
 

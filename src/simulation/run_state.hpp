@@ -97,7 +97,7 @@ public:
     motion_.read(stepper_, last_, record);
     evaluations_ += record.evaluations;
     largest_work_ = std::max(largest_work_, std::abs(record.work));
-    if constexpr (std::derived_from<Record, SlidingRecord>)
+    if constexpr (std::derived_from<Record, FrictionRecord>)
       largest_limited_share_ = std::max(largest_limited_share_, record.share_at_shear_limit);
     last_ = record;
     has_failed_ = false;

@@ -399,7 +399,7 @@ void Stepper::fill(StepRecord& r) const
   r.coverage = coverage_;
 }
 
-void Stepper::fill(SlidingRecord& r) const
+void Stepper::fill(FrictionRecord& r) const
 {
   fill(static_cast<StepRecord&>(r));
   if (const elastoplastic::Interface* interface = pair_->interface())

@@ -22,7 +22,7 @@ struct Target
   Centre centre;
   contact::Drive drive;
   bool slides = true;               ///< the surfaces on each other; else there is no friction
-  contact::TangentialDrive along{}; ///< of surfaces that may stick, see CoupledContact::advance
+  contact::TangentialDrive along{}; ///< see CoupledContact::advance
 };
 
 /// The contact grid at one moment of the motion.
@@ -91,9 +91,11 @@ public:
   };
   [[nodiscard]] Distances distances(const Centre& centre);
   [[nodiscard]] double clearance(const Centre& centre) { return distances(centre).smallest; }
+  /// Of contact column 0 from the contact's centre [m].
+  [[nodiscard]] double left_of(const Centre& centre) const { return lattice_.frame(centre).x0; }
   /// What all scenarios record.
   void fill(StepRecord& record) const;
-  void fill(SlidingRecord& record) const;
+  void fill(FrictionRecord& record) const;
   /// Depth of each surface under the contact grid [m].
   struct Depths
   {

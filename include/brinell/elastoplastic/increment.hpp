@@ -139,7 +139,8 @@ public:
   /// Solves one increment from the present state; commits it only if it converged.
   /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m], one per cell.
   /// @param placement  of the contact grid on the material grids.
-  /// @param along      of surfaces that may stick: forces at the end of the increment, or shifts since the first one.
+  /// @param along      of surfaces that may stick: forces at the end of the increment, or shifts since the first one; of
+  ///                   others the sign of the shift along x is their direction, unless it is zero.
   /// @throws Interrupted between two evaluations or within a contact solution; GridError. Without convergence, or after these,
   /// everything is as it was before the increment.
   [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,

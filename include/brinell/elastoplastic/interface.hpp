@@ -50,13 +50,12 @@ public:
   /// How an increment begins.
   struct Start
   {
-    bool slides = true; ///< without it there is no shear between surfaces that slide everywhere
-    contact::TangentialDrive
-        along;                 ///< what is imposed on surfaces that may stick; shifts count from the first increment
-    std::vector<double> limit; ///< that the surfaces can carry in each cell [Pa]
-    Bodies bodies;             ///< before the increment
-    bool holds_law = false;    ///< see `renew`
-    double tolerance = 0.0;    ///< of displacements [m]
+    bool slides = true;             ///< without it there is no shear between surfaces that slide everywhere
+    contact::TangentialDrive along; ///< see CoupledContact::advance
+    std::vector<double> limit;      ///< that the surfaces can carry in each cell [Pa]
+    Bodies bodies;                  ///< before the increment
+    bool holds_law = false;         ///< see `renew`
+    double tolerance = 0.0;         ///< of displacements [m]
     std::function<bool()> wants_stop{};
   };
   /// By how much a quantity changed at most.

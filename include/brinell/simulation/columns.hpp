@@ -54,10 +54,10 @@ inline constexpr Row contact_area{"contact_area", "m^2", &StepRecord::contact_ar
 inline constexpr Row max_pressure{"max_pressure", "Pa", &StepRecord::max_pressure, "largest contact pressure"};
 inline constexpr Row F_n{"F_n", "N", &StepRecord::F_n, "force normal to the plane of contact"};
 /// Of the scenarios whose surfaces may slide.
-inline constexpr Column<SlidingRecord> F_friction{"F_friction", "N", &SlidingRecord::F_friction,
-                                                  "friction between the surfaces, along the plane of contact"};
-inline constexpr Column<SlidingRecord> share_at_shear_limit{
-    "share_at_shear_limit", "1", &SlidingRecord::share_at_shear_limit,
+inline constexpr Column<FrictionRecord> F_friction{"F_friction", "N", &FrictionRecord::F_friction,
+                                                   "friction between the surfaces, along the plane of contact"};
+inline constexpr Column<FrictionRecord> share_at_shear_limit{
+    "share_at_shear_limit", "1", &FrictionRecord::share_at_shear_limit,
     "share of the contact whose shear is at the limit of the surface"};
 
 /// They end each row.

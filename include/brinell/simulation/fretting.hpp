@@ -42,7 +42,7 @@ struct FrettingPlan : Plan
 };
 
 /// One row of the history.
-struct FrettingRecord : SlidingRecord
+struct FrettingRecord : FrictionRecord
 {
   int cycle = 0;               ///< counts from 1; 0 while the bodies are pressed together
   double approach = 0.0;       ///< [m]

@@ -42,7 +42,7 @@ struct RollingPlan : Plan
 };
 
 /// One row of the history.
-struct RollingRecord : SlidingRecord
+struct RollingRecord : FrictionRecord
 {
   double x = 0.0;        ///< of the contact's centre on the lower body [m]
   double approach = 0.0; ///< [m]

@@ -141,7 +141,7 @@ struct StepRecord : RunningTotals
 };
 
 /// What the rows of scenarios tell in which the surfaces may slide on each other.
-struct SlidingRecord : StepRecord
+struct FrictionRecord : StepRecord
 {
   double F_friction = 0.0;           ///< sum of the shear between the surfaces [N], >= 0: it resists the sliding
   double share_at_shear_limit = 0.0; ///< of the contact: there the surface carries no more shear
@@ -207,7 +207,7 @@ struct RunTotals : RunningTotals
   int steps = 0;
   long evaluations = 0;
   int split_increments = 0;              ///< steps that did not converge whole: split, or solved by plain descent
-  double max_share_at_shear_limit = 0.0; ///< largest `SlidingRecord::share_at_shear_limit` of the run
+  double max_share_at_shear_limit = 0.0; ///< largest `FrictionRecord::share_at_shear_limit` of the run
   double energy_balance_error = 0.0;     ///< (work - dissipation - stored energy) / largest work reached
   std::vector<GridChange> grid_changes;  ///< in the course of the run
   double memory_bytes = 0.0;             ///< of the grids at the end, estimate

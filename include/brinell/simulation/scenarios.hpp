@@ -4,6 +4,7 @@
 #include "brinell/simulation/fretting.hpp"
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/rolling.hpp"
+#include "brinell/simulation/sliding.hpp"
 #include "brinell/simulation/tugging.hpp"
 
 #include <functional>
@@ -15,7 +16,7 @@ namespace brinell::simulation
 /// The cases of all scenarios, as arguments of a template. This list is the only one: what goes through all scenarios, in files,
 /// messages and Python, follows from it.
 template <template <typename...> typename Of>
-using Scenarios = Of<TuggingCase, IndentationCase, RollingCase, FrettingCase>;
+using Scenarios = Of<TuggingCase, IndentationCase, RollingCase, FrettingCase, SlidingCase>;
 
 template <typename... Case>
 using PlansOf = std::variant<typename Case::Plan...>;

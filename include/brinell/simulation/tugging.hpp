@@ -50,7 +50,7 @@ struct TuggingPlan : Plan
 };
 
 /// One row of the history. Its work is the integral of F_X dX - F_Z d height, without the way back from pass to pass.
-struct TuggingRecord : SlidingRecord
+struct TuggingRecord : FrictionRecord
 {
   double X = 0.0, theta = 0.0, interference = 0.0;
   double height = 0.0;                     ///< of the upper centre above the lower one [m]

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures of results; each function returns a matplotlib Figure, `style.save` writes it.
 
-Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting` (several runs of
-these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of any
-scenario), `slip` (stick and slip in one state), `history` and `energy` (one run step by step), `animation` (one pass as
-a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style`
-(the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and
-`cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which bodies), `cells`
-(cell values as pictures).
+Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
+runs of these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of
+any scenario), `slip` (stick and slip in one state), `history` and `energy` (one run step by step), `animation` (one
+pass as a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them:
+`style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name),
+`planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which
+bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -24,6 +24,7 @@ from brinell.plot.rolling import along_track, depth_profiles, pass_by_pass, trac
 from brinell.plot.rough import contact_fraction
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
+from brinell.plot.sliding import along_way, stroke_by_stroke
 from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
@@ -33,6 +34,7 @@ __all__ = [
     "QUANTITIES",
     "Plane",
     "along_track",
+    "along_way",
     "animate",
     "contact_fraction",
     "contact_maps",
@@ -64,6 +66,7 @@ __all__ = [
     "stick_slip_maps",
     "stick_slip_profiles",
     "stress_over_depth",
+    "stroke_by_stroke",
     "surface",
     "track_profile",
 ]

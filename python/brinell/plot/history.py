@@ -26,6 +26,7 @@ __all__ = [
     "force_along_surface",
     "normal_force",
     "resistance_to_rolling",
+    "resistance_to_sliding",
     "run_history",
     "shares_of_contact",
     "tangential_force_and_slopes",
@@ -132,6 +133,19 @@ def resistance_to_rolling(ax: Axes, course: Course) -> None:
         _legend(ax)
     ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
     ax.set_title("resistance to rolling")
+    ax.set_ylabel(force.label("", "F_X"))
+
+
+def resistance_to_sliding(ax: Axes, course: Course) -> None:
+    """F_X and its two parts."""
+    force = course.scales.force(course.largest("F_X", "F_friction"))
+    course.draw(ax, "F_X", force, "resistance", _LOWER)
+    if course.largest("F_friction") > 0.0:
+        course.draw(ax, "F_ploughing", force, "ploughing", _UPPER)
+        course.draw(ax, "F_friction", force, "friction", _FRICTION)
+        _legend(ax)
+    ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
+    ax.set_title("resistance to sliding")
     ax.set_ylabel(force.label("", "F_X"))
 
 

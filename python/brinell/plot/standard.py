@@ -67,7 +67,7 @@ def _place_of_loaded_state(run: Run) -> str:
     return "in the middle of the first pass" if traits.motion else f"at the largest {_LARGEST[traits.largest]}"
 
 
-_LARGEST = {"F_n": "load", "displacement": "displacement"}
+_LARGEST = {"F_n": "load", "displacement": "displacement", "way": "way slid"}
 """In words."""
 
 

@@ -30,6 +30,7 @@ from brinell.scenarios import Scenario
 from brinell.scenarios.fretting import FrettingCycle
 from brinell.scenarios.indentation import Indent
 from brinell.scenarios.rolling import RollingPass, TrackProfile
+from brinell.scenarios.sliding import SlidingStroke
 from brinell.summary import CriticalValues
 
 __all__ = [
@@ -49,6 +50,7 @@ __all__ = [
     "RunError",
     "RunWarning",
     "Scenario",
+    "SlidingStroke",
     "Snapshot",
     "TrackProfile",
     "open_run",

@@ -13,23 +13,30 @@ What is None is left to the case file's defaults, as docs/reference/case-file.md
 from collections.abc import Mapping
 from typing import Literal
 
-from brinell.scenarios import fretting, indentation, rolling, tugging
+from brinell.scenarios import fretting, indentation, rolling, sliding, tugging
 from brinell.scenarios.fretting import Fretting
 from brinell.scenarios.indentation import Indentation
 from brinell.scenarios.rolling import Rolling
+from brinell.scenarios.sliding import Sliding
 from brinell.scenarios.traits import Traits
 from brinell.scenarios.tugging import Tugging
 
-__all__ = ["Fretting", "Indentation", "Rolling", "Tugging"]
+__all__ = ["Fretting", "Indentation", "Rolling", "Sliding", "Tugging"]
 
-Scenario = Literal["tugging", "indentation", "rolling", "fretting"]
+Scenario = Literal["tugging", "indentation", "rolling", "fretting", "sliding"]
 """Names of the scenarios, as in the case file."""
 
 SCENARIOS: Mapping[Scenario, Traits] = {
-    one.name: one for one in (tugging.TRAITS, indentation.TRAITS, rolling.TRAITS, fretting.TRAITS)
+    one.name: one for one in (tugging.TRAITS, indentation.TRAITS, rolling.TRAITS, fretting.TRAITS, sliding.TRAITS)
 }
 """What is known of each, in the order of the case file."""
 
 
-class OfScenarios(tugging.TuggingResult, indentation.IndentationResult, rolling.RollingResult, fretting.FrettingResult):
+class OfScenarios(
+    tugging.TuggingResult,
+    indentation.IndentationResult,
+    rolling.RollingResult,
+    fretting.FrettingResult,
+    sliding.SlidingResult,
+):
     """What a result has that only one scenario has."""

@@ -114,7 +114,7 @@ std::vector<Entry> interface_entries()
 {
   using elastoplastic::Friction;
   const auto slides = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
-  { return std::derived_from<typename ScenarioCase::Record, simulation::SlidingRecord>; };
+  { return std::derived_from<typename ScenarioCase::Record, simulation::FrictionRecord>; };
   const Condition sliding{"scenario", scenarios_with(slides)};
   const auto entry = [&](Entry given, auto member)
   {

@@ -55,8 +55,10 @@ std::string with_line(std::vector<std::string> lines, const std::vector<KeyLine>
   const Entry* entry = find_entry(used.full_key());
   for (const KeyLine& other : keys)
   {
-    const bool drives = used.section == "rolling" && other.key == "load" &&
-                        (used.key == "hertz_pressure" || used.key == "approach"); // one of the three
+    const bool drives = (used.section == "rolling" && other.key == "load" &&
+                         (used.key == "hertz_pressure" || used.key == "approach")) ||
+                        (used.section == "sliding" && other.key == "pressure" &&
+                         (used.key == "load" || used.key == "mean_gap")); // one of them
     if (other.in_use && other.section == used.section &&
         (other.key == used.key || drives || (entry && entry->excludes == other.full_key())))
       lines[other.index] = "#";

@@ -2,6 +2,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/fretting.hpp"
 #include "brinell/simulation/scenarios.hpp"
+#include "brinell/simulation/sliding.hpp"
 
 #include <concepts>
 #include <filesystem>
@@ -40,7 +41,7 @@ constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 1) + (arit
 /// Some rows derive from those of sliding surfaces.
 template <typename Row>
 constexpr std::size_t members_of_row = members_of_all_rows +
-                                       (std::derived_from<Row, SlidingRecord> ? arity<SlidingRecord>() - 1 : 0) +
+                                       (std::derived_from<Row, FrictionRecord> ? arity<FrictionRecord>() - 1 : 0) +
                                        (arity<Row>() - 1);
 
 template <typename Record>
@@ -48,7 +49,7 @@ class ColumnsOf : public testing::Test
 {
 };
 template <typename... Case>
-using RowsAndEntries = testing::Types<typename Case::Record..., Indent, RollingPass, FrettingCycle>;
+using RowsAndEntries = testing::Types<typename Case::Record..., Indent, RollingPass, FrettingCycle, SlidingStroke>;
 using Records = Scenarios<RowsAndEntries>;
 TYPED_TEST_SUITE(ColumnsOf, Records);
 

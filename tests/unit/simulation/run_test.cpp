@@ -4,6 +4,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/fretting.hpp"
+#include "brinell/simulation/sliding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,24 @@ FrettingCase fretting()
   return c;
 }
 
+SlidingCase sliding()
+{
+  constexpr double period = 40e-6;
+  SlidingCase c;
+  c.lower = {Plane{}, steel};
+  c.upper = {Plane{}, {{400e9, 0.25}, {}}};
+  c.lower.texture = Sinusoid{0.2e-6, period, period};
+  c.upper.texture = Sinusoid{0.1e-6, 0.5 * period, period};
+  c.domain.x = c.domain.y = {Boundary::periodic, period, 16};
+  c.press = {contact::Drive::Kind::mean_gap, 0.2e-6};
+  c.press_steps = 2;
+  c.distance = 7.5e-6;
+  c.strokes = 2;
+  c.to_and_fro = true;
+  c.friction.coefficient = 0.2;
+  return c;
+}
+
 template <typename Case>
 struct Sample;
 template <>
@@ -94,6 +113,11 @@ template <>
 struct Sample<FrettingCase>
 {
   static FrettingCase make() { return fretting(); }
+};
+template <>
+struct Sample<SlidingCase>
+{
+  static SlidingCase make() { return sliding(); }
 };
 
 template <typename Case>
@@ -122,7 +146,7 @@ protected:
   }
 };
 
-using Cases = testing::Types<TuggingCase, IndentationCase, RollingCase, FrettingCase>;
+using Cases = testing::Types<TuggingCase, IndentationCase, RollingCase, FrettingCase, SlidingCase>;
 TYPED_TEST_SUITE(RunTest, Cases);
 
 TYPED_TEST(RunTest, SteppedIsTheSameAsWhole)

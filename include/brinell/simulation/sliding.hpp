@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/elastic_contact.hpp"
+#include "brinell/simulation/columns.hpp"
+#include "brinell/simulation/quality.hpp"
+
+/// The upper body, pressed on the lower one, slides over it along x: once, on and on, or to and fro. Both keep what the
+/// peaks of the other one have done to them.
+namespace brinell::simulation
+{
+
+struct SlidingPlan;
+struct SlidingRecord;
+struct SlidingSummary;
+
+struct SlidingCase : Numerics
+{
+  using Plan = SlidingPlan;
+  using Record = SlidingRecord; ///< row of its history
+  using Summary = SlidingSummary;
+
+  ShapedBody lower; ///< flat along x, as the contact stays where it is on the upper body
+  ShapedBody upper;
+  contact::Drive press;        ///< load, approach or mean gap: reached first, kept while sliding, given up at last
+  int press_steps = 10;        ///< in which it is reached, and given up
+  double distance = 0.0;       ///< that the upper body slides in each stroke [m], > 0
+  std::optional<double> shift; ///< by which it slides in a step [m]; default: one cell dx
+  int strokes = 1;
+  bool to_and_fro = false; ///< whether every other stroke goes back; otherwise each goes on where the one before ended
+};
+
+struct SlidingPlan : Plan
+{
+  double half_width_x = 0.0, half_width_y = 0.0; ///< of the contact, estimate [m]
+  double shift = 0.0;                            ///< of a step [m]
+  int sliding_steps = 0;                         ///< in each stroke
+  /// Mean gap of the undeformed surfaces where they first touch, before they slide [m]: of bodies that are periodic along both
+  /// axes; NaN of others.
+  double touching_gap = 0.0;
+};
+
+/// One row of the history.
+struct SlidingRecord : FrictionRecord
+{
+  double slid = 0.0;        ///< displacement of the upper body over the lower one along x [m]
+  double way = 0.0;         ///< length of the way slid since the start [m]
+  double approach = 0.0;    ///< [m]
+  double F_X = 0.0;         ///< force along x that resists the motion: both parts [N]
+  double F_ploughing = 0.0; ///< of the pressure on the slopes of both surfaces [N]
+  double friction = 0.0;    ///< F_X / F_n; 0 without contact
+  /// Of bodies that are periodic along both axes; NaN of others.
+  double nominal_pressure = 0.0, ///< load over the area of the period [Pa]
+      contact_fraction = 0.0,    ///< contact area over the same
+      mean_gap = 0.0;            ///< of the deformed surfaces over the period [m], not negative
+
+  void exchange(Archive& archive);
+};
+
+/// Means over the way of one stroke, and what it leaves.
+struct SlidingStroke
+{
+  int stroke = 0;                             ///< counts from 1
+  double friction = 0.0;                      ///< mean F_X over mean F_n
+  double friction_ploughing = 0.0;            ///< of it, by the slopes of the surfaces
+  double friction_interfacial = 0.0;          ///< and by the shear between them
+  double mean_F_X = 0.0;                      ///< [N]
+  double contact_area = 0.0;                  ///< mean [m^2]
+  double contact_fraction = 0.0;              ///< mean; NaN unless both axes are periodic
+  double mean_gap = 0.0;                      ///< likewise [m]
+  double max_pressure = 0.0;                  ///< mean of the largest pressure [Pa]
+  double dissipation_plastic = 0.0;           ///< of both bodies in this stroke [J]
+  double dissipation_friction = 0.0;          ///< heat of friction in this stroke [J]
+  double max_equivalent_plastic_strain = 0.0; ///< of both bodies, at its end
+  double rms_height_lower = 0.0,
+         rms_height_upper = 0.0; ///< of the surfaces as they are at its end, over their grids [m]
+  double mean_height_lower = 0.0, mean_height_upper = 0.0; ///< likewise, mean of the size: Sa, as that is Sq [m]
+
+  void exchange(Archive& archive);
+};
+
+struct SlidingSummary : RunTotals
+{
+  /// Root mean squares over the period, of the distance that both textures make together before they slide: of bodies that
+  /// are periodic along both axes; NaN of others.
+  double rms_height = 0.0, ///< [m]
+      rms_slope = 0.0;     ///< of the length of the gradient
+  std::vector<SlidingStroke> strokes;
+  SlidingRecord last;
+};
+
+/// Grids, number of steps and memory of a case.
+/// @throws InputError
+[[nodiscard]] SlidingPlan plan(const SlidingCase& sliding);
+
+/// What can be told of the result before a run, and after it.
+[[nodiscard]] Quality expected_quality(const SlidingCase& sliding, const SlidingPlan& plan);
+[[nodiscard]] Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const RunTotals& totals);
+
+template <>
+inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
+    common::step,
+    common::pass,
+    {"slid", "m", &SlidingRecord::slid, "displacement of the upper body over the lower one along x"},
+    {"way", "m", &SlidingRecord::way, "length of the way slid since the start"},
+    {"approach", "m", &SlidingRecord::approach, "approach of the bodies from first touch of the undeformed ones"},
+    common::F_n,
+    {"F_X", "N", &SlidingRecord::F_X, "force along x that resists the motion"},
+    {"F_ploughing", "N", &SlidingRecord::F_ploughing, "of it, that of the pressure on the slopes of both surfaces"},
+    common::F_friction,
+    {"friction", "1", &SlidingRecord::friction, "F_X over F_n, 0 without contact"},
+    common::share_at_shear_limit,
+    common::contact_area,
+    {"contact_fraction", "1", &SlidingRecord::contact_fraction, "contact area over the area of the period"},
+    {"nominal_pressure", "Pa", &SlidingRecord::nominal_pressure, "load over the area of the period"},
+    {"mean_gap", "m", &SlidingRecord::mean_gap, "mean distance of the deformed surfaces over the period"},
+    common::max_pressure,
+});
+
+/// In summary.json its unit ends each name.
+template <>
+inline constexpr std::array<Column<SlidingStroke>, 16> columns<SlidingStroke>{{
+    {"stroke", "1", &SlidingStroke::stroke},
+    {"friction", "1", &SlidingStroke::friction},
+    {"friction_ploughing", "1", &SlidingStroke::friction_ploughing},
+    {"friction_interfacial", "1", &SlidingStroke::friction_interfacial},
+    {"mean_F_X", "N", &SlidingStroke::mean_F_X},
+    {"contact_area", "m^2", &SlidingStroke::contact_area},
+    {"contact_fraction", "1", &SlidingStroke::contact_fraction},
+    {"mean_gap", "m", &SlidingStroke::mean_gap},
+    {"max_pressure", "Pa", &SlidingStroke::max_pressure},
+    {"dissipation_plastic", "J", &SlidingStroke::dissipation_plastic},
+    {"dissipation_friction", "J", &SlidingStroke::dissipation_friction},
+    {"max_equivalent_plastic_strain", "1", &SlidingStroke::max_equivalent_plastic_strain},
+    {"rms_height_lower", "m", &SlidingStroke::rms_height_lower},
+    {"rms_height_upper", "m", &SlidingStroke::rms_height_upper},
+    {"mean_height_lower", "m", &SlidingStroke::mean_height_lower},
+    {"mean_height_upper", "m", &SlidingStroke::mean_height_upper},
+}};
+
+} // namespace brinell::simulation

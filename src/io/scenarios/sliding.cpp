@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "description.hpp"
+
+#include <cmath>
+
+/// The sliding in files and messages.
+namespace brinell::io
+{
+
+namespace
+{
+
+using contact::Drive;
+using simulation::SlidingCase;
+using simulation::SlidingPlan;
+using simulation::SlidingRecord;
+using simulation::SlidingStroke;
+using simulation::SlidingSummary;
+
+constexpr const char* one_of_four = "one of sliding.load, sliding.pressure, sliding.mean_gap and sliding.approach";
+
+std::vector<Entry> keys()
+{
+  const auto press = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
+  {
+    return Entry{.key = std::string("sliding.") + key,
+                 .type = Type::number,
+                 .dimension = dimension,
+                 .range = above(0.0),
+                 .unset = "not imposed",
+                 .text = text,
+                 .hint = one_of_four,
+                 .fill = [kind](Case& c, const Value& value) {
+                   std::get<SlidingCase>(c.scenario).press = {kind, std::get<double>(value)};
+                 }};
+  };
+  return {
+      press("load", dimension::force, Drive::Kind::load, "Load that is reached first, and kept while sliding."),
+      press("pressure", dimension::pressure, Drive::Kind::load,
+            "The load by its mean pressure over the period; with grid.boundary = \"periodic\"."),
+      press("mean_gap", dimension::length, Drive::Kind::mean_gap,
+            "Instead, the mean gap of the deformed surfaces over the period; likewise."),
+      press("approach", dimension::length, Drive::Kind::approach, "Instead, the approach of the bodies."),
+      bound({.key = "sliding.press_steps",
+             .range = between(1, 100000),
+             .text = "Steps in which the bodies are pressed together before they slide, and parted after it."},
+            &SlidingCase::press_steps),
+      bound({.key = "sliding.distance",
+             .dimension = dimension::length,
+             .range = above(0.0),
+             .required = true,
+             .text = "By which the upper body slides along x over the lower one in each stroke; in whole steps."},
+            &SlidingCase::distance),
+      bound({.key = "sliding.shift",
+             .dimension = dimension::length,
+             .range = above(0.0),
+             .unset = "one cell, dx",
+             .text = "By which it slides in a step."},
+            &SlidingCase::shift),
+      bound({.key = "sliding.strokes", .range = between(1, 100000), .text = "How often it slides by the distance."},
+            &SlidingCase::strokes),
+      bound({.key = "sliding.to_and_fro",
+             .text =
+                 "Whether every other stroke goes back. Otherwise each goes on where the one before has ended, which "
+                 "takes a period along x."},
+            &SlidingCase::to_and_fro),
+  };
+}
+
+std::string read(const CaseReader& reader, Case& /*c*/, SlidingCase& s)
+{
+  const auto given = reader.given({"sliding.load", "sliding.pressure", "sliding.mean_gap", "sliding.approach"});
+  if (given.size() != 1)
+  {
+    reader.problems.add(reader.place(given.empty() ? "sliding.load" : given[1]),
+                        fmt::format("{} of sliding.load, sliding.pressure, sliding.mean_gap and sliding.approach {}; "
+                                    "one is needed",
+                                    given.empty() ? "none" : "more than one",
+                                    given.empty() ? "is given" : "are given"));
+    return "sliding.distance";
+  }
+  const std::string& key = given.front();
+  if (key != "sliding.pressure" && key != "sliding.mean_gap")
+    return key;
+  if (!s.domain.is_periodic())
+    reader.add(key, fmt::format("is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
+                                key == "sliding.pressure" ? "sliding.load" : "sliding.approach"));
+  else if (key == "sliding.pressure")
+    s.press.value *= s.domain.x.size * s.domain.y.size;
+  return key;
+}
+
+/// What presses the bodies, as files and messages name it.
+struct Press
+{
+  const char *name, *unit;
+};
+Press press_of(Drive::Kind kind)
+{
+  switch (kind)
+  {
+  case Drive::Kind::load:
+    return {"load", "N"};
+  case Drive::Kind::approach:
+    return {"approach", "m"};
+  case Drive::Kind::mean_gap:
+    return {"mean_gap", "m"};
+  }
+  return {};
+}
+
+std::string strokes_text(int strokes)
+{
+  return fmt::format("{} stroke{}", strokes, strokes == 1 ? "" : "s");
+}
+
+std::string motion(const SlidingCase& s, const SlidingPlan& plan)
+{
+  const auto [name, unit] = press_of(s.press.kind);
+  std::string text =
+      fmt::format("# Sliding: {} = {:.6e} {}, then {} steps of {:.6e} m, {}{}\n", name, s.press.value, unit,
+                  plan.sliding_steps, plan.shift, strokes_text(s.strokes), s.to_and_fro ? ", to and fro" : "");
+  if (!std::isnan(plan.touching_gap))
+    return text + fmt::format("# The surfaces first touch at a mean gap of {:.4e} m\n", plan.touching_gap);
+  return text +
+         fmt::format("# Contact: about {:.4e} x {:.4e} m wide\n", 2.0 * plan.half_width_x, 2.0 * plan.half_width_y);
+}
+
+std::string place(const Case&, const SlidingRecord& record)
+{
+  std::string text =
+      fmt::format("stroke {}  slid {:+.3e} m  friction {:.4f}", record.pass, record.slid, record.friction);
+  if (!std::isnan(record.contact_fraction)) // a period
+    text += fmt::format("  contact {:.3g} %", 100.0 * record.contact_fraction);
+  return text;
+}
+
+std::string results(const Case&, const SlidingSummary& s)
+{
+  return table_text(
+      "stroke  friction  ploughing  interface   area [m^2]   plastic [J]  friction [J]  rms lower [m]  rms upper [m]\n",
+      s.strokes,
+      [](const SlidingStroke& p)
+      {
+        return fmt::format("{:6} {:9.6f} {:10.6f} {:10.6f} {:12.5e} {:13.6e} {:13.6e} {:14.7e} {:14.7e}\n", p.stroke,
+                           p.friction, p.friction_ploughing, p.friction_interfacial, p.contact_area,
+                           p.dissipation_plastic, p.dissipation_friction, p.rms_height_lower, p.rms_height_upper);
+      });
+}
+
+void summarise(Json& json, const Case& c, const SlidingCase& s, const SlidingPlan& plan, const SlidingSummary& summary)
+{
+  json["geometry"] = geometry_json(c);
+  json["geometry"]["estimated_half_width_x_m"] = plan.half_width_x;
+  json["geometry"]["estimated_half_width_y_m"] = plan.half_width_y;
+  json["geometry"]["touching_gap_m"] = plan.touching_gap;
+  json["geometry"]["rms_height_m"] = summary.rms_height;
+  json["geometry"]["rms_slope"] = summary.rms_slope;
+  const auto [name, unit] = press_of(s.press.kind);
+  json["drive"] = {{fmt::format("{}_{}", name, unit), s.press.value}};
+  json["max_share_at_shear_limit"] = summary.max_share_at_shear_limit;
+  json["strokes"] = Json::array();
+  for (const SlidingStroke& stroke : summary.strokes)
+    json["strokes"].push_back(row_json(stroke));
+  json["energy"] = energy_json(summary);
+  json["residual"] = residual_json(summary);
+  json["grid"]["shift_m"] = plan.shift;
+}
+
+/// Pressed, and the middle of each stroke.
+bool is_key_step(const SlidingCase& s, const SlidingRecord& record, NearestToMiddle& middle)
+{
+  return record.step + 1 == s.press_steps ||
+         middle(record.pass, record.slid - (s.to_and_fro ? 0.5 : record.pass - 0.5) * s.distance);
+}
+
+void cite(Sources& sources, const SlidingCase&)
+{
+  sources.add("boucly2006", "sliding: both surfaces and their strain are carried past each other");
+}
+
+} // namespace
+
+template <>
+struct DescriptionOf<SlidingCase>
+{
+  static ScenarioIo<SlidingCase> make()
+  {
+    return {
+        .name = "sliding",
+        .text = "it is pressed on and slides over it along x, once, on and on, or to and fro",
+        .keys = keys,
+        .read = read,
+        .half_x = &SlidingPlan::half_width_x,
+        .half_y = &SlidingPlan::half_width_y,
+        .moves = false,
+        .motion = motion,
+        .is_key_step = is_key_step,
+        .key_steps = [](const SlidingCase& s, const SlidingPlan&) { return 1.0 + s.strokes; },
+        .aligned = "in sliding when the bodies are pressed together, and in the middle of each stroke",
+        .place = place,
+        .results = results,
+        .summarise = summarise,
+        .lists = {{"strokes", columns(SlidingStroke())}},
+        .key_numbers = [](const SlidingCase&) -> std::vector<std::string> {
+          return {"strokes[].friction", "strokes[].contact_area_m2", "strokes[].dissipation_plastic_J"};
+        },
+        .imposed_load = [](const SlidingCase& s) { return s.press.kind == Drive::Kind::load ? s.press.value : 0.0; },
+        .cite = cite,
+    };
+  }
+};
+
+template const ScenarioIo<SlidingCase>& scenario_io<SlidingCase>();
+
+} // namespace brinell::io

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/sliding.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/simulation/forces.hpp"
+#include "domain.hpp"
+#include "footprint.hpp"
+#include "friction.hpp"
+#include "grid_layout.hpp"
+#include "judgement.hpp"
+#include "period.hpp"
+#include "run_state.hpp"
+#include "stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The same bodies, only pressed together.
+IndentationCase pressing(const SlidingCase& sliding)
+{
+  IndentationCase pressed;
+  static_cast<Numerics&>(pressed) = sliding;
+  pressed.lower = sliding.lower;
+  pressed.upper = sliding.upper;
+  pressed.sequence = {sliding.press};
+  return pressed;
+}
+
+/// Press, slide stroke after stroke, lift. The contact stays where it is on the upper body.
+class Sliding
+{
+public:
+  Sliding(const SlidingCase& sliding, const SlidingPlan& plan) : case_(sliding), plan_(plan) {}
+
+  [[nodiscard]] Stepper::Setup setup() const
+  {
+    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(0.0));
+    setup.sliding = {.friction = case_.friction};
+    return setup;
+  }
+  [[nodiscard]] Centre centre() const { return centre(slid(done_)); }
+  [[nodiscard]] bool is_done() const { return done_ == plan_.steps; }
+  [[nodiscard]] int step_count() const { return plan_.steps; }
+
+  [[nodiscard]] Move next(Stepper& stepper)
+  {
+    if (done_ == 0 || done_ == last() || done_ + 1 == plan_.steps) // what has yielded on the way counts
+    {
+      const Stepper::Distances touch = stepper.distances(centre());
+      lifted_ = lifted(touch);
+      if (done_ == 0)
+        at_.approach = touch.smallest;
+    }
+    if (slides(done_) && in_stroke(done_) == 0)
+      reader_.begin_stroke(stepper);
+    const bool moves = slides(done_);
+    const auto path = [this, moves](double t)
+    {
+      contact::TangentialDrive along;
+      along.x.value = moves ? way(done_) : 0.0; // the direction
+      return Target{centre(slid(done_ + t)), {case_.press.kind, pressed(done_ + t)}, moves, along};
+    };
+    const double cells = plan_.shift / plan_.contact.dx;
+    return {path, moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64,
+            fmt::format("step {}, slid by {:g} m", done_, slid(done_ + 1.0))};
+  }
+
+  void read(Stepper& stepper, const SlidingRecord& before, SlidingRecord& r)
+  {
+    const bool moves = slides(done_);
+    const double sign = moves ? way(done_) : way(std::clamp(done_, first(), last() - 1));
+    r.pass = stroke(done_) + 1;
+    r.slid = slid(done_ + 1.0);
+    r.way = before.way + (moves ? plan_.shift : 0.0);
+    const Centre here = centre(r.slid);
+    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance(here);
+    read_period(stepper.pair(), r);
+    r.F_ploughing = sign * ploughing(stepper, here);
+    r.F_X = r.F_ploughing + r.F_friction;
+    r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
+    const WorkedTo now{r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction};
+    if (sign * at_.shear < 0.0) // to and fro: the shear turns before the body moves
+    {
+      at_.F_x -= 2.0 * at_.shear;
+      at_.shear = -at_.shear;
+    }
+    const double moved = now.slid - at_.slid;
+    r.work += 0.5 * (now.F_n + at_.F_n) * (now.approach - at_.approach) + 0.5 * (now.F_x + at_.F_x) * moved;
+    r.dissipation_friction += 0.5 * (now.shear + at_.shear) * moved - stepper.shear_work();
+    at_ = now;
+    if (moves)
+      reader_.add(r);
+    ++done_;
+    if (moves && in_stroke(done_) == 0)
+      strokes_.push_back(reader_.end_stroke(stepper, r));
+  }
+
+  void summarise(SlidingSummary& summary) const
+  {
+    summary.strokes = strokes_;
+    const Roughness r = plan_.contact.is_periodic() ? roughness(pressing(case_), plan_.contact) : Roughness{nan, nan};
+    summary.rms_height = r.height;
+    summary.rms_slope = r.slope;
+  }
+
+  void exchange(Archive& archive)
+  {
+    archive("at", at_);
+    archive("reader", reader_);
+    archive.list("strokes", strokes_);
+    archive("lifted", lifted_);
+    archive("done", done_, 0, plan_.steps);
+  }
+
+private:
+  /// Where the drive has worked so far; forces along x, with their sign.
+  struct WorkedTo
+  {
+    double slid = 0.0, approach = 0.0, F_n = 0.0, F_x = 0.0;
+    double shear = 0.0; ///< share of the shear in F_x [N]
+
+    void exchange(Archive& archive)
+    {
+      archive("slid", slid);
+      archive("approach", approach);
+      archive("F_n", F_n);
+      archive("F_x", F_x);
+      archive("shear", shear);
+    }
+  };
+
+  /// The steps that slide are those from the first to before the last.
+  [[nodiscard]] int first() const { return case_.press_steps; }
+  [[nodiscard]] int last() const { return first() + case_.strokes * plan_.sliding_steps; }
+  [[nodiscard]] bool slides(int step) const { return step >= first() && step < last(); }
+  [[nodiscard]] int in_stroke(int step) const { return (step - first()) % plan_.sliding_steps; }
+  [[nodiscard]] int stroke(int step) const
+  {
+    return (std::clamp(step, first(), last() - 1) - first()) / plan_.sliding_steps;
+  }
+  /// Along x: 1 or -1.
+  [[nodiscard]] double way(int step) const { return case_.to_and_fro && stroke(step) % 2 == 1 ? -1.0 : 1.0; }
+  /// After some steps [m].
+  [[nodiscard]] double slid(double steps) const
+  {
+    const double n = plan_.sliding_steps;
+    const double all = std::clamp(steps - first(), 0.0, case_.strokes * n);
+    if (!case_.to_and_fro)
+      return all * plan_.shift;
+    const double in_cycle = all - 2.0 * n * std::floor(all / (2.0 * n));
+    return std::min(in_cycle, 2.0 * n - in_cycle) * plan_.shift;
+  }
+  /// The middle of the track is that of the lower grid. A period has no middle.
+  [[nodiscard]] Centre centre(double slid) const
+  {
+    const double start =
+        case_.domain.x.is_periodic() ? 0.0 : -(plan_.sliding_steps / 2) * plan_.shift; // whole cells, if the shift is
+    return {start + slid, 0.0};
+  }
+
+  /// What no contact is for the drive, dents and bumps included.
+  [[nodiscard]] double lifted(const Stepper::Distances& touch) const
+  {
+    switch (case_.press.kind)
+    {
+    case Drive::Kind::load:
+      return 0.0;
+    case Drive::Kind::approach:
+      return std::min(0.0, touch.smallest);
+    case Drive::Kind::mean_gap:
+      return touch.mean - touch.smallest;
+    }
+    throw InternalError("a drive of no kind");
+  }
+  /// The drive after some steps. Loads go by their power 2/3, so that the approach grows evenly.
+  [[nodiscard]] double pressed(double steps) const
+  {
+    const double up = std::min(1.0, steps / case_.press_steps);
+    const double share = up - std::max(0.0, (steps - last()) / case_.press_steps);
+    if (share == 1.0)
+      return case_.press.value;
+    if (case_.press.kind == Drive::Kind::load)
+      return case_.press.value * std::pow(std::max(0.0, share), 1.5);
+    return lifted_ + (case_.press.value - lifted_) * share;
+  }
+
+  /// Of the pressure along x: the mean of what the slopes of both surfaces say, which are the same but for the edges of the
+  /// contact, so that nothing tells one body from the other.
+  [[nodiscard]] double ploughing(Stepper& stepper, const Centre& here) const
+  {
+    const Stepper::Depths& depths = stepper.loaded_depths(here);
+    const SurfaceGrid& grid = stepper.pair().grid();
+    std::vector<double> upper = depths.upper;
+    const double x0 = stepper.left_of(here);
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        upper[grid.index(i, j)] += height(case_.upper.shape, x0 + i * grid.dx, grid.y(j));
+    return 0.5 * rolling_resistance(grid, stepper.pair().pressure(), depths.lower, upper, -1.0);
+  }
+
+  /// What only bodies without ends have.
+  static void read_period(const elastoplastic::CoupledContact& pair, SlidingRecord& r)
+  {
+    const SurfaceGrid& grid = pair.grid();
+    r.nominal_pressure = r.contact_fraction = r.mean_gap = nan;
+    if (!grid.is_periodic())
+      return;
+    const auto cells = static_cast<double>(grid.size());
+    const double area = cells * grid.cell_area();
+    r.nominal_pressure = r.F_n / area;
+    r.contact_fraction = r.contact_area / area;
+    r.mean_gap = std::max(0.0, std::accumulate(pair.gap().begin(), pair.gap().end(), 0.0) / cells);
+  }
+
+  const SlidingCase& case_;
+  const SlidingPlan& plan_;
+  WorkedTo at_;
+  StrokeReader reader_;
+  std::vector<SlidingStroke> strokes_;
+  double lifted_ = 0.0; ///< drive without contact
+  int done_ = 0;        ///< steps
+};
+
+void require_press(const SlidingCase& sliding, double touching_gap)
+{
+  const auto& [kind, value] = sliding.press;
+  if (sliding.press_steps < 1)
+    throw KeyError("sliding.press_steps", fmt::format("sliding.press_steps = {}; allowed: >= 1", sliding.press_steps));
+  if (!(value > 0.0 && std::isfinite(value)))
+    throw InputError(fmt::format("sliding needs a load, an approach or a mean gap > 0, not {:g}", value));
+  if (kind == Drive::Kind::approach)
+    if (const auto reason = reason_against_approach(sliding.lower, sliding.upper, value, sliding.domain, "sliding"))
+      throw KeyError("sliding.approach", fmt::format("sliding.approach = {:.4g} m {}", value, *reason));
+  if (kind == Drive::Kind::mean_gap && !(value < touching_gap))
+    throw KeyError("sliding.mean_gap",
+                   fmt::format("sliding.mean_gap = {:.4g} m: the surfaces first touch at {:.4g} m; allowed: less",
+                               value, touching_gap));
+}
+
+void require_motion(const SlidingCase& sliding)
+{
+  if (!std::holds_alternative<Plane>(sliding.lower.shape))
+    throw KeyError("lower.shape", "sliding needs a flat lower body: the contact stays where it is on the upper one; "
+                                  "allowed: \"plane\", and the other shape for the upper body (two balls that pass "
+                                  "each other: scenario = \"tugging\")");
+  if (!(sliding.distance > 0.0 && std::isfinite(sliding.distance)))
+    throw KeyError("sliding.distance", fmt::format("sliding.distance = {:g} m; allowed: > 0", sliding.distance));
+  if (sliding.strokes < 1)
+    throw KeyError("sliding.strokes", fmt::format("sliding.strokes = {}; allowed: >= 1", sliding.strokes));
+  if (sliding.strokes > 1 && !sliding.to_and_fro && !sliding.domain.x.is_periodic())
+    throw KeyError(
+        "sliding.strokes",
+        fmt::format("sliding.strokes = {} would leave the track for good: without a period along x the upper "
+                    "body has to come back; allowed: sliding.to_and_fro = true, or one stroke over a longer "
+                    "sliding.distance",
+                    sliding.strokes));
+}
+
+// docs/verification.md (expected error)
+constexpr Documented documented[] = {{"friction by ploughing", 0.12, 4.2, 1.9}, {"plastic work", 0.06, 4.2, 1.9}};
+
+Facts facts(const SlidingCase& c, const SlidingPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
+  f.documented = documented;
+  f.moves = true;
+  if (c.shift)
+    f.shift = plan.shift;
+  return f;
+}
+
+} // namespace
+
+SlidingPlan plan(const SlidingCase& sliding)
+{
+  require_friction(sliding, sliding.lower, sliding.upper, "");
+  require_motion(sliding);
+  const IndentationCase pressed = pressing(sliding);
+  const Footprint f =
+      footprint(sliding.lower, sliding.upper, largest_drive(pressed), sliding.domain, sliding.friction.coefficient);
+  SlidingPlan plan;
+  plan.half_width_x = f.half_x;
+  plan.half_width_y = f.half_y;
+  plan.shift = sliding.shift.value_or(cell_sizes(sliding, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
+  if (!(plan.shift > 0.0 && plan.shift <= sliding.distance))
+    throw KeyError("sliding.shift", fmt::format("sliding.shift = {:g} m; allowed: > 0, up to sliding.distance = {:g} m",
+                                                plan.shift, sliding.distance));
+  plan.sliding_steps = std::max(1, step_count(std::round(sliding.distance / plan.shift), "sliding.distance"));
+  lay_out(sliding, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
+  require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
+  plan.reference = reference_distance(sliding.lower.shape, sliding.upper.shape, sliding.domain);
+  plan.touching_gap = sliding.domain.is_periodic() ? touching_gap(pressed, plan.contact) : nan;
+  require_press(sliding, plan.touching_gap);
+  plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,
+                          "sliding.strokes");
+  plan.memory_bytes = memory_bytes(plan, sliding.lower.material.is_plastic(), sliding.upper.material.is_plastic(),
+                                   sliding.solver.anderson_depth, sliding.friction.coefficient > 0.0 ? 1 : 0);
+  return plan;
+}
+
+void SlidingRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+}
+
+void SlidingStroke::exchange(Archive& archive)
+{
+  exchange_columns(*this, archive);
+}
+
+Quality expected_quality(const SlidingCase& sliding, const SlidingPlan& plan)
+{
+  return quality_before(facts(sliding, plan));
+}
+
+Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const RunTotals& totals)
+{
+  return quality_after(facts(sliding, plan), totals);
+}
+
+template <>
+struct MotionOf<SlidingCase>
+{
+  using Type = Sliding;
+};
+
+template class Run<SlidingCase>;
+
+} // namespace brinell::simulation

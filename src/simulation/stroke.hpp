@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/sliding.hpp"
+#include "stepper.hpp"
+
+namespace brinell::simulation
+{
+
+/// Reads what happens in a stroke of a sliding, and what it leaves.
+class StrokeReader
+{
+public:
+  void begin_stroke(const Stepper& stepper);
+  void add(const SlidingRecord& record);
+  /// @param last  row of the stroke
+  [[nodiscard]] SlidingStroke end_stroke(const Stepper& stepper, const SlidingRecord& last) const;
+
+  void exchange(Archive& archive);
+
+private:
+  /// Sums over its steps, with the names of the rows.
+  struct Sums
+  {
+    double F_n = 0.0, F_ploughing = 0.0, F_friction = 0.0, contact_area = 0.0, contact_fraction = 0.0, mean_gap = 0.0,
+           max_pressure = 0.0;
+    int steps = 0;
+
+    void exchange(Archive& archive);
+  };
+  Sums sums_;
+  double plastic_before_ = 0.0, friction_before_ = 0.0; ///< [J]
+  double friction_ = 0.0;                               ///< heat so far [J]
+};
+
+} // namespace brinell::simulation

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scenario sliding: what it refuses, where its strokes go, and what it shares with other scenarios and with itself.
+#include "brinell/simulation/sliding.hpp"
+
+#include "brinell/simulation/rolling.hpp"
+#include "brinell/simulation/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+using Kind = contact::Drive::Kind;
+
+const constitutive::Material steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
+const constitutive::Material soft{{120e9, 0.34}, constitutive::LinearHardening{0.4e9, 5e9}};
+
+constexpr double period = 33e-6;
+constexpr double cell = 1e-6;
+
+/// Waves on both of two steels, in a period.
+SlidingCase waves()
+{
+  SlidingCase c;
+  c.lower = {Plane{}, soft};
+  c.upper = {Plane{}, steel};
+  c.lower.texture = Sinusoid{0.2e-6, period, period, 3e-6, -2e-6};
+  c.upper.texture = Sinusoid{0.1e-6, period, 0.5 * period, -5e-6, 1e-6};
+  c.domain.x = c.domain.y = {Boundary::periodic, period, 33};
+  c.press = {Kind::load, 0.2};
+  c.press_steps = 2;
+  c.distance = 6e-6;
+  return c;
+}
+
+/// A ball on a flat with a dent.
+SlidingCase ball()
+{
+  SlidingCase c;
+  c.lower = {Plane{}, soft};
+  c.lower.texture = Dent{10e-6, 0.0, 0.1e-6, 30e-6};
+  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.press = {Kind::load, 2.0};
+  c.press_steps = 1;
+  c.distance = 60e-6;
+  c.resolution = 4.0;
+  return c;
+}
+
+struct Result
+{
+  std::vector<SlidingRecord> history;
+  SlidingSummary summary;
+};
+
+Result computed(const SlidingCase& c)
+{
+  Result result;
+  simulation::Run run(c);
+  while (!run.is_done())
+    result.history.push_back(run.step());
+  result.summary = run.summary();
+  return result;
+}
+
+template <typename Change>
+void expect_refused(const std::string& key, const std::string& part, const SlidingCase& sample, const Change& change)
+{
+  SlidingCase c = sample;
+  change(c);
+  try
+  {
+    static_cast<void>(plan(c));
+    ADD_FAILURE() << "not refused: " << key;
+  }
+  catch (const KeyError& error)
+  {
+    EXPECT_EQ(error.key(), key) << error.what();
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(SlidingTest, RefusesWhatHasNoSolution)
+{
+  EXPECT_NO_THROW(static_cast<void>(plan(waves())));
+  EXPECT_NO_THROW(static_cast<void>(plan(ball())));
+  expect_refused("lower.shape", "flat lower body", ball(), [](auto& c) { std::swap(c.lower.shape, c.upper.shape); });
+  expect_refused("sliding.distance", "= 0 m", waves(), [](auto& c) { c.distance = 0.0; });
+  expect_refused("sliding.shift", "up to sliding.distance", waves(), [](auto& c) { c.shift = 1e-3; });
+  expect_refused("sliding.shift", "> 0", waves(), [](auto& c) { c.shift = 0.0; });
+  expect_refused("sliding.strokes", "= 0", waves(), [](auto& c) { c.strokes = 0; });
+  expect_refused("sliding.strokes", "to_and_fro", ball(), [](auto& c) { c.strokes = 2; });
+  expect_refused("sliding.press_steps", "= 0", waves(), [](auto& c) { c.press_steps = 0; });
+  expect_refused("sliding.mean_gap", "first touch at", waves(), [](auto& c) { c.press = {Kind::mean_gap, 1e-6}; });
+  expect_refused("interface.friction", "-0.1", waves(), [](auto& c) { c.friction.coefficient = -0.1; });
+  for (const double load : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+  {
+    SlidingCase c = waves();
+    c.press.value = load;
+    EXPECT_THROW(static_cast<void>(plan(c)), InputError) << load;
+  }
+}
+
+TEST(SlidingTest, StrokesGoOnOrToAndFro)
+{
+  for (const bool to_and_fro : {false, true})
+  {
+    SlidingCase c = waves();
+    c.distance = 3e-6;
+    c.strokes = 3;
+    c.to_and_fro = to_and_fro;
+    const Result result = computed(c);
+    ASSERT_EQ(result.history.size(), 2U + 9U + 2U);
+    for (int i = 0; i < 9; ++i)
+    {
+      const SlidingRecord& r = result.history[static_cast<std::size_t>(i) + 2];
+      const int stroke = i / 3, along = i % 3 + 1;
+      EXPECT_EQ(r.pass, stroke + 1);
+      EXPECT_NEAR(r.way, (i + 1) * cell, 1e-15);
+      EXPECT_NEAR(r.slid, (to_and_fro ? (stroke == 1 ? 3 - along : along) : i + 1) * cell, 1e-15) << i;
+      EXPECT_NEAR(r.F_n, 0.2, 1e-6);
+      EXPECT_NEAR(r.contact_fraction, r.contact_area / (period * period), 1e-12);
+      EXPECT_NEAR(r.nominal_pressure, r.F_n / (period * period), 1e-3);
+    }
+    EXPECT_EQ(result.history.back().F_n, 0.0);
+    ASSERT_EQ(result.summary.strokes.size(), 3U);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_EQ(result.summary.strokes[static_cast<std::size_t>(i)].stroke, i + 1);
+  }
+}
+
+TEST(SlidingTest, OfABallIsARollingThatDoesNotTurn)
+{
+  SlidingCase c = ball();
+  c.friction.coefficient = 0.1;
+  RollingCase rolling;
+  static_cast<Numerics&>(rolling) = c;
+  rolling.lower = c.lower;
+  rolling.upper = c.upper;
+  rolling.drive = c.press;
+  rolling.load_steps = 1;
+  rolling.slide_to_roll = 2.0;
+  rolling.distance = c.distance;
+  simulation::Run run(rolling);
+  std::vector<RollingRecord> rolled;
+  while (!run.is_done())
+    rolled.push_back(run.step());
+  c.distance = (static_cast<double>(rolled.size()) - 2.0) * plan(rolling).shift;
+  const Result slid = computed(c);
+  ASSERT_EQ(slid.history.size(), rolled.size());
+  for (std::size_t i = 0; i < rolled.size(); ++i)
+  {
+    EXPECT_NEAR(slid.history[i].F_n, rolled[i].F_n, 1e-6 * rolled[1].F_n);
+    EXPECT_NEAR(slid.history[i].max_residual_lower, rolled[i].max_residual_lower, 1e-3 * rolled[i].max_residual_lower);
+    EXPECT_NEAR(slid.history[i].F_friction, rolled[i].F_friction, 1e-4 * rolled[1].F_friction);
+    // Rolling reads the slope of the lower surface, sliding that of both: they differ at the edge of the contact.
+    EXPECT_NEAR(slid.history[i].F_X, rolled[i].F_X, 0.01 * rolled[1].F_n) << i;
+  }
+  EXPECT_NEAR(slid.summary.dissipation_friction, run.summary().dissipation_friction,
+              1e-3 * slid.summary.dissipation_friction);
+}
+
+TEST(SlidingTest, NothingTellsWhereThePeriodBegins)
+{
+  SlidingCase c = waves();
+  c.solver.contact_tolerance = 1e-12; // what is left is rounding, grown by the iterations
+  c.solver.yield_tolerance = c.solver.displacement_tolerance = 1e-10;
+  const Result here = computed(c);
+  for (ShapedBody* body : {&c.lower, &c.upper})
+  {
+    auto& part = std::get<Sinusoid>(body->texture.parts.front());
+    part.x += 7.0 * cell;
+    part.y -= 4.0 * cell;
+  }
+  const Result there = computed(c);
+  ASSERT_GT(here.summary.dissipation_lower, 0.0);
+  for (std::size_t i = 0; i < here.history.size(); ++i)
+  {
+    const SlidingRecord &a = here.history[i], &b = there.history[i];
+    EXPECT_NEAR(a.F_X, b.F_X, 1e-8 * a.F_n + 1e-15) << i;
+    EXPECT_NEAR(a.work, b.work, 1e-8 * here.summary.work) << i;
+    EXPECT_NEAR(a.max_residual_lower, b.max_residual_lower, 1e-8 * here.history.back().max_residual_lower) << i;
+  }
+}
+
+TEST(SlidingTest, NothingTellsWhichBodyIsBelow)
+{
+  SlidingCase c = waves();
+  c.friction.coefficient = 0.2;
+  const Result upright = computed(c);
+  std::swap(c.lower, c.upper);
+  for (ShapedBody* body : {&c.lower, &c.upper}) // turned about y
+    std::get<Sinusoid>(body->texture.parts.front()).x *= -1.0;
+  const Result turned = computed(c);
+  // The tolerances of the solver.
+  for (std::size_t i = 0; i < upright.history.size(); ++i)
+  {
+    const SlidingRecord &a = upright.history[i], &b = turned.history[i];
+    EXPECT_NEAR(a.F_X, b.F_X, 1e-4 * a.F_n + 1e-15) << i;
+    EXPECT_NEAR(a.max_residual_lower, b.max_residual_upper, 1e-3 * upright.history.back().max_residual_lower) << i;
+  }
+  const SlidingStroke &a = upright.summary.strokes.front(), &b = turned.summary.strokes.front();
+  EXPECT_NEAR(a.dissipation_plastic, b.dissipation_plastic, 1e-3 * a.dissipation_plastic);
+  EXPECT_NEAR(a.dissipation_friction, b.dissipation_friction, 1e-4 * a.dissipation_friction);
+  EXPECT_NEAR(a.rms_height_lower, b.rms_height_upper, 1e-6 * a.rms_height_lower);
+  EXPECT_NEAR(a.mean_height_upper, b.mean_height_lower, 1e-6 * a.mean_height_upper);
+}
+
+TEST(SlidingTest, HeightsAreThoseOfTheTexturesUntilSomethingYields)
+{
+  SlidingCase c = waves();
+  c.lower.material.hardening.reset();
+  c.upper.material.hardening.reset();
+  const SlidingStroke stroke = computed(c).summary.strokes.front();
+  // Of cos cos, a half and (2/pi)^2; cells show the waves a little flatter than they are.
+  EXPECT_NEAR(stroke.rms_height_lower / 0.2e-6, 0.5, 0.005);
+  EXPECT_NEAR(stroke.mean_height_lower / 0.2e-6, 4.0 / 9.8696, 0.005);
+  EXPECT_NEAR(stroke.rms_height_upper / 0.1e-6, 0.5, 0.01);
+  EXPECT_EQ(stroke.dissipation_plastic, 0.0);
+}
+
+} // namespace
+} // namespace brinell::simulation
