@@ -36,7 +36,7 @@ struct ScenarioIo
   std::string (*read)(const CaseReader& reader, Case& c, ScenarioCase& scenario);
   double Plan::*half_x; ///< half-lengths of the contact, estimates [m]
   double Plan::*half_y;
-  bool moves = true; ///< the contact moves along x, which is no periodic axis then
+  bool moves = true; ///< the contact moves on both bodies: then x is no periodic axis
   /// Why a body cannot have that shape; empty if it can.
   std::string_view (*against_shape)(const simulation::Shape& shape) = [](const simulation::Shape&)
   { return std::string_view(); };
