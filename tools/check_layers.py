@@ -24,7 +24,7 @@ FLOORS = {
 
 # Single headers, where a floor may use some of another floor but not all: elastic constants, but no kernels.
 ONLY_HEADERS = {
-    ("constitutive", "green"): {"elastic.hpp"},
+    ("constitutive", "green"): {"elastic.hpp", "thermal.hpp"},
     ("reference", "green"): {"elastic.hpp"},
 }
 

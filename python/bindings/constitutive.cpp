@@ -6,6 +6,7 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/io/case_file.hpp"
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/tuple.h>
 
 #include <algorithm>
@@ -133,6 +134,7 @@ void bind_constitutive(nb::module_& m)
       .def_prop_ro("poisson_ratio", [](const Material& material) { return material.elastic.poisson_ratio; })
       .def_prop_ro("shear_modulus", [](const Material& material) { return material.elastic.shear_modulus(); })
       .def_prop_ro("is_plastic", &Material::is_plastic)
+      .def_prop_ro("thermal", [](const Material& material) { return material.thermal; })
       .def_prop_ro("back_stresses", [](const Material& material) { return material.kinematic.size(); });
   m.def("lower_material", &lower_material, "case"_a);
   m.def("rigid_material", [] { return Material{{std::numeric_limits<double>::infinity(), 0.0}, {}}; });

@@ -46,7 +46,19 @@ from brinell.errors import (
     IoError,
     MissingExtraError,
 )
-from brinell.materials import RIGID, Hollomon, Linear, Ludwik, Material, Perfect, Swift, SwiftMicrostrain, Table, Voce
+from brinell.materials import (
+    RIGID,
+    Hollomon,
+    Linear,
+    Ludwik,
+    Material,
+    Perfect,
+    Swift,
+    SwiftMicrostrain,
+    Table,
+    Thermal,
+    Voce,
+)
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import *  # noqa: F403 (a class for each)
@@ -104,6 +116,7 @@ __all__ = [
     "Swift",
     "SwiftMicrostrain",
     "Table",
+    "Thermal",
     "Vickers",
     "Voce",
     "__version__",

@@ -20,7 +20,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
@@ -29,44 +28,12 @@ from brinell._arrays import Array, contiguous, number
 from brinell._reprs import cells
 from brinell.errors import InputError
 from brinell.halfspace import SurfaceGrid, require_memory
-from brinell.materials import Material
+from brinell.materials import Material, Thermal
 
 __all__ = ["HeatResponse", "SurfaceTemperature", "Thermal", "ThermalField"]
 
 _BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
 """Per cell: the planned operator; the state of all waves, without most images; the same for fields in the body."""
-
-
-@dataclass(frozen=True)
-class Thermal:
-    """Constants of a body that conducts heat.
-
-    Attributes:
-        conductivity: K [W/(m K)].
-        density: rho [kg/m^3].
-        specific_heat: c [J/(kg K)].
-        expansion: alpha, linear, of the free body [1/K]; temperatures do without it.
-    """
-
-    conductivity: float
-    density: float
-    specific_heat: float
-    expansion: float = 0.0
-
-    def __post_init__(self) -> None:
-        for name in ("conductivity", "density", "specific_heat"):
-            if not number(getattr(self, name), name) > 0.0:
-                raise InputError(f"{name} = {getattr(self, name)}; allowed: a number above 0")
-        number(self.expansion, "expansion")
-
-    @property
-    def diffusivity(self) -> float:
-        """K/(rho c) [m^2/s]."""
-        return self.conductivity / (self.density * self.specific_heat)
-
-    @property
-    def _engine(self) -> _core.Thermal:
-        return _core.Thermal(self.conductivity, self.density, self.specific_heat, self.expansion)
 
 
 class HeatResponse:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Materials: elastic constants, hardening laws, and what changes with depth.
+"""Materials: elastic constants, hardening laws, what changes with depth, and constants of heat.
 
     steel = Material("210 GPa", 0.3, Swift(coefficient="2.1 GPa", offset=4e-3, exponent=0.095))
     soft = Material(70e9, 0.33, hardening=lambda e: 250e6 + 180e6 * np.tanh(30 * e))
@@ -41,6 +41,7 @@ __all__ = [
     "Swift",
     "SwiftMicrostrain",
     "Table",
+    "Thermal",
     "Voce",
 ]
 
@@ -212,6 +213,66 @@ class Table(Hardening):
         return cls(strain, stress)
 
 
+@dataclass(frozen=True)
+class Thermal:
+    """Constants of a body that conducts heat.
+
+    Attributes:
+        conductivity: K [W/(m K)], > 0.
+        density: rho [kg/m^3], > 0.
+        specific_heat: c [J/(kg K)], > 0.
+        expansion: alpha, linear, of the free body [1/K]; temperatures do without it.
+        temperature: of the bulk [deg C], or text, "293.15 K".
+    """
+
+    conductivity: Quantity
+    density: Quantity
+    specific_heat: Quantity
+    expansion: Quantity = 0.0
+    temperature: Quantity = 20.0
+
+    def __post_init__(self) -> None:
+        self._engine  # noqa: B018 (checks the values)
+
+    @classmethod
+    def carbon_steel(cls, temperature: Quantity = 20.0) -> Thermal:
+        """Structural steel at 20 deg C (EN 1993-1-2:2005, section 3.4)."""
+        return cls(53.3, 7850.0, 440.0, 12.2e-6, temperature)
+
+    @classmethod
+    def stainless_steel(cls, temperature: Quantity = 20.0) -> Thermal:
+        """Austenitic steel 1.4301 (AISI 304) at 20 deg C (EN 10088-1:2005, annex E)."""
+        return cls(15.0, 7900.0, 500.0, 16.0e-6, temperature)
+
+    @property
+    def diffusivity(self) -> float:
+        """K/(rho c) [m^2/s]."""
+        return self._engine.diffusivity
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.thermal` of the case file."""
+        table: dict[str, Any] = plain({field.name: getattr(self, field.name) for field in fields(self)})
+        return table
+
+    @cached_property
+    def _engine(self) -> _core.Thermal:
+        """The same for the engine, checked and in SI.
+
+        Raises:
+            InputError: a value or unit that the case file would not allow either.
+        """
+        try:
+            case = _case_of({"young_modulus": 1e12, "poisson_ratio": 0.3, "thermal": self.to_case()})
+        except InputError as error:
+            raise InputError(str(error).replace("material.thermal.", "")) from None
+        thermal = _core.lower_material(case).thermal
+        assert thermal is not None
+        return thermal
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # what is pickled: not the engine's
+
+
 def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
     """Pairs or lists as what can be compared and does not change."""
     return tuple(tuple(plain(entry)) for entry in values)
@@ -231,6 +292,7 @@ class Material:
             d alpha = 2/3 C d eps - gamma alpha d e (Armstrong, Frederick 1966; Chaboche 1986; gamma = 0: Prager 1956).
         yield_profile: (depths [m], factors on the yield stress [-]), linear between, constant beyond.
         initial_stress: (depths [m], stresses xx = yy before the first load [Pa]), tension positive.
+        thermal: constants of heat; None: no heat is computed in the body.
     """
 
     young_modulus: Quantity
@@ -239,6 +301,7 @@ class Material:
     back_stresses: Sequence[tuple[Quantity, float]] = ()
     yield_profile: tuple[Sequence[Quantity], Sequence[float]] | None = None
     initial_stress: tuple[Sequence[Quantity], Sequence[Quantity]] | None = None
+    thermal: Thermal | None = None
 
     def __post_init__(self) -> None:
         law = self.hardening
@@ -248,6 +311,8 @@ class Material:
             )
         if callable(law):
             object.__setattr__(self, "hardening", Table.of(law))
+        if not (self.thermal is None or isinstance(self.thermal, Thermal)):
+            raise InputError(f"thermal = {self.thermal!r}; allowed: brinell.Thermal(...), or None")
         object.__setattr__(self, "back_stresses", _tuples(self.back_stresses))
         for name in ("yield_profile", "initial_stress"):
             if (profile := getattr(self, name)) is not None:
@@ -261,7 +326,7 @@ class Material:
     def to_case(self) -> dict[str, Any]:
         """The table `material` of the case file, as nested dictionaries."""
         if self.is_rigid:
-            return {"rigid": True}
+            return {"rigid": True} | self._thermal_table(lambda key, value: key != "expansion" or value != 0.0)
         table = {"young_modulus": plain(self.young_modulus), "poisson_ratio": plain(self.poisson_ratio)}
         if isinstance(self.hardening, Hardening):
             table["hardening"] = self.hardening.to_case()
@@ -271,7 +336,12 @@ class Material:
         for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
             if (profile := getattr(self, name)) is not None:
                 table[name] = {"depth": list(profile[0]), value: list(profile[1])}
-        return table
+        return table | self._thermal_table()
+
+    def _thermal_table(self, keep: Callable[[str, Any], bool] = lambda key, value: True) -> dict[str, Any]:
+        if self.thermal is None:
+            return {}
+        return {"thermal": {key: value for key, value in self.thermal.to_case().items() if keep(key, value)}}
 
     @cached_property
     def _engine(self) -> _core.Material:

@@ -27,6 +27,7 @@ from brinell.materials import (
     Swift,
     SwiftMicrostrain,
     Table,
+    Thermal,
     Voce,
 )
 
@@ -235,3 +236,47 @@ def test_materials_can_be_compared() -> None:
 
     assert steel(1) == steel(1.0)
     assert len({steel(1), steel(1.0), steel(2)}) == 2
+
+
+def test_constants_of_heat_stand_in_the_case() -> None:
+    heat = Thermal("50 W/(m K)", "7.85 g/cm^3", "0.46 kJ/(kg K)", "12 um/m/K", "373.15 K")
+    ball = brinell.Sphere("1 mm")
+    lower = brinell.Body(ball, Material("210 GPa", 0.3, thermal=heat))
+    upper = brinell.Body(ball, Material(float("inf"), 0.0, thermal=Thermal(30, 3200, 700, temperature=50)))
+    with pytest.warns(brinell.CaseWarning, match="has no effect: no heat is computed"):
+        case = brinell.Indentation(lower, upper, load=["1 N"], steps=1)
+    table = tomllib.loads(case.to_toml())
+    constants = {"conductivity": 50.0, "density": 7850.0, "specific_heat": 460.0, "expansion": 12e-6}
+    assert table["lower"]["material"]["thermal"] == constants | {"temperature": 100.0}
+    assert "expansion" not in table["upper"]["material"]["thermal"]
+    assert heat.diffusivity == pytest.approx(50 / (7850 * 460), rel=1e-15)
+    assert pickle.loads(pickle.dumps(lower)) == lower
+
+
+def test_constants_of_steels_are_those_of_the_standards() -> None:
+    """EN 1993-1-2:2005, 3.4.1.1 (derivative of its strain), 3.4.1.2, 3.4.1.3, at 20 deg C, to the digits given."""
+    t = 20.0
+    steel = Thermal.carbon_steel()
+    assert steel.conductivity == pytest.approx(54 - 3.33e-2 * t, abs=0.05)
+    assert steel.specific_heat == pytest.approx(425 + 0.773 * t - 1.69e-3 * t**2 + 2.22e-6 * t**3, abs=0.5)
+    assert steel.expansion == pytest.approx(1.2e-5 + 0.8e-8 * t, abs=0.05e-6)
+    assert Thermal.stainless_steel("350 K").temperature == "350 K"
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: Thermal(0.0, 7850, 460), r"^conductivity = 0.0 is out of range; allowed: thermal conductivity > 0"),
+        (lambda: Thermal("50 W", 7850, 460), r'^conductivity = "50 W" is a quantity in kg m\^2 s\^-3'),
+        (lambda: Thermal(50, 7850, 460, 12), r"^expansion = 12 is out of range; .*a steel has about 12e-6 1/K"),
+        (
+            lambda: Thermal(50, 7850, 460, temperature=-300),
+            r"^temperature = -300 is out of range; .*temperature > -273.15, in degC",
+        ),
+        (lambda: Thermal(50, 7850, None), "^specific_heat is missing"),  # type: ignore[arg-type]
+        (lambda: Material(2e11, 0.3, thermal=50.0), r"^thermal = 50.0; allowed: brinell.Thermal"),  # type: ignore[arg-type]
+    ],
+)
+def test_constants_of_heat_are_checked_when_they_are_given(call: Callable[[], Any], message: str) -> None:
+    with pytest.raises(brinell.InputError, match=message):
+        call()

@@ -160,9 +160,10 @@ def test_each_key_of_a_case_has_its_unit() -> None:
     rows = [line.split(" | ") for line in CASE_FILE.read_text(encoding="utf-8").splitlines() if line.startswith("| `")]
     told = {}
     for key, value, *_ in rows:
-        found = re.search(r" in (m|Pa|N|s) or with a unit|(in degrees)", value + "".join(_))
+        found = re.search(r" in (\S+(?: K\))?) or with a unit|(in degrees)", value + "".join(_))
         if found:
-            told[key.strip("| `").split(".")[-1]] = found[1] or "°"
+            unit = "°" if found[2] or found[1] == "degrees" else found[1]
+            told[key.strip("| `").split(".")[-1]] = unit.replace("^3", "³").replace("degC", "°C")
     assert len(told) > 25
     assert dict(UNITS) == told
 

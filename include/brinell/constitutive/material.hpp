@@ -5,6 +5,7 @@
 #include "brinell/constitutive/hardening.hpp"
 #include "brinell/constitutive/kinematic.hpp"
 #include "brinell/green/elastic.hpp"
+#include "brinell/green/thermal.hpp"
 
 #include <optional>
 #include <vector>
@@ -20,6 +21,8 @@ struct Material
   std::vector<KinematicTerm> kinematic{}; ///< back stresses, which move it
   DepthProfile yield_factor{};            ///< of the yield stress, as of a hardened case; 1 without points
   DepthProfile initial_stress{};          ///< biaxial stress xx = yy before the first load [Pa], tension positive
+  std::optional<Thermal> thermal{};       ///< empty: no heat is computed in the body
+  double temperature = 20.0;              ///< of the bulk [deg C]
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
   bool operator==(const Material&) const = default;

@@ -85,6 +85,7 @@ struct Entry
   bool percent = false; ///< a pure number that may also be given as "1 %"
   std::vector<std::string> choices{};
   bool degrees = false;            ///< an angle in degrees, that may also be given as "1.2 rad"
+  bool celsius = false;            ///< a temperature in degC, that may also be given as "293.15 K"
   bool per_axis = false;           ///< a choice that may also be given as a list, along x and along y
   bool required = false;           ///< where the condition holds
   std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset

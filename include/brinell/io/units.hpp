@@ -21,6 +21,10 @@ inline constexpr Dimension none{};
 inline constexpr Dimension length{.length = 1};
 inline constexpr Dimension force{.mass = 1, .length = 1, .time = -2};
 inline constexpr Dimension pressure{.mass = 1, .length = -1, .time = -2};
+inline constexpr Dimension conductivity{.mass = 1, .length = 1, .time = -3, .temperature = -1};
+inline constexpr Dimension density{.mass = 1, .length = -3};
+inline constexpr Dimension specific_heat{.length = 2, .time = -2, .temperature = -1};
+inline constexpr Dimension expansion{.temperature = -1};
 } // namespace dimension
 
 /// "length", "pressure", ...; "quantity in kg m^2" if the dimension has no name here.
@@ -39,9 +43,13 @@ struct Quantity
   Dimension dimension;
 };
 
-/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/m/K", "2 µm". Every factor is a power of ten and is put into the exponent
+/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/(m K)", "12e-6 1/K", "2 µm". Every factor is a power of ten and is put into the exponent
 /// of the number before that is read, so "3.85 mm" is the same double as 0.00385.
 /// @throws InputError; its text continues a sentence that begins with the value ("has the unknown unit ...").
 [[nodiscard]] Quantity quantity(std::string_view text);
+
+/// Reads "20 degC", "20 °C" or "293.15 K" in degrees Celsius: a temperature, not a difference of two.
+/// @throws InputError; its text continues a sentence that begins with the value.
+[[nodiscard]] double degrees_celsius(std::string_view text);
 
 } // namespace brinell::io

@@ -64,6 +64,11 @@ UNITS: Mapping[str, str] = {
     "load": "N",
     "direction": "°",
     "half_angle": "°",
+    "conductivity": "W/(m K)",
+    "density": "kg/m³",
+    "specific_heat": "J/(kg K)",
+    "expansion": "1/K",
+    "temperature": "°C",
     "checkpoint_interval": "s",
 }
 """Unit of each key of a case that has one; the last part of its name tells."""
@@ -121,7 +126,10 @@ def _written(value: Any, unit: str) -> str:
     return "none" if value is None else str(value)
 
 
+_WITHOUT_PREFIX = frozenset({"°", "s", "W/(m K)", "kg/m³", "J/(kg K)", "1/K", "°C", *_NORMALISED.values()})
+
+
 def _of_number(value: float, unit: str) -> str:
-    if unit in ("°", "s", *_NORMALISED.values()):
+    if unit in _WITHOUT_PREFIX:
         return f"{text.number(value, 4)} {unit}"
     return text.quantity(value, unit, 4)

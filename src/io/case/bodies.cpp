@@ -312,10 +312,13 @@ void require_elastic_at_start(const constitutive::Material& material)
 /// A law that cannot be made is a problem, at the place of its key.
 constitutive::Material material(const CaseReader& reader, const std::string& table)
 {
-  if (reader.get<bool>(table + "rigid"))
-    return {{std::numeric_limits<double>::infinity(), 0.0}, {}};
-  constitutive::Material result{
-      {reader.get<double>(table + "young_modulus"), reader.get<double>(table + "poisson_ratio")}, {}};
+  constitutive::Material result{{std::numeric_limits<double>::infinity(), 0.0}, {}};
+  const bool deforms = !reader.get<bool>(table + "rigid");
+  if (deforms)
+    result.elastic = {reader.get<double>(table + "young_modulus"), reader.get<double>(table + "poisson_ratio")};
+  read_thermal(reader, table + "thermal.", result);
+  if (!deforms)
+    return result;
   const std::string hardening = table + "hardening.", law = hardening + "law";
   if (reader.get<std::string>(law) == "none")
     return result;

@@ -28,6 +28,8 @@ std::string case_name(const std::filesystem::path& file)
 /// Unit of a value, as a comment; none for what has no dimension.
 std::string unit_comment(const CaseValues& values, const Entry& entry)
 {
+  if (entry.celsius)
+    return " # degC";
   if (entry.dimension == dimension::none)
     return "";
   if (!entry.pure_if.empty() && values.get<bool>(entry.pure_if))

@@ -85,6 +85,14 @@ catch (const InputError& error)
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
+/// Fills in the thermal constants, if there are any; without the elastic ones a body must be known to be rigid or not.
+/// @param table  ends with a dot
+void read_thermal(const CaseReader& reader, const std::string& table, constitutive::Material& material);
+
+/// Constants that no solid has, and those that nothing uses.
+void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
+                     Case& c);
+
 /// The boundaries of a domain, and its period along the axes that have one.
 /// @param both  whether the scenario can be computed with both axes periodic, or with x alone
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);

@@ -82,6 +82,8 @@ double number(const Raw& raw, const Entry& entry, bool pure)
     x = from_percent(*share, raw, entry);
   else if (const auto* angle = std::get_if<std::string>(&raw.value); angle && entry.degrees)
     x = from_angle(*angle, raw, entry);
+  else if (const auto* temperature = std::get_if<std::string>(&raw.value); temperature && entry.celsius)
+    x = degrees_celsius(*temperature);
   else if (const auto* s = std::get_if<std::string>(&raw.value); s && entry.dimension != dimension::none)
     x = from_quantity(*s, entry, pure);
   else

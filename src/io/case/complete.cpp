@@ -117,6 +117,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   warn_of_material("upper", upper.material, c);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
   {
+    warn_of_thermal(reader, name, body->material, c);
     warn_of_table(reader, name, c);
     warn_of_heights(name, body->texture, c);
   }

@@ -18,20 +18,6 @@ std::vector<std::string> law_names()
   return names;
 }
 
-/// The keys of a table, which apply under one condition unless they have their own.
-Entries in_table(const std::string& table, const Condition& when, Entries entries)
-{
-  for (Entry& entry : entries)
-  {
-    entry.key = table + entry.key;
-    if (!entry.excludes.empty())
-      entry.excludes = table + entry.excludes;
-    if (entry.when.key.empty())
-      entry.when = when;
-  }
-  return entries;
-}
-
 /// A number of some of the options, required unless it has a default.
 template <typename Product>
 Entry parameter(const std::string& choice, const std::vector<Option<Product>>& options, Entry entry)
@@ -406,6 +392,19 @@ Entries depth_entries(const std::string& table, const Condition& yields)
 
 } // namespace
 
+std::vector<Entry> in_table(const std::string& table, const Condition& when, std::vector<Entry> entries)
+{
+  for (Entry& entry : entries)
+  {
+    entry.key = table + entry.key;
+    if (!entry.excludes.empty())
+      entry.excludes = table + entry.excludes;
+    if (entry.when.key.empty())
+      entry.when = when;
+  }
+  return entries;
+}
+
 std::vector<Entry> body_entries(const std::string& body)
 {
   const std::string material = body + ".material.";
@@ -413,7 +412,8 @@ std::vector<Entry> body_entries(const std::string& body)
   std::vector<Entry> entries;
   for (auto part : {shape_entries(body + ".shape."), texture_entries(body + ".texture."), material_entries(material),
                     hardening_entries(material + "hardening.", yields),
-                    back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields)})
+                    back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields),
+                    thermal_entries(material)})
     entries.insert(entries.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return entries;
 }

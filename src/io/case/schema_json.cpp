@@ -23,7 +23,7 @@ Json number_schema(const Entry& entry, const char* type)
     number[entry.range.min_allowed ? "minimum" : "exclusiveMinimum"] = entry.range.min;
   if (std::isfinite(entry.range.max))
     number[entry.range.max_allowed ? "maximum" : "exclusiveMaximum"] = entry.range.max;
-  if (entry.dimension == dimension::none && !entry.percent && !entry.degrees)
+  if (entry.dimension == dimension::none && !entry.percent && !entry.degrees && !entry.celsius)
     return number;
   return {{"anyOf", Json::array({number, {{"type", "string"}}})}};
 }

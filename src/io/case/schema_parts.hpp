@@ -81,8 +81,14 @@ Entry bound(Entry entry, First first, Rest... rest)
   return entry;
 }
 
+/// The keys of a table, which apply under one condition unless they have their own.
+[[nodiscard]] std::vector<Entry> in_table(const std::string& table, const Condition& when, std::vector<Entry> entries);
+
 /// Keys of one body, "lower" or "upper": shape, texture, material.
 [[nodiscard]] std::vector<Entry> body_entries(const std::string& body);
+
+/// What a material has to do with heat. @param material  its table, ends with a dot
+[[nodiscard]] std::vector<Entry> thermal_entries(const std::string& material);
 
 // Intervals of a number.
 inline Range above(double min)

@@ -99,15 +99,16 @@ std::vector<std::string> keys_with(std::string_view word)
   return keys;
 }
 
-constexpr std::string_view markdown_head = R"(<!-- Written by `brinell schema --markdown`; do not edit. -->
+constexpr std::string_view markdown_head = R"md(<!-- Written by `brinell schema --markdown`; do not edit. -->
 # The case file
 
 A case is a [TOML](https://toml.io) file. Dotted keys and tables mean the same: `lower.shape.radius = 1` is
 `[lower]` with `shape = {radius = 1}`.
 
-**Units.** A bare number is SI. A string carries its unit: `"3.85 mm"`, `"200 GPa"`, `"911.5 N/mm^2"`, `"2 µm"`.
+**Units.** A bare number is SI, but for angles, which are in degrees, and temperatures, in degrees Celsius. A string carries its unit: `"3.85 mm"`, `"200 GPa"`, `"911.5 N/mm^2"`, `"2 µm"`.
 Units are products of m, g, s, K, N, Pa, bar, J, W with the prefixes p n u (or µ) c m k M G T, `*` or a space between,
-`/` before each one that divides. A quantity of the wrong dimension is an error.
+`/` before each one that divides or before parentheses, as in `"50 W/(m K)"`. A temperature has `degC` or `K`. A quantity of
+the wrong dimension is an error.
 
 **Old names.** Keys that had another name before are understood for a version, with a warning: see [names that have
 changed](../user-guide.md#names-that-have-changed).
@@ -119,7 +120,7 @@ Where it excludes a key of the file (`grid.resolution` for `grid.spacing`) or ma
 (`lower.material.hardening.law=none`), that key of the file is ignored.
 
 `brinell check case.toml` prints the case with all defaults filled in.
-)";
+)md";
 
 } // namespace
 
@@ -142,7 +143,10 @@ bool Range::contains(double x) const
 
 std::string allowed_values(const Entry& entry)
 {
-  const bool pure = entry.dimension == dimension::none;
+  const std::string what = entry.celsius                        ? "temperature"
+                           : entry.dimension == dimension::none ? "number"
+                                                                : dimension_name(entry.dimension);
+  const char* temperature_note = entry.celsius ? ", in degC or with a unit as in \"293.15 K\"" : "";
   switch (entry.type)
   {
   case Type::text:
@@ -154,15 +158,13 @@ std::string allowed_values(const Entry& entry)
   case Type::integer:
     return with_range("integer", entry.range);
   case Type::number:
-    return with_range(pure ? "number" : dimension_name(entry.dimension), entry.range) + unit_note(entry.dimension) +
-           (entry.degrees ? ", in degrees or with a unit as in \"1.2 rad\"" : "") +
+    return with_range(what, entry.range) + unit_note(entry.dimension) +
+           (entry.degrees ? ", in degrees or with a unit as in \"1.2 rad\"" : "") + temperature_note +
            (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
   case Type::vector3:
-    return with_range(fmt::format("three {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range) +
-           unit_note(entry.dimension);
+    return with_range(fmt::format("three {}s", what), entry.range) + unit_note(entry.dimension);
   case Type::numbers:
-    return with_range(fmt::format("list of {}s", pure ? "number" : dimension_name(entry.dimension)), entry.range) +
-           unit_note(entry.dimension);
+    return with_range(fmt::format("list of {}s", what), entry.range) + unit_note(entry.dimension) + temperature_note;
   case Type::snapshots:
     return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";
   }

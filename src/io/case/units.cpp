@@ -67,7 +67,11 @@ constexpr std::array named_dimensions{
     NamedDimension{{.mass = 1}, "mass", "kg", "1 kg"},
     NamedDimension{{.time = 1}, "time", "s", "2 ms"},
     NamedDimension{{.length = 1, .time = -1}, "velocity", "m/s", "3 m/s"},
-    NamedDimension{{.temperature = 1}, "temperature", "K", "300 K"},
+    NamedDimension{{.temperature = 1}, "difference of temperatures", "K", "300 K"},
+    NamedDimension{dimension::conductivity, "thermal conductivity", "W/(m K)", "50 W/(m K)"},
+    NamedDimension{dimension::density, "density", "kg/m^3", "7850 kg/m^3"},
+    NamedDimension{dimension::specific_heat, "specific heat", "J/(kg K)", "460 J/(kg K)"},
+    NamedDimension{dimension::expansion, "thermal expansion", "1/K", "12e-6 1/K"},
 };
 
 const NamedDimension* find(Dimension dimension)
@@ -172,6 +176,16 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text;
 }
 
+/// "W/(m K)" as "W/m/K", and "1/K" as "/K". What else stands in parentheses stays, and is no unit.
+std::string without_parentheses(std::string text)
+{
+  static const std::regex divisor(R"(/[ \t]*\([ \t]*([^()/]*[^()/ \t])[ \t]*\))"), between(R"([ \t]*\*[ \t]*|[ \t]+)"),
+      one(R"(^1[ \t]*/)");
+  for (std::smatch match; std::regex_search(text, match, divisor);)
+    text = match.prefix().str() + "/" + std::regex_replace(match.str(1), between, "/") + match.suffix().str();
+  return std::regex_replace(text, one, "/");
+}
+
 /// Products and quotients of units; each "/" concerns the one unit behind it.
 Unit unit_expression(std::string_view whole)
 {
@@ -184,14 +198,14 @@ Unit unit_expression(std::string_view whole)
   };
   static const std::regex factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
   std::string text = replaced(std::string(whole), "\u00b7", "*"); // middle dot
-  text = replaced(replaced(std::move(text), "\u00b2", "^2"), "\u00b3", "^3");
+  text = without_parentheses(replaced(replaced(std::move(text), "\u00b2", "^2"), "\u00b3", "^3"));
   Unit product;
   std::smatch match;
   for (auto place = text.cbegin(); place != text.cend(); place = match[0].second)
   {
     const bool found = std::regex_search(place, text.cend(), match, factor, std::regex_constants::match_continuous);
     const std::string symbol = match.str(2), sign = match.str(1);
-    const auto unit = found && (sign.empty() || place != text.cbegin()) ? find_unit(symbol) : std::nullopt;
+    const auto unit = found && (sign != "*" || place != text.cbegin()) ? find_unit(symbol) : std::nullopt;
     if (!unit)
       throw bad("unknown unit", units_like(symbol));
     const int exponent = match[3].matched ? std::stoi(match.str(3)) : 1;
@@ -238,6 +252,22 @@ Quantity quantity(std::string_view text)
   if (error != std::errc{} || end != decimal.data() + decimal.size())
     throw InputError("is too large or too small for a number");
   return result;
+}
+
+double degrees_celsius(std::string_view text)
+{
+  constexpr double ice_point = 273.15; // [K]
+  std::string_view rest = text;
+  skip_spaces(rest);
+  const std::size_t unit = take_number(rest) ? text.size() - rest.size() : text.size();
+  skip_spaces(rest);
+  while (rest.ends_with(' ') || rest.ends_with('\t'))
+    rest.remove_suffix(1);
+  const bool is_celsius = rest == "degC" || rest == "\u00b0C";
+  if (!is_celsius && rest != "K")
+    throw InputError("is no temperature; allowed: a number in degC, or text as in \"20 degC\" or \"293.15 K\"");
+  const double value = quantity(text.substr(0, unit)).value;
+  return is_celsius ? value : value - ice_point;
 }
 
 } // namespace brinell::io

@@ -44,7 +44,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Good{"5 %", 0.05, dimension::none}, Good{"2 N m", 2.0, {.mass = 1, .length = 2, .time = -2}},
                     Good{"2 kN\u00b7m", 2e3, {.mass = 1, .length = 2, .time = -2}},
                     Good{"45 W/m/K", 45.0, {.mass = 1, .length = 1, .time = -3, .temperature = -1}},
-                    Good{"7850 kg/m^3", 7850.0, {.mass = 1, .length = -3}}, Good{"3 ms", 3e-3, {.time = 1}}));
+                    Good{"45 W/(m K)", 45.0, dimension::conductivity},
+                    Good{"45W / ( m*K )", 45.0, dimension::conductivity},
+                    Good{"0.46 kJ/(kg\u00b7K)", 460.0, dimension::specific_heat},
+                    Good{"12e-6 1/K", 12e-6, dimension::expansion}, Good{"12e-6/K", 12e-6, dimension::expansion},
+                    Good{"12 um/m/K", 12e-6, dimension::expansion}, Good{"12 um/(m K)", 12e-6, dimension::expansion},
+                    Good{"7850 kg/m^3", 7850.0, dimension::density}, Good{"3 ms", 3e-3, {.time = 1}}));
+
+TEST(Units, ATemperatureIsReadFromItsOwnZero)
+{
+  EXPECT_EQ(degrees_celsius("20 degC"), 20.0);
+  EXPECT_EQ(degrees_celsius("-5.5\u00b0C"), -5.5);
+  EXPECT_DOUBLE_EQ(degrees_celsius(" 1e3 K "), 726.85);
+  EXPECT_DOUBLE_EQ(degrees_celsius("0 K"), -273.15);
+  for (const char* bad : {"", "20", "20 C", "20 mK", "degC", "20 K/m", "nan degC"})
+    EXPECT_THROW((void)degrees_celsius(bad), InputError) << bad;
+}
 
 class BadQuantity : public testing::TestWithParam<const char*>
 {
@@ -56,9 +71,9 @@ TEST_P(BadQuantity, IsRefused)
 }
 
 INSTANTIATE_TEST_SUITE_P(Units, BadQuantity,
-                         testing::Values("", "mm", "3.85 furlong", "3 mm/", "3 /mm", "3 mm^", "3 mm^x", "3..5 m",
-                                         "1,5 mm", "nan m", "inf m", "0x10 m", "3 m m^99", "1e999 m", "1e99999 m",
-                                         "1e m", "- m", "3 k%"));
+                         testing::Values("", "mm", "3.85 furlong", "3 mm/", "3 mm^", "3 mm^x", "3..5 m", "1,5 mm",
+                                         "nan m", "inf m", "0x10 m", "3 m m^99", "1e999 m", "1e99999 m", "1e m", "- m",
+                                         "3 k%", "3 W/(m/K)", "3 W/(m K", "3 W/()", "3 (m K)", "3 2/K", "3 *K"));
 
 TEST(Units, SayWhatIsMeantBySmallAndCapitalLetters)
 {
@@ -84,8 +99,9 @@ TEST(Units, NamesAndExamples)
 {
   EXPECT_EQ(dimension_name(dimension::pressure), "pressure");
   EXPECT_EQ(si_unit(dimension::pressure), "Pa");
-  EXPECT_EQ(si_unit({.mass = 1, .length = 1, .time = -3, .temperature = -1}), "kg m s^-3 K^-1");
-  for (const Dimension d : {dimension::length, dimension::pressure})
+  EXPECT_EQ(si_unit({.mass = 1, .time = -3, .temperature = -1}), "kg s^-3 K^-1");
+  for (const Dimension d : {dimension::length, dimension::pressure, dimension::conductivity, dimension::density,
+                            dimension::specific_heat, dimension::expansion})
     EXPECT_EQ(quantity(example_quantity(d)).dimension, d);
 }
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "case_reader.hpp"
+
+/// What a material has to do with heat.
+namespace brinell::io
+{
+
+void read_thermal(const CaseReader& reader, const std::string& table, constitutive::Material& material)
+{
+  std::vector<const char*> keys{"conductivity", "density", "specific_heat"};
+  if (!material.elastic.is_rigid())
+    keys.push_back("expansion");
+  const auto has = [&](const char* key) { return reader.has(table + key); };
+  if (std::none_of(keys.begin(), keys.end(), has) && !has("temperature"))
+    return;
+  for (const char* key : keys)
+    if (!has(key))
+    {
+      const Entry& entry = *find_entry(table + key);
+      reader.problems.add(reader.place(table + key),
+                          fmt::format("{} is missing; allowed: {}; {}", entry.key, allowed_values(entry), entry.hint));
+    }
+  const auto number = [&](const char* key, double otherwise)
+  { return has(key) ? reader.get<double>(table + key) : otherwise; };
+  material.thermal = Thermal{.conductivity = number("conductivity", 0.0),
+                             .density = number("density", 0.0),
+                             .specific_heat = number("specific_heat", 0.0),
+                             .expansion = number("expansion", 0.0)};
+  material.temperature = number("temperature", material.temperature);
+}
+
+namespace
+{
+
+/// What solids have, from foams to metals and diamond.
+struct Usual
+{
+  const char* key;
+  double Thermal::*member;
+  double min, max;
+};
+
+constexpr Usual usual[] = {
+    {"conductivity", &Thermal::conductivity, 0.01, 3000.0},
+    {"density", &Thermal::density, 10.0, 23000.0},
+    {"specific_heat", &Thermal::specific_heat, 50.0, 10000.0},
+};
+
+} // namespace
+
+void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material, Case& c)
+{
+  if (!material.thermal)
+    return;
+  const std::string table = body + ".material.thermal";
+  for (const Usual& of : usual)
+    if (const double value = *material.thermal.*of.member; value < of.min || value > of.max)
+    {
+      const Entry& entry = *find_entry(fmt::format("{}.{}", table, of.key));
+      c.warnings.push_back({"unusual_thermal", fmt::format("{} is {:.4g} {}, which no solid has; is the unit right? {}",
+                                                           entry.key, value, si_unit(entry.dimension), entry.hint)});
+    }
+  constexpr double ice_point = 273.0, warm_room = 310.0; // [K]
+  const Given* given = reader.raw.find(table + ".temperature");
+  if (const double t = material.temperature;
+      given && !std::holds_alternative<std::string>(given->raw.value) && t >= ice_point && t <= warm_room)
+    c.warnings.push_back(
+        {"hot_bulk",
+         fmt::format("{0}.temperature is {1:.5g} degC; if {1:.5g} K is meant, write \"{1:.5g} K\"", table, t)});
+  c.warnings.push_back({"no_heat", fmt::format("{} has no effect: no heat is computed in this case", table)});
+}
+
+} // namespace brinell::io

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/case_file.hpp"
+#include "sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+/// What a material has to do with heat, as it stands in a case file.
+namespace brinell::io
+{
+namespace
+{
+
+const std::string steel = R"x(conductivity = "50 W/(m K)", density = "7.85 g/cm^3", specific_heat = "0.46 kJ/kg/K", )x"
+                          R"(expansion = "12 um/m/K")";
+
+Case with(const std::string& keys, const std::string& body = "lower")
+{
+  return sample::parsed({body + ".material.thermal={" + keys + "}"});
+}
+
+std::string message(const std::string& keys, const std::string& body = "lower")
+{
+  try
+  {
+    (void)with(keys, body);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "no error";
+}
+
+void expect_message(const std::string& keys, const std::string& part)
+{
+  EXPECT_NE(message(keys).find(part), std::string::npos) << part << " is not in: " << message(keys);
+}
+
+bool warns(const Case& c, const std::string& code)
+{
+  return std::any_of(c.warnings.begin(), c.warnings.end(), [&](const Warning& w) { return w.key == code; });
+}
+
+TEST(ThermalCase, ConstantsAreReadInSI)
+{
+  const auto material = sample::tugging(with(steel + R"(, temperature = "373.15 K")")).lower.material;
+  EXPECT_EQ(material.thermal, (Thermal{50.0, 7850.0, 460.0, 12e-6}));
+  EXPECT_DOUBLE_EQ(material.temperature, 100.0);
+  EXPECT_DOUBLE_EQ(sample::tugging(with(steel)).lower.material.temperature, 20.0);
+  EXPECT_DOUBLE_EQ(sample::tugging(with(steel + ", temperature = \"-40 degC\"")).lower.material.temperature, -40.0);
+  EXPECT_DOUBLE_EQ(sample::tugging(with(steel + ", temperature = 150")).lower.material.temperature, 150.0);
+  EXPECT_FALSE(sample::tugging(sample::parsed({})).lower.material.thermal);
+}
+
+TEST(ThermalCase, TheResolvedCaseIsTheSame)
+{
+  const Case c = with(steel + R"(, temperature = "300 K")");
+  const Case again = parse_case(resolved_text(c.values), "resolved.toml");
+  EXPECT_EQ(sample::tugging(again).lower.material, sample::tugging(c).lower.material);
+  EXPECT_NE(resolved_text(c.values).find("degC"), std::string::npos);
+}
+
+TEST(ThermalCase, ARigidBodyConductsButDoesNotSwell)
+{
+  const auto rigid = [](const std::string& keys) {
+    return sample::parsed({"upper.material.rigid=true", "upper.material.thermal={" + keys + "}"});
+  };
+  const auto material = sample::tugging(rigid("conductivity = 30, density = 3200, specific_heat = 700")).upper.material;
+  EXPECT_TRUE(material.elastic.is_rigid());
+  EXPECT_EQ(material.thermal, (Thermal{30.0, 3200.0, 700.0, 0.0}));
+  EXPECT_THROW((void)rigid("conductivity = 30, density = 3200, specific_heat = 700, expansion = 3e-6"), InputError);
+}
+
+TEST(ThermalCase, BadConstantsNameTheKeyAndWhatIsAllowed)
+{
+  expect_message("conductivity = 0", "lower.material.thermal.conductivity = 0 is out of range");
+  expect_message("conductivity = 0", "a steel has 15 to 60 W/(m K)");
+  expect_message("density = -1", "lower.material.thermal.density = -1 is out of range; allowed: density > 0");
+  expect_message("specific_heat = 0", "specific_heat = 0 is out of range");
+  expect_message("expansion = 12",
+                 "expansion = 12 is out of range; allowed: thermal expansion in [-0.001, 0.001], in 1/K");
+  expect_message("expansion = nan", "is not a finite number");
+  expect_message("conductivity = \"50 W\"", "is a quantity in kg m^2 s^-3; allowed: thermal conductivity > 0");
+  expect_message("temperature = -300", "temperature = -300 is out of range; allowed: temperature > -273.15, in degC");
+  expect_message("temperature = \"0 K\"", "is out of range");
+  expect_message("temperature = \"20 K\"", "conductivity is missing");
+  expect_message("temperature = \"68 degF\"", "allowed: a number in degC, or text as in \"20 degC\" or \"293.15 K\"");
+  expect_message("temperature = \"20\"", "is no temperature");
+  expect_message("conductivity = 50, density = 7850, expansion = 0", "lower.material.thermal.specific_heat is missing; "
+                                                                     "allowed: specific heat > 0, in J/(kg K)");
+}
+
+TEST(ThermalCase, WarnsOfWhatIsSeldomMeant)
+{
+  EXPECT_FALSE(warns(with(steel), "unusual_thermal"));
+  EXPECT_TRUE(warns(with("conductivity = 50, density = 7.85, specific_heat = 460, expansion = 0"), "unusual_thermal"));
+  EXPECT_TRUE(warns(with(steel + ", temperature = 293.15"), "hot_bulk"));
+  EXPECT_FALSE(warns(with(steel + ", temperature = \"293.15 degC\""), "hot_bulk"));
+  EXPECT_FALSE(warns(with(steel + ", temperature = 120"), "hot_bulk"));
+}
+
+// No scenario computes heat yet.
+TEST(ThermalCase, WarnsOfConstantsThatNothingUses)
+{
+  EXPECT_TRUE(warns(with(steel), "no_heat"));
+  EXPECT_TRUE(warns(with(steel, "upper"), "no_heat"));
+  EXPECT_FALSE(warns(sample::parsed({}), "no_heat"));
+}
+
+} // namespace
+} // namespace brinell::io
