@@ -39,6 +39,26 @@ std::span<const double> strains(const Input& array, std::size_t n)
   return e;
 }
 
+std::span<const double> factors(const Input& array, std::size_t n)
+{
+  const auto f = values(array, {n}, "yield_factor");
+  for (const double value : f)
+    if (!(value > 0.0))
+      throw InputError(fmt::format("yield_factor has the value {:g}; allowed: above 0", value));
+  return f;
+}
+
+Output softening_factor(const Material& material, const Input& temperature)
+{
+  if (!material.softening)
+    throw InputError("the material has no softening law");
+  const auto t = values(temperature, {temperature.size()}, "temperature");
+  std::vector<double> result(t.size());
+  std::transform(t.begin(), t.end(), result.begin(),
+                 [&](double at) { return constitutive::softening_factor(*material.softening, at); });
+  return array(std::move(result), {t.size()});
+}
+
 /// A member function of the law at each strain.
 template <typename Member>
 Output law_values(const Material& material, const Input& equivalent_plastic_strain, const Member& member)
@@ -54,7 +74,7 @@ Output law_values(const Material& material, const Input& equivalent_plastic_stra
 /// n points before and after an increment.
 struct Points
 {
-  std::span<const double> stress, trial, equivalent, backstress;
+  std::span<const double> stress, trial, equivalent, backstress, yield_factor;
   std::size_t n = 0;
 
   [[nodiscard]] Deviator back(std::size_t term, std::size_t i) const
@@ -91,8 +111,8 @@ Increments increments(const Material& material, const Law& law, const Points& po
     for (std::size_t term = 0; term < terms; ++term)
       back[term] = points.back(term, i);
     const constitutive::PlasticIncrement increment = constitutive::flow(
-        law, material.kinematic, path ? constitutive::Integration::path : constitutive::Integration::backward_euler, s0,
-        q, e, 2.0 * mu, back);
+        constitutive::ScaledLaw<Law>{law, points.yield_factor[i]}, material.kinematic,
+        path ? constitutive::Integration::path : constitutive::Integration::backward_euler, s0, q, e, 2.0 * mu, back);
     store(to_tensor(increment.strain), result.strain, n, i);
     result.equivalent[i] = increment.equivalent;
     result.dissipation[i] = increment.dissipation;
@@ -105,12 +125,17 @@ Increments increments(const Material& material, const Law& law, const Points& po
 }
 
 auto return_mapping(const Material& material, const Input& stress, const Input& trial,
-                    const Input& equivalent_plastic_strain, const Input& backstress, bool path)
+                    const Input& equivalent_plastic_strain, const Input& backstress, const Input& yield_factor,
+                    bool path)
 {
   const std::size_t n = equivalent_plastic_strain.size();
   const std::size_t terms = material.kinematic.size();
-  const Points points{values(stress, {6, n}, "stress"), values(trial, {6, n}, "trial"),
-                      strains(equivalent_plastic_strain, n), values(backstress, {terms, 6, n}, "backstress"), n};
+  const Points points{values(stress, {6, n}, "stress"),
+                      values(trial, {6, n}, "trial"),
+                      strains(equivalent_plastic_strain, n),
+                      values(backstress, {terms, 6, n}, "backstress"),
+                      factors(yield_factor, n),
+                      n};
   const constitutive::HardeningLaw& law = law_of(material);
   Increments result = without_lock(
       [&] { return std::visit([&](const auto& l) { return increments(material, l, points, path); }, law); });
@@ -167,7 +192,8 @@ void bind_constitutive(nb::module_& m)
       { return law_values(material, equivalent_plastic_strain, [](const auto& l, double e) { return l.work(e); }); },
       "material"_a, "equivalent_plastic_strain"_a);
   m.def("return_mapping", &return_mapping, "material"_a, "stress"_a, "trial"_a, "equivalent_plastic_strain"_a,
-        "backstress"_a, "path"_a);
+        "backstress"_a, "yield_factor"_a, "path"_a);
+  m.def("softening_factor", &softening_factor, "material"_a, "temperature"_a);
 }
 
 } // namespace brinell::python

@@ -92,6 +92,15 @@ public:
     return report;
   }
 
+  void set_softening(const std::optional<Input>& lower, const std::optional<Input>& upper)
+  {
+    const Use use(busy_);
+    const auto factors = [](const std::optional<Input>& given, const VolumeGrid& grid, const char* name)
+    { return given ? values(*given, shape(grid), name) : std::span<const double>(); };
+    contact_.set_softening(factors(lower, contact_.lower().grid(), "lower"),
+                           factors(upper, contact_.upper().grid(), "upper"));
+  }
+
   /// A function of the contact as it is now.
   template <typename Function>
   auto read(const Function& function)
@@ -290,6 +299,7 @@ void bind_elastoplastic(nb::module_& m)
           },
           "distance"_a, "drive"_a, "lower"_a, "upper"_a, "integration"_a, "max_evaluations"_a, "anderson_depth"_a,
           "stiffness_share"_a);
+  pair.def("set_softening", &Pair::set_softening, "lower"_a.none(), "upper"_a.none());
   bind_contact_state(pair);
   bind_body_state(pair);
 }

@@ -15,9 +15,17 @@ from numpy.typing import ArrayLike
 from brinell import _core
 from brinell._arrays import Array, contiguous, points
 from brinell.errors import InputError
-from brinell.materials import Hardening, Law, Material
+from brinell.materials import Hardening, Law, Material, Perfect, Softening
 
-__all__ = ["Integration", "PlasticIncrement", "hardening_modulus", "plastic_work", "return_mapping", "yield_stress"]
+__all__ = [
+    "Integration",
+    "PlasticIncrement",
+    "hardening_modulus",
+    "plastic_work",
+    "return_mapping",
+    "softening_factor",
+    "yield_stress",
+]
 
 Integration: TypeAlias = Literal["path", "backward_euler"]
 
@@ -64,6 +72,21 @@ def plastic_work(law: Hardening | Law, equivalent_plastic_strain: ArrayLike) -> 
     return _core.plastic_work(_material(law), e).reshape(shape)
 
 
+def softening_factor(law: Softening, temperature: ArrayLike) -> Array:
+    """The factor on the yield stress by the temperature, at least 0.01.
+
+    Args:
+        law: of `brinell.materials`.
+        temperature: T (...) [deg C].
+
+    Returns:
+        (...) [-].
+    """
+    shape, (t,) = points(temperature=temperature)
+    material = Material(1.0, 0.0, Perfect(1.0), softening=law)  # the other constants do not count
+    return _core.softening_factor(material._engine, t).reshape(shape)
+
+
 @dataclass(frozen=True)
 class PlasticIncrement:
     """What one increment does to points.
@@ -90,6 +113,7 @@ def return_mapping(
     stress: ArrayLike | None = None,
     equivalent_plastic_strain: ArrayLike = 0.0,
     backstress: ArrayLike | None = None,
+    yield_factor: ArrayLike = 1.0,
     integration: Integration = "backward_euler",
 ) -> PlasticIncrement:
     """The plastic strain of an increment at each of many points (J2, associated flow).
@@ -101,6 +125,7 @@ def return_mapping(
         stress: (6, ...) before the increment [Pa]; None: zero. Backward Euler without back stress does not need it.
         equivalent_plastic_strain: e before the increment (...) [-].
         backstress: (terms, 6, ...) before it [Pa]; None: zero.
+        yield_factor: (...) on the yield stress, > 0, as by `softening_factor`.
         integration: "backward_euler": flow along the normal at the end (Wilkins 1964); "path": along the mean of the
             normals where the straight path leaves the elastic domain and at the end, second order (Ortiz, Popov 1985).
 
@@ -121,13 +146,25 @@ def return_mapping(
     e = contiguous(equivalent_plastic_strain, "equivalent_plastic_strain")
     back = np.zeros((terms, 6, *shape)) if backstress is None else contiguous(backstress, "backstress")
     e = np.full(shape, e.item()) if e.ndim == 0 else e
+    factor = contiguous(yield_factor, "yield_factor")
+    factor = np.full(shape, factor.item()) if factor.ndim == 0 else factor
     wanted = {"trial": (q, (6, *shape)), "stress": (s, (6, *shape))}
-    wanted |= {"equivalent_plastic_strain": (e, shape), "backstress": (back, (terms, 6, *shape))}
+    wanted |= {
+        "equivalent_plastic_strain": (e, shape),
+        "yield_factor": (factor, shape),
+        "backstress": (back, (terms, 6, *shape)),
+    }
     for name, (array, right) in wanted.items():
         if array.shape != right:
             raise InputError(f"{name} has the shape {array.shape}; it must be {right}")
     strain, de, work, after, back = _core.return_mapping(
-        engine, s.reshape(6, n), q.reshape(6, n), e.reshape(n), back.reshape(terms, 6, n), integration == "path"
+        engine,
+        s.reshape(6, n),
+        q.reshape(6, n),
+        e.reshape(n),
+        back.reshape(terms, 6, n),
+        factor.reshape(n),
+        integration == "path",
     )
     return PlasticIncrement(
         strain.reshape(6, *shape),

@@ -190,6 +190,7 @@ class CoupledContact:
             if material.hardening is not None:
                 require_memory(grid.nz * grid.surface.nx * grid.surface.ny, _BYTES_OF_BODY, "a body")
         self.grid = contact
+        self._has_twin = twin != "none"
         self._engine = _core.CoupledContact(
             contact._engine,
             lower._engine,
@@ -207,6 +208,23 @@ class CoupledContact:
 
     def __repr__(self) -> str:
         return f"<CoupledContact {cells(self.grid.shape)}>"
+
+    def set_softening(self, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> None:
+        """Sets factors on the yield stress, as by the temperature; they hold from the next increment on.
+
+        Args:
+            lower: (nz, ny, nx) of the cells of the lower body, > 0, as by
+                `brinell.constitutive.softening_factor` [-]; None: 1 everywhere.
+            upper: the same of the upper body; a twin has those of the lower one.
+
+        Raises:
+            InputError: a wrong shape, a factor that is not above 0, or factors for a twin.
+        """
+        if upper is not None and self._has_twin:
+            raise InputError("upper: a twin has the softening of the lower body; allowed: None")
+        self._engine.set_softening(
+            None if lower is None else contiguous(lower, "lower"), None if upper is None else contiguous(upper, "upper")
+        )
 
     def advance(
         self,

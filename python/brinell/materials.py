@@ -33,11 +33,15 @@ __all__ = [
     "RIGID",
     "Hardening",
     "Hollomon",
+    "JohnsonCook",
     "Law",
     "Linear",
+    "LinearSoftening",
     "Ludwik",
     "Material",
     "Perfect",
+    "Softening",
+    "SofteningTable",
     "Swift",
     "SwiftMicrostrain",
     "Table",
@@ -213,6 +217,56 @@ class Table(Hardening):
         return cls(strain, stress)
 
 
+class Softening:
+    """A factor on the yield stress by the temperature; at least 0.01, also of what has melted.
+
+    Temperatures are in deg C, or text, "293.15 K". Back stresses are not softened.
+    """
+
+    law: ClassVar[str]
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.softening` of the case file."""
+        return {"law": self.law} | {field.name: plain(getattr(self, field.name)) for field in fields(self)}  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class LinearSoftening(Softening):
+    """1 up to the reference temperature, 0 from melting on, straight between."""
+
+    law: ClassVar[str] = "linear"
+    melting_temperature: Quantity
+    reference_temperature: Quantity = 20.0
+
+
+@dataclass(frozen=True)
+class JohnsonCook(Softening):
+    """1 - ((T - T_ref)/(T_melt - T_ref))^exponent (Johnson and Cook 1983); 1 below T_ref."""
+
+    law: ClassVar[str] = "johnson_cook"
+    melting_temperature: Quantity
+    exponent: float
+    reference_temperature: Quantity = 20.0
+
+
+@dataclass(frozen=True)
+class SofteningTable(Softening):
+    """Linear between points, constant outside them.
+
+    Attributes:
+        temperature: of the points, ascending.
+        factor: on the yield stress, as many, > 0.
+    """
+
+    law: ClassVar[str] = "table"
+    temperature: Sequence[Quantity]
+    factor: Sequence[float]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "temperature", tuple(plain(self.temperature)))
+        object.__setattr__(self, "factor", tuple(plain(self.factor)))
+
+
 @dataclass(frozen=True)
 class Thermal:
     """Constants of a body that conducts heat.
@@ -293,6 +347,7 @@ class Material:
         yield_profile: (depths [m], factors on the yield stress [-]), linear between, constant beyond.
         initial_stress: (depths [m], stresses xx = yy before the first load [Pa]), tension positive.
         thermal: constants of heat; None: no heat is computed in the body.
+        softening: how the yield stress falls with the temperature; None: not at all.
     """
 
     young_modulus: Quantity
@@ -302,6 +357,7 @@ class Material:
     yield_profile: tuple[Sequence[Quantity], Sequence[float]] | None = None
     initial_stress: tuple[Sequence[Quantity], Sequence[Quantity]] | None = None
     thermal: Thermal | None = None
+    softening: Softening | None = None
 
     def __post_init__(self) -> None:
         law = self.hardening
@@ -313,6 +369,10 @@ class Material:
             object.__setattr__(self, "hardening", Table.of(law))
         if not (self.thermal is None or isinstance(self.thermal, Thermal)):
             raise InputError(f"thermal = {self.thermal!r}; allowed: brinell.Thermal(...), or None")
+        if not (self.softening is None or isinstance(self.softening, Softening)):
+            raise InputError(
+                f"softening = {self.softening!r}; allowed: a law, as brinell.JohnsonCook(1500, 1.0), or None"
+            )
         object.__setattr__(self, "back_stresses", _tuples(self.back_stresses))
         for name in ("yield_profile", "initial_stress"):
             if (profile := getattr(self, name)) is not None:
@@ -336,6 +396,8 @@ class Material:
         for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
             if (profile := getattr(self, name)) is not None:
                 table[name] = {"depth": list(profile[0]), value: list(profile[1])}
+        if self.softening is not None:
+            table["softening"] = self.softening.to_case()
         return table | self._thermal_table()
 
     def _thermal_table(self, keep: Callable[[str, Any], bool] = lambda key, value: True) -> dict[str, Any]:

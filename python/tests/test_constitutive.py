@@ -3,13 +3,30 @@
 
 from __future__ import annotations
 
+import tomllib
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 import brinell
-from brinell.constitutive import hardening_modulus, plastic_work, return_mapping, yield_stress
-from brinell.materials import Hardening, Linear, Ludwik, Material, Perfect, Swift, Table, Voce
+from brinell.constitutive import hardening_modulus, plastic_work, return_mapping, softening_factor, yield_stress
+from brinell.materials import (
+    Hardening,
+    JohnsonCook,
+    Linear,
+    LinearSoftening,
+    Ludwik,
+    Material,
+    Perfect,
+    Softening,
+    SofteningTable,
+    Swift,
+    Table,
+    Voce,
+)
 
 E, NU = 2e11, 0.3
 MU = E / (2 * (1 + NU))
@@ -154,3 +171,68 @@ def test_what_does_not_fit_is_an_input_error() -> None:
         return_mapping(Material(E, NU), np.zeros(6))
     with pytest.raises(brinell.InputError, match='allowed: "path" or "backward_euler"'):
         return_mapping(material, np.zeros(6), integration="euler")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("law", "formula"),
+    [
+        (JohnsonCook(1520, 1.03, 25), lambda t: 1 - np.clip((t - 25) / 1495, 0, 1) ** 1.03),
+        (LinearSoftening("1500 degC"), lambda t: 1 - np.clip((t - 20) / 1480, 0, 1)),
+        (LinearSoftening("1773.15 K", "293.15 K"), lambda t: 1 - np.clip((t - 20) / 1480, 0, 1)),
+        (SofteningTable([20, "300 degC", 600], [1, 0.9, 0.4]), lambda t: np.interp(t, [20, 300, 600], [1, 0.9, 0.4])),
+    ],
+)
+def test_softening_by_temperature(law: Softening, formula: Callable[[Any], Any]) -> None:
+    t = np.linspace(-100, 2000, 43)
+    np.testing.assert_allclose(softening_factor(law, t), np.maximum(formula(t), 0.01), rtol=1e-12)
+
+
+def test_a_yield_factor_is_another_yield_stress() -> None:
+    rng = np.random.default_rng(4)
+    trial = 1e9 * rng.standard_normal((6, 50))
+    factor = rng.uniform(0.2, 1.0, 50)
+    steel = brinell.Material("210 GPa", 0.3, brinell.Voce(6e8, 2e8, 40))
+    softened = return_mapping(steel, trial, yield_factor=factor)
+    for i in range(50):
+        soft = brinell.Material("210 GPa", 0.3, brinell.Voce(6e8 * factor[i], 2e8 * factor[i], 40))
+        alone = return_mapping(soft, trial[:, i])
+        np.testing.assert_allclose(softened.plastic_strain[:, i], alone.plastic_strain, rtol=1e-10, atol=1e-16)
+        np.testing.assert_allclose(softened.dissipation[i], alone.dissipation, rtol=1e-10)
+    with pytest.raises(brinell.InputError, match="yield_factor has the value 0; allowed: above 0"):
+        return_mapping(steel, trial, yield_factor=0.0)
+    with pytest.raises(brinell.InputError, match=r"yield_factor has the shape \(3,\)"):
+        return_mapping(steel, trial, yield_factor=np.ones(3))
+
+
+@pytest.mark.parametrize(
+    ("law", "message"),
+    [
+        (LinearSoftening(10), r"melting_temperature = 10 degC is not above reference_temperature = 20 degC"),
+        (JohnsonCook(1500, 0.0), r"^material.softening.exponent = 0.0 is out of range"),
+        (
+            LinearSoftening(-300),
+            r"^material.softening.melting_temperature = -300 is out of range; allowed: temperature",
+        ),
+        (SofteningTable([20, 20], [1, 0.5]), "must ascend"),
+        (SofteningTable([20, 30], [1]), "2 temperatures and 1 factors"),
+    ],
+)
+def test_softening_is_checked_as_in_a_case_file(law: Softening, message: str) -> None:
+    with pytest.raises(brinell.InputError, match=message):
+        softening_factor(law, 20.0)
+
+
+def test_softening_needs_a_law_and_stands_in_the_case() -> None:
+    with pytest.raises(brinell.InputError, match=r"softening = 0.5; allowed: a law, as brinell.JohnsonCook"):
+        brinell.Material(2e11, 0.3, softening=0.5)  # type: ignore[arg-type]
+    steel = brinell.Material(2e11, 0.3, brinell.Perfect("1 GPa"), softening=JohnsonCook(1500, 1.0))
+    ball = brinell.Sphere("1 mm")
+    with pytest.warns(brinell.CaseWarning, match="lower.material.softening has no effect: no heat is computed"):
+        case = brinell.Indentation(brinell.Body(ball, steel), brinell.Body(ball, brinell.RIGID), load=["1 N"], steps=1)
+    table = tomllib.loads(case.to_toml())["lower"]["material"]["softening"]
+    assert table == {
+        "law": "johnson_cook",
+        "reference_temperature": 20.0,
+        "melting_temperature": 1500.0,
+        "exponent": 1.0,
+    }

@@ -257,3 +257,24 @@ def test_reprs_name_the_grid() -> None:
     pair = pressed()
     assert repr(pair) == "<CoupledContact 15 x 15 cells>"
     assert repr(pair.lower) == "<BodyState 15 x 15 x 10 cells>"
+
+
+def test_a_factor_on_the_yield_stress_is_another_material() -> None:
+    soft, weak = (
+        pressed(brinell.Material("210 GPa", 0.3, brinell.Perfect("1 GPa"))),
+        pressed(brinell.Material("210 GPa", 0.3, brinell.Perfect("0.8 GPa"))),
+    )
+    soft.set_softening(np.full((10, 15, 15), 0.8))
+    for contact in (soft, weak):
+        contact.advance(ball(), approach=0.3e-6)
+    close(soft.lower.plastic_strain, weak.lower.plastic_strain, 1e-6)
+    load = soft.load
+    soft.set_softening(np.full((10, 15, 15), 0.5))
+    soft.advance(ball(), approach=0.3e-6)  # it flows where it is
+    assert soft.load < 0.95 * load
+    for bad, message in ((np.ones((2, 2)), "shape"), (np.zeros((10, 15, 15)), "above 0")):
+        with pytest.raises(brinell.InputError, match=message):
+            soft.set_softening(bad)
+    twins = CoupledContact(CONTACT, BODY, BODY, STEEL, STEEL, scale=ALPHA_C, twin="alike")
+    with pytest.raises(brinell.InputError, match="a twin has the softening of the lower body"):
+        twins.set_softening(np.ones((10, 15, 15)), np.ones((10, 15, 15)))

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
 
+#include "brinell/foundation/error.hpp"
+#include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace brinell::elastoplastic
 {
@@ -97,6 +100,16 @@ void Body::take_up_guess()
     guessed_cells_.push_back(cell);
     guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
   }
+}
+
+void Body::set_softening(std::span<const double> factor)
+{
+  if (!factor.empty())
+    require_size("Body::set_softening: the factor", factor, grid().size());
+  for (const double of_cell : factor)
+    if (!(of_cell > 0.0 && std::isfinite(of_cell)))
+      throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", of_cell));
+  softening_.assign(factor.begin(), factor.end());
 }
 
 void Body::begin(int shift, double stiffness_share)
@@ -192,7 +205,7 @@ void Body::integrate(Integration integration)
         for (std::size_t a = 0; a < active_.size(); ++a)
         {
           const std::size_t cell = active_.cell(a);
-          const constitutive::PlasticIncrement result = increment(law_of(law, layer_of(cell)), a, integration);
+          const constitutive::PlasticIncrement result = increment(law_at(law, cell), a, integration);
           store(active_.start(a) + result.strain, state_.plastic_strain, n, cell);
           active_.set_flow(a, result);
         }
@@ -221,7 +234,7 @@ bool Body::update(const halfspace::SurfaceLoad& load)
           active_.set_mapped(a, g);
           // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
           if (active_.equivalent(a) == 0.0 &&
-              von_mises(g - centre(cell)) <= law_of(law, layer_of(cell)).yield_stress_at(state_.equivalent[cell]))
+              von_mises(g - centre(cell)) <= law_at(law, cell).yield_stress_at(state_.equivalent[cell]))
             active_.set_trial(a, g);
         }
       },
@@ -244,8 +257,8 @@ double Body::yield_error() const
       {
         for (std::size_t a = 0; a < active_.size(); ++a)
         {
-          const double yield = law_of(law, layer_of(active_.cell(a)))
-                                   .yield_stress_at(state_.equivalent[active_.cell(a)] + active_.equivalent(a));
+          const double yield =
+              law_at(law, active_.cell(a)).yield_stress_at(state_.equivalent[active_.cell(a)] + active_.equivalent(a));
           const Deviator g = active_.mapped(a);
           const double size = von_mises(g - centre(active_.cell(a)));
           if (!std::isfinite(size))

@@ -51,7 +51,7 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
   if (last <= first)
     return;
   const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };
-  // No law softens: what lies within the first yield surface needs no look at its own, unless that has moved.
+  // No law softens by strain: what lies within the first yield surface needs no look at its own, unless that has moved.
   const double initial = square(fraction * law.yield_stress_at(0.0));
   std::vector<double> squares(last - first);
   for (std::size_t j = 0; j < static_cast<std::size_t>(s.ny); ++j)
@@ -63,8 +63,9 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
     {
       const std::size_t cell = row + i;
       const double e = state_.equivalent[cell];
+      const double softened = softening(cell) * softening(cell);
       const bool has_moved = e > 0.0 && !material_.kinematic.empty();
-      if (active_.contains(cell) || (!has_moved && squares[i - first] <= initial))
+      if (active_.contains(cell) || (!has_moved && squares[i - first] <= initial * softened))
         continue;
       double size = squares[i - first];
       if (has_moved)
@@ -73,7 +74,7 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
             deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift)) - centre(cell);
         size = 1.5 * contract(from_centre, from_centre);
       }
-      if (size > square(fraction * law.yield_stress_at(e)))
+      if (size > square(fraction * law.yield_stress_at(e)) * softened)
         found.push_back(cell);
     }
   }

@@ -40,7 +40,8 @@ Edges Body::reached_edges() const
 }
 
 /// Whether a layer beneath the grid is so weak that it would yield under the stress of the last one. Beneath the grid, which
-/// is deeper than the place of the largest shear, the stress of the contact falls with depth.
+/// is deeper than the place of the largest shear, the stress of the contact falls with depth, and so does the temperature: what
+/// lies beneath a cell of the last layer is softened no more than this.
 bool Body::may_yield_beneath() const
 {
   const std::size_t n = grid().size();
@@ -56,9 +57,9 @@ bool Body::may_yield_beneath() const
       added = std::max(added, std::abs(material_.initial_stress.at(z, 0.0) - initial_stress_[last]));
   if (weakest >= yield_factor_[last] && added == 0.0)
     return false; // the last layer is the first to yield
-  const double limit = weakest * constitutive::initial_yield_stress(*material_.hardening) - added;
+  const double yield = weakest * constitutive::initial_yield_stress(*material_.hardening);
   for (std::size_t cell = last * grid().surface.size(); cell < n; ++cell)
-    if (von_mises(deviator_at(stress_, n, cell) - centre(cell)) > limit)
+    if (von_mises(deviator_at(stress_, n, cell) - centre(cell)) > softening(cell) * yield - added)
       return true;
   return false;
 }

@@ -52,7 +52,7 @@ std::vector<double> Body::shear_strength(double along_x, double along_y) const
           const double taken = is_directed ? along_x * c[Deviator::xz] + along_y * c[Deviator::yz]
                                            : std::hypot(c[Deviator::xz], c[Deviator::yz]);
           strength[cell] =
-              std::max(0.0, law_of(law, 0).yield_stress_at(state_.equivalent[cell]) / std::sqrt(3.0) - taken);
+              std::max(0.0, law_at(law, cell).yield_stress_at(state_.equivalent[cell]) / std::sqrt(3.0) - taken);
         }
       },
       *material_.hardening);

@@ -101,6 +101,15 @@ void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) 
   add_depth_of(upper(), place, grid(), out);
 }
 
+void CoupledContact::set_softening(std::span<const double> lower, std::span<const double> upper)
+{
+  if (twin_ != Twin::none && !upper.empty())
+    throw InternalError("CoupledContact: an upper body that is a twin has the softening of the lower one");
+  sides_.front().body.set_softening(lower);
+  if (twin_ == Twin::none)
+    sides_.back().body.set_softening(upper);
+}
+
 CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
 {
   return stress(lower(), sides_.front().body, place, 1.0);

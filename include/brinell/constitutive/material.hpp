@@ -4,6 +4,7 @@
 #include "brinell/constitutive/depth_profile.hpp"
 #include "brinell/constitutive/hardening.hpp"
 #include "brinell/constitutive/kinematic.hpp"
+#include "brinell/constitutive/softening.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/green/thermal.hpp"
 
@@ -17,12 +18,13 @@ namespace brinell::constitutive
 struct Material
 {
   Elastic elastic;
-  std::optional<HardeningLaw> hardening;  ///< size of the yield surface; empty: the body stays elastic
-  std::vector<KinematicTerm> kinematic{}; ///< back stresses, which move it
-  DepthProfile yield_factor{};            ///< of the yield stress, as of a hardened case; 1 without points
-  DepthProfile initial_stress{};          ///< biaxial stress xx = yy before the first load [Pa], tension positive
-  std::optional<Thermal> thermal{};       ///< empty: no heat is computed in the body
-  double temperature = 20.0;              ///< of the bulk [deg C]
+  std::optional<HardeningLaw> hardening;   ///< size of the yield surface; empty: the body stays elastic
+  std::vector<KinematicTerm> kinematic{};  ///< back stresses, which move it
+  DepthProfile yield_factor{};             ///< of the yield stress, as of a hardened case; 1 without points
+  DepthProfile initial_stress{};           ///< biaxial stress xx = yy before the first load [Pa], tension positive
+  std::optional<Thermal> thermal{};        ///< empty: no heat is computed in the body
+  double temperature = 20.0;               ///< of the bulk [deg C]
+  std::optional<SofteningLaw> softening{}; ///< factor on the yield stress by temperature; empty: 1
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
   bool operator==(const Material&) const = default;

@@ -64,6 +64,12 @@ public:
   /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): with isotropic hardening.
   [[nodiscard]] bool has_energy() const { return material_.kinematic.empty(); }
 
+  /// Sets the factor that the yield stress of each cell has beside the one over depth, as by its temperature
+  /// (constitutive/softening.hpp). It holds from now on; within an increment from the next `integrate` on. It is no part of the
+  /// state: who computes temperatures sets it before each increment, and anew after `exchange` and on other grids.
+  /// @param factor  > 0, one per cell; empty: 1 everywhere
+  void set_softening(std::span<const double> factor);
+
   /// Starts an increment. The guess for q comes from the last increment and moves along with the contact, by `shift` cells
   /// in x.
   /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. With 1 the plain fixed point descends from any start in the
@@ -123,10 +129,17 @@ private:
   void prepare_trial();
   void take_up_guess();
   void keep_active_layers();
+  [[nodiscard]] double softening(std::size_t cell) const { return softening_.empty() ? 1.0 : softening_[cell]; }
+  /// The law of a layer that is not softened.
   template <typename Law>
   [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const
   {
     return {law, yield_factor_[layer]};
+  }
+  template <typename Law>
+  [[nodiscard]] constitutive::ScaledLaw<Law> law_at(const Law& law, std::size_t cell) const
+  {
+    return {law, yield_factor_[layer_of(cell)] * softening(cell)};
   }
   [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / grid().surface.size(); }
   [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
@@ -149,6 +162,7 @@ private:
   std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain of the present trial
   BodyState state_;
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
+  std::vector<double> softening_;                     ///< of the cells; empty: none
   double stiffness_ = 0.0;                            ///< c [Pa]
   bool shortcuts_;
   int layers_; ///< layers whose stress is computed, from the surface

@@ -136,6 +136,10 @@ public:
   [[nodiscard]] double stiffness() const;
   [[nodiscard]] const SurfaceGrid& grid() const { return compliance_.grid(); }
 
+  /// Factors on the yield stress of the cells, see Body::set_softening. The upper one of twins follows the lower one.
+  /// @throws InternalError for factors of an upper twin
+  void set_softening(std::span<const double> lower, std::span<const double> upper);
+
   /// Solves one increment from the present state; commits it only if it converged.
   /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m], one per cell.
   /// @param placement  of the contact grid on the material grids.

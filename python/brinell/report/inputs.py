@@ -68,7 +68,7 @@ UNITS: Mapping[str, str] = {
     "density": "kg/m³",
     "specific_heat": "J/(kg K)",
     "expansion": "1/K",
-    "temperature": "°C",
+    **dict.fromkeys(("temperature", "reference_temperature", "melting_temperature"), "°C"),
     "checkpoint_interval": "s",
 }
 """Unit of each key of a case that has one; the last part of its name tells."""

@@ -113,6 +113,8 @@ simulation::Texture height_map(const CaseReader& reader, const std::string& tabl
   {
     reader.add(table + "columns",
                fmt::format("does not divide the {} numbers of {}heights into rows", heights.size(), table));
+  attempt(table + "softening.law", table + "softening.law",
+          [&] { result.softening = softening_law(reader, table + "softening."); });
     return {};
   }
   return simulation::HeightMap{.nx = columns,

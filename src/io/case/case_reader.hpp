@@ -92,6 +92,10 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
 /// Constants that no solid has, and those that nothing uses.
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
                      Case& c);
+/// None if it is not given. @param table  ends with a dot @throws InputError if its keys do not fit together
+[[nodiscard]] std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader,
+                                                                      const std::string& table);
+
 
 /// The boundaries of a domain, and its period along the axes that have one.
 /// @param both  whether the scenario can be computed with both axes periodic, or with x alone

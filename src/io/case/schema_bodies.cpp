@@ -413,7 +413,7 @@ std::vector<Entry> body_entries(const std::string& body)
   for (auto part : {shape_entries(body + ".shape."), texture_entries(body + ".texture."), material_entries(material),
                     hardening_entries(material + "hardening.", yields),
                     back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields),
-                    thermal_entries(material)})
+                    thermal_entries(material), softening_entries(material, yields)})
     entries.insert(entries.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return entries;
 }

@@ -90,6 +90,9 @@ Entry bound(Entry entry, First first, Rest... rest)
 /// What a material has to do with heat. @param material  its table, ends with a dot
 [[nodiscard]] std::vector<Entry> thermal_entries(const std::string& material);
 
+/// How its yield stress falls with temperature. @param yields  the condition that it has one
+[[nodiscard]] std::vector<Entry> softening_entries(const std::string& material, const Condition& yields);
+
 // Intervals of a number.
 inline Range above(double min)
 {

@@ -5,10 +5,16 @@
 namespace brinell::io
 {
 
+namespace
+{
+
+constexpr double absolute_zero = -273.15; // [degC]
+
+}
+
 std::vector<Entry> thermal_entries(const std::string& material)
 {
-  constexpr double absolute_zero = -273.15; // [degC]
-  constexpr double most_expansion = 1e-3;   // [1/K]: three times that of rubber
+  constexpr double most_expansion = 1e-3; // [1/K]: three times that of rubber
   const Condition deforms{material + "rigid", {"false"}};
   return in_table(material + "thermal.", {},
                   {
@@ -50,6 +56,60 @@ std::vector<Entry> thermal_entries(const std::string& material)
                        .unset = "20 degC",
                        .text = "Temperature of the bulk, far from the contact and before the first load."},
                   });
+}
+
+std::vector<Entry> softening_entries(const std::string& material, const Condition& yields)
+{
+  const std::string table = material + "softening.";
+  const Condition melts{table + "law", {"linear", "johnson_cook"}}, johnson_cook{table + "law", {"johnson_cook"}},
+      of_table{table + "law", {"table"}};
+  const auto temperature = [](Entry entry)
+  {
+    entry.range = above(absolute_zero);
+    entry.celsius = true;
+    return entry;
+  };
+  return in_table(
+      table, yields,
+      {
+          {.key = "law",
+           .type = Type::choice,
+           .choices = {"linear", "johnson_cook", "table"},
+           .unset = "none",
+           .text = "Factor on the yield stress by the temperature T, 1 up to reference_temperature T_r and 0 from "
+                   "melting_temperature T_m on. linear: straight between; johnson_cook: 1 - ((T - T_r)/(T_m - "
+                   "T_r))^exponent; table: of temperature and factor. At least 0.01 is left, also of what has "
+                   "melted."},
+          temperature({.key = "reference_temperature",
+                       .type = Type::number,
+                       .unset = "20 degC",
+                       .text = "Temperature at which the yield stress is that of hardening; not softer below.",
+                       .when = melts}),
+          temperature({.key = "melting_temperature",
+                       .type = Type::number,
+                       .required = true,
+                       .text = "Temperature at which no yield stress is left.",
+                       .hint = "a steel melts at about 1500 degC",
+                       .when = melts}),
+          {.key = "exponent",
+           .type = Type::number,
+           .range = above(0.0),
+           .required = true,
+           .text = "Exponent m of Johnson and Cook.",
+           .hint = "steels have about 1",
+           .when = johnson_cook},
+          temperature({.key = "temperature",
+                       .type = Type::numbers,
+                       .required = true,
+                       .text = "Temperatures at which factor is given, ascending; linear between, constant outside.",
+                       .when = of_table}),
+          {.key = "factor",
+           .type = Type::numbers,
+           .range = above(0.0),
+           .required = true,
+           .text = "Factors on the yield stress at these temperatures.",
+           .when = of_table},
+      });
 }
 
 } // namespace brinell::io

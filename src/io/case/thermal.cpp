@@ -29,6 +29,26 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
   material.temperature = number("temperature", material.temperature);
 }
 
+std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader, const std::string& table)
+{
+  if (!reader.has(table + "law"))
+    return std::nullopt;
+  const auto& law = reader.get<std::string>(table + "law");
+  if (law == "table")
+    return constitutive::TabulatedSoftening(reader.get<std::vector<double>>(table + "temperature"),
+                                            reader.get<std::vector<double>>(table + "factor"));
+  const double melting = reader.get<double>(table + "melting_temperature");
+  const double reference = reader.has(table + "reference_temperature")
+                               ? reader.get<double>(table + "reference_temperature")
+                               : constitutive::LinearSoftening{}.reference;
+  if (!(melting > reference))
+    throw InputError(fmt::format("melting_temperature = {:g} degC is not above reference_temperature = {:g} degC",
+                                 melting, reference));
+  if (law == "linear")
+    return constitutive::LinearSoftening{reference, melting};
+  return constitutive::JohnsonCookSoftening{reference, melting, reader.get<double>(table + "exponent")};
+}
+
 namespace
 {
 
@@ -50,6 +70,9 @@ constexpr Usual usual[] = {
 
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material, Case& c)
 {
+  if (material.softening)
+    c.warnings.push_back(
+        {"no_heat", fmt::format("{}.material.softening has no effect: no heat is computed in this case", body)});
   if (!material.thermal)
     return;
   const std::string table = body + ".material.thermal";

@@ -61,6 +61,8 @@ void cite_hardening(Sources& sources, const std::string& body, const constitutiv
     sources.add("armstrong1966", "kinematic hardening with recall");
   if (terms.size() > 1)
     sources.add("chaboche1986", "several back stresses");
+  if (material.softening && std::holds_alternative<constitutive::JohnsonCookSoftening>(*material.softening))
+    sources.add("johnson1983", "yield stress by temperature");
 }
 
 void cite_solver(Sources& sources, const elastoplastic::Settings& solver)

@@ -110,5 +110,56 @@ TEST(ThermalCase, WarnsOfConstantsThatNothingUses)
   EXPECT_FALSE(warns(sample::parsed({}), "no_heat"));
 }
 
+constitutive::Material softened(const std::string& keys)
+{
+  return sample::tugging(sample::parsed({"lower.material.softening={" + keys + "}"})).lower.material;
+}
+
+TEST(SofteningCase, EveryLawIsRead)
+{
+  using namespace constitutive;
+  EXPECT_FALSE(sample::tugging(sample::parsed({})).lower.material.softening);
+  EXPECT_EQ(*softened(R"(law = "linear", melting_temperature = 1500)").softening,
+            SofteningLaw(LinearSoftening{20.0, 1500.0}));
+  EXPECT_EQ(
+      *softened(
+           R"(law = "johnson_cook", reference_temperature = "25 degC", melting_temperature = 1520, exponent = 1.03)")
+           .softening,
+      SofteningLaw(JohnsonCookSoftening{25.0, 1520.0, 1.03}));
+  EXPECT_EQ(*softened(R"(law = "table", temperature = [20, "300 degC"], factor = [1, 0.8])").softening,
+            SofteningLaw(TabulatedSoftening({20.0, 300.0}, {1.0, 0.8})));
+  const Case c =
+      sample::parsed({R"(lower.material.softening={law = "table", temperature = [20, 300], factor = [1, 0.8]})"});
+  EXPECT_EQ(sample::tugging(parse_case(resolved_text(c.values), "again.toml")).lower.material,
+            sample::tugging(c).lower.material);
+  EXPECT_TRUE(warns(c, "no_heat"));
+}
+
+TEST(SofteningCase, WhatIsNoLawIsRefused)
+{
+  const auto refused = [](const std::string& keys, const std::string& part)
+  {
+    try
+    {
+      (void)softened(keys);
+      FAIL() << keys;
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  refused(R"(law = "linear")", "softening.melting_temperature is missing; allowed: temperature > -273.15, in degC");
+  refused(R"(law = "linear", melting_temperature = 20)",
+          "melting_temperature = 20 degC is not above reference_temperature = 20 degC");
+  refused(R"(law = "johnson_cook", melting_temperature = 1500, exponent = 0)", "exponent = 0 is out of range");
+  refused(R"(law = "linear", melting_temperature = 1500, exponent = 1)", "applies only with");
+  refused(R"(law = "table", temperature = [20, 10], factor = [1, 1])", "must ascend");
+  refused(R"(law = "table", temperature = [20], factor = [1, 1])", "1 temperatures and 2 factors");
+  refused(R"(law = "table", temperature = [20], factor = [0])", "element 0, which is out of range");
+  refused(R"(law = "melts")", "\"linear\", \"johnson_cook\" or \"table\"");
+  refused("melting_temperature = 1500", "applies only with lower.material.softening.law");
+}
+
 } // namespace
 } // namespace brinell::io
