@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the commands of plots and reports share: how an error is told, and where to write beside a result."""
+"""What commands share: how errors and warnings are told, and where to write beside a result."""
 
 from __future__ import annotations
 
+import contextlib
 import functools
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import IO, Any, ParamSpec, TypeVar
+from typing import IO, Any, ParamSpec, TextIO, TypeVar
 
 import click
 
+from brinell.case import CaseWarning
 from brinell.errors import BrinellError, InputError
 
-__all__ = ["CommandError", "folder_of", "tells_errors"]
+__all__ = ["CommandError", "folder_of", "tells_errors", "tells_warnings"]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -45,6 +48,34 @@ def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
             raise (RequestError if isinstance(error, InputError) else CommandError)(str(error)) from error
 
     return wrapper
+
+
+@contextlib.contextmanager
+def tells_warnings(about: object = None) -> Iterator[None]:
+    """What is warned of within is told in lines as those of the C++ program; the same thing once.
+
+    Args:
+        about: the file that comes before the warning; None: it names one itself.
+    """
+    told: set[str] = set()
+
+    def tell(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
+        prefix = "brinell: warning" if issubclass(category, CaseWarning | FutureWarning) else category.__name__
+        text = f"{prefix}: {message}" if about is None else f"{prefix}: {about}: {message}"
+        if text not in told:
+            click.echo(text, err=True)
+        told.add(text)
+
+    with warnings.catch_warnings():
+        warnings.showwarning = tell
+        yield
 
 
 def folder_of(run: Path) -> Path:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from brinell import _core, surfaces
-from brinell.commands import tells_errors
+from brinell.commands import tells_errors, tells_warnings
 from brinell.errors import InputError
 from brinell.surfaces import HeightMap
 
@@ -66,8 +66,8 @@ def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
     """Options of what a file may not tell."""
     for option in (
         click.option("--level", is_flag=True, help="Take away the plane that fits best."),
-        click.option("--fill", is_flag=True, help="Put a smooth surface where an instrument has not measured."),
-        click.option("--unit", metavar="UNIT", help="Unit of an instrument's file that tells none, as um."),
+        click.option("--fill", is_flag=True, help="Put a smooth surface where nothing was measured (NaN in the file)."),
+        click.option("--unit", metavar="UNIT", help="Unit of the heights where the file tells none, as um."),
         click.option(
             "--spacing",
             type=_Pair(_LENGTH),
@@ -81,10 +81,11 @@ def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
 
 def _read(file: Path, spacing: tuple[float, float] | None, unit: str | None, fill: bool, level: bool) -> HeightMap:
     try:
-        heightmap = surfaces.read(file, spacing=spacing, unit=unit, fill=fill)
+        with tells_warnings(file):
+            heightmap = surfaces.read(file, spacing=spacing, unit=unit, fill=fill)
+            return heightmap.levelled() if level else heightmap
     except ImportError as error:  # which tells what to install
         raise InputError(str(error)) from error
-    return heightmap.levelled() if level else heightmap
 
 
 @click.group()
@@ -131,16 +132,17 @@ def _make(
 
     A texture of type "random" in a case is this surface without a file.
     """
-    made = surfaces.random(
-        size,
-        cells,
-        cutoff=cutoff,
-        rms_height=rms_height,
-        rms_slope=rms_slope,
-        hurst=hurst,
-        rolloff=rolloff,
-        seed=seed,
-    )
+    with tells_warnings(out):
+        made = surfaces.random(
+            size,
+            cells,
+            cutoff=cutoff,
+            rms_height=rms_height,
+            rms_slope=rms_slope,
+            hurst=hurst,
+            rolloff=rolloff,
+            seed=seed,
+        )
     surfaces.write(out, made)
     click.echo(_table(made))
     click.echo(out)

@@ -169,6 +169,24 @@ def test_make_show_convert(tmp_path: Path) -> None:
     assert (tmp_path / "other.png").stat().st_size > 10_000
 
 
+def test_warnings_are_told_as_by_other_commands(tmp_path: Path) -> None:
+    file = tmp_path / "in_nm.csv"
+    np.savetxt(file, 50.0 * np.random.default_rng(1).standard_normal((8, 8)), delimiter=",")
+    told = call("show", file, "--spacing", "1um")
+    assert told.exit_code == 0
+    assert told.stderr.startswith(f"brinell: warning: {file}: the height map has a root mean square height of")
+    assert told.stderr.count("\n") == 1
+    assert call("convert", file, tmp_path / "out.npy", "--spacing", "1um", "--unit", "nm").stderr == ""
+
+
+def test_holes_of_any_file_are_filled(tmp_path: Path) -> None:
+    file, out = tmp_path / "holed.npy", tmp_path / "whole.npy"
+    np.save(file, np.array([[1e-7, 2e-7, 3e-7], [2e-7, np.nan, 4e-7], [3e-7, 4e-7, 5e-7]]))
+    assert call("convert", file, out, "--spacing", "1um").exit_code == 2
+    assert call("convert", file, out, "--spacing", "1um", "--fill").exit_code == 0
+    assert np.load(out)[1, 1] == pytest.approx(3e-7)
+
+
 def test_show_needs_what_a_file_does_not_tell(tmp_path: Path) -> None:
     np.save(tmp_path / "tilted.npy", np.arange(5.0) * 1e-6 + np.arange(4.0)[:, None] * 2e-6)
     refused = call("show", tmp_path / "tilted.npy")

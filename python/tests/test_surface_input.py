@@ -34,8 +34,45 @@ def test_refusals_of_gaps_name_what_fills_them() -> None:
     with pytest.raises(InputError, match=re.escape("numpy.ma.filled(values, 0.0)")):
         HeightMap(np.ma.masked_array(heights, mask=np.eye(2)), 1e-6)  # type: ignore[arg-type]
     heights[0, 0] = np.nan
-    with pytest.raises(InputError, match=re.escape("surfaces.read(file, fill=True)")):
-        HeightMap(heights, 1e-6)  # type: ignore[arg-type]
+    for remedy in ("surfaces.read(file, fill=True)", "brinell surface convert --fill", "surfaces.filled(heights)"):
+        with pytest.raises(InputError, match=re.escape(remedy)):
+            HeightMap(heights, 1e-6)  # type: ignore[arg-type]
+
+
+def test_holes_are_filled_by_a_harmonic_surface() -> None:
+    """x^2 - y^2 and x y obey the difference equation exactly; across the edge of a map the slope is 0."""
+    y, x = np.mgrid[0:40, 0:60].astype(float)
+    heights = 1e6 + x**2 - y**2 + 3.0 * x * y
+    holed = heights.copy()
+    holed[5:20, 10:30] = np.nan
+    holed[30, 50] = np.inf
+    np.testing.assert_allclose(surfaces.filled(holed), heights, rtol=0.0, atol=1e-6 * np.ptp(heights))
+    masked = np.ma.masked_array(heights, mask=~np.isfinite(holed))
+    np.testing.assert_array_equal(surfaces.filled(masked), surfaces.filled(holed))
+    flat = np.full((6, 8), 2.0)
+    flat[:3, :5] = np.nan
+    np.testing.assert_allclose(surfaces.filled(flat), 2.0, rtol=1e-12)
+    np.testing.assert_array_equal(surfaces.filled(heights), heights)
+    with pytest.raises(InputError, match="nothing to fill the map from"):
+        surfaces.filled(np.full((3, 3), np.nan))
+
+
+@pytest.mark.parametrize("ending", ["npy", "csv", "txt", "npz"])
+def test_every_kind_of_file_can_be_filled(tmp_path: Path, ending: str) -> None:
+    plane = 1e-7 * (1.0 + np.arange(6.0) + 2.0 * np.arange(5.0)[:, None])
+    holed = plane.copy()
+    holed[2, 3] = np.nan
+    file = tmp_path / f"map.{ending}"
+    if ending == "npy":
+        np.save(file, holed)
+    elif ending == "npz":
+        np.savez(file, heights=holed, spacing=(1e-6, 1e-6))
+    else:
+        np.savetxt(file, holed, delimiter="," if ending == "csv" else " ")
+    spacing = None if ending == "npz" else "1 um"
+    with pytest.raises(InputError, match=r"heights\[2, 3\], in row 3 and column 4"):
+        surfaces.read(file, spacing=spacing)
+    np.testing.assert_allclose(surfaces.read(file, spacing=spacing, fill=True).heights, plane, rtol=1e-12)
 
 
 def test_heights_in_another_unit_than_spacing_are_told(tmp_path: Path) -> None:

@@ -79,7 +79,10 @@ def test_text_as_the_case_reads_it(tmp_path: Path) -> None:
         ("1 2\n3\n", "line 2 has 1 heights; the first row has 2"),
         ("1 2\n3 x\n", "line 2 is '3 x'"),
         ("# none\n", "no heights"),
-        ("1 nan\n", "1 of 2 heights are not finite"),
+        (
+            "1 nan\n",
+            r"1 of 2 heights are not finite, the first one heights\[0, 1\], in row 1 and column 2: fill .* --fill",
+        ),
     ],
 )
 def test_bad_text(tmp_path: Path, text: str, what: str) -> None:
@@ -217,9 +220,12 @@ def test_the_unit_of_a_text_is_honoured(tmp_path: Path) -> None:
     np.testing.assert_array_equal(surfaces.read(path, spacing=(1, 1)).heights, [[0, 10, 0], [0, 20, 0]])  # m
     with pytest.raises(InputError, match="no unit of length"):
         surfaces.read(path, spacing=(1, 1), unit="GPa")
-    np.save(tmp_path / "map.npy", np.zeros((2, 3)))
+    np.save(tmp_path / "map.npy", np.array([[0, 10, 0], [0, 20, 0]]))
+    again = surfaces.read(tmp_path / "map.npy", spacing=(1e-6, 1e-6), unit="nm")
+    np.testing.assert_array_equal(again.heights, read.heights)
+    surfaces.write(tmp_path / "map.npz", read)
     with pytest.raises(InputError, match="holds heights in m; leave out unit = 'nm'"):
-        surfaces.read(tmp_path / "map.npy", spacing=(1, 1), unit="nm")
+        surfaces.read(tmp_path / "map.npz", unit="nm")
 
 
 def test_text_of_gwyddion(tmp_path: Path) -> None:
@@ -268,7 +274,7 @@ def test_a_map_of_surface_topography_is_a_texture() -> None:
     with pytest.raises(InputError, match="tells no unit; .*HeightMap.from_topography takes unit and fill"):
         Body(Flat(), steel, topography.Topography(heights.T, (80.0, 90.0)))
     gaps = topography.Topography(np.ma.masked_greater(heights.T, heights.mean()), (80.0, 90.0), unit="um")
-    with pytest.raises(InputError, match="not finite: fill what was not measured, .* unit and fill"):
+    with pytest.raises(InputError, match="not finite, .*: fill what was not measured, .* unit and fill"):
         Body(Flat(), steel, gaps)
 
 
@@ -392,7 +398,12 @@ def test_files_of_numpy_that_are_no_maps(tmp_path: Path) -> None:
     for heights, wrong in (
         (np.arange(6), 'type "<i8"; allowed: float64 or float32'),
         (np.arange(6.0), "no rows and columns"),
-        (np.array([[1.0, np.nan]]), "1 of 2 numbers that are not finite"),
+        (np.array([[1.0, np.nan]]), "has in row 1, column 2 a height that is not finite; fill what was not measured"),
+        (
+            np.array([[1.0, 2, 3], [1, np.inf, np.nan]]),
+            "has in row 2, column 2 a height that is not finite, the first of 2;",
+        ),
+        (np.array([[1.0, 2, 3], [np.nan, 2, 3]], order="F"), "in row 2, column 1"),
     ):
         np.save(path, heights)
         with pytest.raises(InputError, match=re.escape(wrong)):

@@ -21,6 +21,9 @@ struct NumberTable
 /// not finite; IoError
 [[nodiscard]] NumberTable read_npy(const std::filesystem::path& file);
 
+/// What to say of heights that are not finite. @param first  where the first of them stands
+[[nodiscard]] std::string not_measured(const std::string& first, std::size_t count);
+
 /// The content of a file with these numbers, row after row.
 [[nodiscard]] std::string npy_content(std::span<const double> values, std::size_t columns);
 

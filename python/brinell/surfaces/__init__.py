@@ -13,7 +13,8 @@ Files of measuring instruments are read by SurfaceTopography (pip install "brine
 from __future__ import annotations
 
 from brinell.surfaces.files import read, write
+from brinell.surfaces.filling import filled
 from brinell.surfaces.heightmap import HeightMap, PowerSpectrum
 from brinell.surfaces.making import random, sampled
 
-__all__ = ["HeightMap", "PowerSpectrum", "random", "read", "sampled", "write"]
+__all__ = ["HeightMap", "PowerSpectrum", "filled", "random", "read", "sampled", "write"]

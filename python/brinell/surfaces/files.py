@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from brinell.errors import InputError, IoError, MissingExtraError
+from brinell.surfaces.filling import filled
 from brinell.surfaces.heightmap import FloatArray, HeightMap
 from brinell.surfaces.units import metres, one_unit, pair
 
@@ -32,10 +33,10 @@ def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None =
             texture.file of a case; of any other ending what SurfaceTopography reads.
         spacing: (dx, dy) [m], as numbers or text such as "1 um", or one for both; needed where the file has none: .npy,
             and text that neither `write` has made nor has the header of Gwyddion, in English or German.
-        unit: of the heights, as "um", where the file tells none: text is in m otherwise, .npy and .npz always; in an
-            instrument's file of the places as well.
-        fill: replace points that the instrument has not measured by a smooth surface (harmonic) through their
-            neighbours.
+        unit: of the heights, as "um", where the file tells none: text and .npy are in m otherwise; in an instrument's
+            file of the places as well.
+        fill: replace points that were not measured, NaN in the file, by a smooth surface (harmonic) through their
+            neighbours: see `filled`.
 
     Returns:
         The heights in m; an instrument's map has its first row at the smallest y.
@@ -50,14 +51,15 @@ def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None =
         raise IoError(f"{path}: no such file")
     ending = path.suffix.lower()
     try:
-        if ending in (".npz", ".npy") and unit is not None:
+        if ending == ".npz" and unit is not None:
             raise InputError(f"holds heights in m; leave out unit = {unit!r}")
         if ending == ".npz":
-            return _from_npz(path)
+            return _from_npz(path, fill)
         if ending == ".npy":
-            return HeightMap(_loaded(path), _needed(spacing, path))
+            heights = _whole(_loaded(path), fill)
+            return HeightMap(heights if unit is None else heights * metres(unit), _needed(spacing, path))
         if ending in _TEXT:
-            return _from_text(path, spacing, unit)
+            return _from_text(path, spacing, unit, fill)
         return _from_instrument(path, spacing, unit, fill)
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
@@ -119,23 +121,27 @@ def _loaded(path: Path) -> Any:
         raise InputError(f"is no file of NumPy arrays of numbers, or damaged ({error})") from error
 
 
-def _from_npz(path: Path) -> HeightMap:
+def _whole(heights: Any, fill: bool) -> Any:
+    return filled(heights) if fill else heights
+
+
+def _from_npz(path: Path, fill: bool) -> HeightMap:
     with _loaded(path) as file:
         missing = [name for name in ("heights", "spacing") if name not in file]
         if missing:
             raise InputError(f"holds no {' and no '.join(missing)}, only {', '.join(file) or 'nothing'}")
         x, y = pair(file["centre"]) if "centre" in file else (0.0, 0.0)
         periodic = bool(file["periodic"]) if "periodic" in file else False
-        return HeightMap(file["heights"], pair(file["spacing"]), x, y, periodic)
+        return HeightMap(_whole(file["heights"], fill), pair(file["spacing"]), x, y, periodic)
 
 
-def _from_text(path: Path, spacing: Spacing | None, unit: str | None) -> HeightMap:
+def _from_text(path: Path, spacing: Spacing | None, unit: str | None, fill: bool) -> HeightMap:
     """Heights in m or in `unit`, after the lines of `write` or the header of Gwyddion, if there are some."""
     if path.stat().st_size > _LARGEST_TEXT:
         raise InputError(f"is too large; allowed: up to {_LARGEST_TEXT / 1e6:.0f} MB of text, or a .npy file")
     text = path.read_text(encoding="utf-8-sig", errors="replace")
     header = _header_of_gwyddion(text)
-    heights = _numbers(text) * metres(_unit_of_header(header, unit))
+    heights = _whole(_numbers(text), fill) * metres(_unit_of_header(header, unit))
     if spacing is None and {"Width", "Height"} <= header.keys():
         width, height = (_size_of_header(header[name]) for name in ("Width", "Height"))
         return HeightMap(heights, (width / heights.shape[1], height / heights.shape[0]))

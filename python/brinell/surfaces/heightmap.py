@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from brinell._arrays import require_unmasked
 from brinell._names import level_of_caller
 from brinell.errors import InputError
+from brinell.surfaces.filling import filled, told_gaps
 from brinell.surfaces.units import metres, one_unit, pair
 
 FloatArray = NDArray[np.float64]
@@ -64,11 +65,10 @@ class HeightMap:
         heights = np.array(self.heights, dtype=np.float64)
         if heights.ndim != 2 or heights.size == 0:
             raise InputError(f"heights have the shape {heights.shape}; allowed: [ny, nx] with one point or more")
-        bad = int(np.count_nonzero(~np.isfinite(heights)))
-        if bad > 0:
+        if (gaps := told_gaps(heights)) is not None:
             raise InputError(
-                f"{bad} of {heights.size} heights are not finite: fill what was not measured, as "
-                "surfaces.read(file, fill=True) does of an instrument's file, or numpy.nan_to_num(heights, nan=0.0)"
+                f"{gaps}: fill what was not measured, as surfaces.read(file, fill=True), brinell surface convert --fill"
+                " or surfaces.filled(heights) do by a smooth surface, or numpy.nan_to_num(heights, nan=0.0) by zero"
             )
         try:
             spacing = pair(self.spacing)
@@ -110,12 +110,10 @@ class HeightMap:
         if getattr(topography, "dim", None) != 2 or not topography.is_uniform:
             raise InputError("is a line scan, or not on a regular grid; allowed: a map of heights")
         to_metre = metres(one_unit(topography.unit, unit))
-        if fill and topography.has_undefined_data:
-            topography = topography.interpolate_undefined_data_with_harmonic_function()
         # Its first index runs along x, its second along y.
         heights = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan).T * to_metre
         dx, dy = topography.pixel_size
-        return cls(heights, (dx * to_metre, dy * to_metre))
+        return cls(filled(heights) if fill else heights, (dx * to_metre, dy * to_metre))
 
     @classmethod
     def of_part(cls, part: Any) -> Any:

@@ -8,14 +8,14 @@ the case; 130: interrupted.
 from __future__ import annotations
 
 import signal
-import warnings
 from pathlib import Path
-from typing import NoReturn, TextIO
+from typing import NoReturn
 
 import click
 
 from brinell import completion
-from brinell.case import Case, CaseWarning
+from brinell.case import Case
+from brinell.commands import tells_warnings
 from brinell.errors import InputError
 
 __all__ = ["command"]
@@ -87,8 +87,7 @@ def command(
     try:
         from brinell.sweeps import sweep
 
-        with warnings.catch_warnings():
-            warnings.showwarning = _tell_warning
+        with tells_warnings():
             result = sweep(
                 Case.from_file(case, overrides),
                 _axes(over),
@@ -122,18 +121,6 @@ def _axes(over: tuple[str, ...]) -> dict[str, str]:
             raise InputError(f"--over {text}: {key} is already an axis; give all its values at once")
         axes[key] = values.strip()
     return axes
-
-
-def _tell_warning(
-    message: Warning | str,
-    category: type[Warning],
-    filename: str,
-    lineno: int,
-    file: TextIO | None = None,
-    line: str | None = None,
-) -> None:
-    prefix = "brinell: warning" if issubclass(category, CaseWarning | FutureWarning) else category.__name__
-    click.echo(f"{prefix}: {message}", err=True)
 
 
 def _end(message: str, exit_code: int) -> NoReturn:

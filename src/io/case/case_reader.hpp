@@ -85,17 +85,20 @@ catch (const InputError& error)
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
+/// The sum of the textures in the tables of a list, or what its one table says; of what cannot be made, the problem is told.
+[[nodiscard]] simulation::Texture read_texture(const CaseReader& reader, const std::string& key);
+
 /// Fills in the thermal constants, if there are any; without the elastic ones a body must be known to be rigid or not.
 /// @param table  ends with a dot
 void read_thermal(const CaseReader& reader, const std::string& table, constitutive::Material& material);
 
-/// Constants that no solid has, and those that nothing uses.
-void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
-                     Case& c);
 /// None if it is not given. @param table  ends with a dot @throws InputError if its keys do not fit together
 [[nodiscard]] std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader,
                                                                       const std::string& table);
 
+/// Constants that no solid has, and those that nothing uses.
+void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
+                     Case& c);
 
 /// The boundaries of a domain, and its period along the axes that have one.
 /// @param both  whether the scenario can be computed with both axes periodic, or with x alone

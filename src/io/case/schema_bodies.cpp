@@ -110,11 +110,17 @@ Entries texture_entries(const std::string& table)
           {.key = "file",
            .type = Type::text,
            .unset = "heights and columns",
-           .text =
-               "File of heights in m, outwards positive; from the folder of the case. .npy: an array [y, x] of NumPy, "
-               "binary; any other: text, a line per row along x, all of one length, one row after the other along y.",
+           .text = "File of heights in m, or in unit, outwards positive; from the folder of the case. .npy: an array "
+                   "[y, x] of "
+                   "NumPy, binary; any other: text, a line per row along x, all of one length, one row after the other "
+                   "along y.",
            .when = of_map,
            .excludes = "heights"},
+          {.key = "unit",
+           .type = Type::text,
+           .unset = "m",
+           .text = "Unit of the heights in the file, as \"um\".",
+           .when = of_map},
           {.key = "heights",
            .type = Type::numbers,
            .dimension = dimension::length,

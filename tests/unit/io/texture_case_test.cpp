@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
+#include "io/npy.hpp"
+#include "sample.hpp"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -183,6 +187,66 @@ TEST(TextureCase, RoughnessThatCannotBe)
   EXPECT_EQ(refusal(R"(texture = {type = "random", rms_height = 1e-7, cutoff = 1e-5, size = [1e-4, 1e-4]})"), "");
   // On the command line the other rms wins.
   EXPECT_EQ(refusal("texture = {" + keys + ", rms_height = 1e-7}", {"lower.texture.rms_slope=0.1"}), "");
+}
+
+/// Heights in a file, read with more keys.
+class HeightFile : public testing::Test
+{
+protected:
+  simulation::HeightMap read(const std::string& name, const std::string& content, const std::string& keys = "")
+  {
+    std::ofstream(folder_.path() / name) << content;
+    const std::string text = std::string(head) + "texture = {type = \"height_map\", file = \"" + name +
+                             "\", spacing = [1e-6, 1e-6]" + keys + "}";
+    const Case c = parse_case(text, folder_.path() / "sample.toml");
+    resolved_ = resolved_text(c.values);
+    return std::get<simulation::HeightMap>(std::get<simulation::RollingCase>(c.scenario).lower.texture.parts.at(0));
+  }
+  std::string refused(const std::string& name, const std::string& content, const std::string& keys = "")
+  {
+    try
+    {
+      (void)read(name, content, keys);
+    }
+    catch (const InputError& error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+
+  sample::TemporaryFolder folder_;
+  std::string resolved_;
+};
+
+TEST_F(HeightFile, HasAUnit)
+{
+  const auto map = read("map.csv", "0, 1\n2, 30\n", ", unit = \"nm\"");
+  for (const auto& [found, expected] :
+       {std::pair{map.heights[1], 1e-9}, {map.heights[2], 2e-9}, {map.heights[3], 30e-9}})
+    EXPECT_DOUBLE_EQ(found, expected);
+  EXPECT_EQ(resolved_.find("unit"), std::string::npos) << "what is resolved is in m";
+  const std::vector<double> heights{0.0, 1.5, -2.0, 0.25};
+  EXPECT_DOUBLE_EQ(read("map.npy", npy_content(heights, 2), ", unit = \"um\"").heights[2], -2e-6);
+  EXPECT_EQ(read("map.npy", npy_content(heights, 2)).heights, heights);
+  expect_refused(refused("map.csv", "0 1\n", ", unit = \"GPa\""),
+                 "unit = \"GPa\" is a unit of pressure; allowed: a unit of length");
+  expect_refused(refused("map.csv", "0 1\n", ", unit = \"inch\""), "has the unknown unit");
+  expect_refused(
+      refusal(R"(texture = {type = "height_map", heights = [0, 1], columns = 2, spacing = [1, 1], unit = "um"})"),
+      "it goes with lower.texture.file only");
+}
+
+TEST_F(HeightFile, WhatWasNotMeasuredIsToldWithItsPlace)
+{
+  const std::string remedy = "fill what was not measured, as \"brinell surface convert FILE OUT.npy --fill\"";
+  const std::string text = refused("map.csv", "# heights\n0, 1, 2\n3, NaN, nan\n-inf, 1, 2\n");
+  expect_refused(text, "has in line 3, column 2 a height that is not finite, the first of 3; " + remedy);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> heights{0.0, 1.0, 2.0, 3.0, 4.0, nan};
+  expect_refused(refused("map.npy", npy_content(heights, 3)),
+                 "has in row 2, column 3 a height that is not finite; " + remedy);
+  expect_refused(refused("map.csv", "0 1\n2 x\n"), "has in line 2 \"2 x\"; allowed: 2 heights");
 }
 
 } // namespace
