@@ -219,8 +219,9 @@ void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, i
   if (!report.accuracy->reached)
     info.quality.warnings.push_back(
         {"accuracy_missed",
-         fmt::format("the accuracy asked for, {:.3g} %, is not reached: the key numbers are known to {:.2g} %",
-                     100.0 * report.accuracy->asked, 100.0 * report.accuracy->error)});
+         fmt::format("the accuracy asked for, {:.3g} %, is not reached: the key numbers are known to {:.2g} %, {}",
+                     100.0 * report.accuracy->asked, 100.0 * report.accuracy->error,
+                     io::accuracy_advice(c, *report.accuracy))});
   info.accuracy = report.accuracy;
 }
 

@@ -75,7 +75,7 @@ def brinell_solver(heights: np.ndarray, load: float, is_open: bool) -> Solver:
 
     def solve(tolerance: float) -> np.ndarray:
         result = contact.solve(heights.max() - heights, load=load, tolerance=tolerance)
-        print(f"    brinell: {result.iterations} iterations")
+        print(f"    brinell: {result.contact_iterations} iterations")
         return result.pressure
 
     return solve

@@ -57,20 +57,38 @@ def require_unmasked(values: object, name: str) -> None:
         )
 
 
+_UNITS = {
+    **dict.fromkeys(("load", "force_x", "force_y"), "N"),
+    **dict.fromkeys(("approach", "mean_gap", "shift_x", "shift_y", "reference", "scale", "depths"), "m"),
+    **dict.fromkeys(("dx", "dy", "dz", "radius", "radius_lower", "radius_upper", "contact_radius", "half_width"), "m"),
+    **dict.fromkeys(("young_modulus", "contact_modulus", "yield_stress"), "Pa"),
+    **dict.fromkeys(("shortest_step", "duration", "later"), "s"),
+    "spin": "rad",
+    "velocity": "m/s",
+    **dict.fromkeys(("friction", "poisson_ratio"), ""),
+}
+"""Of the numbers that functions of the floors take, by their names; SI where a name is not here."""
+
+
 def number(value: object, name: str) -> float:
     """The same as a finite number.
 
     Raises:
         InputError: it is none, as a text with a unit: those belong to cases and materials.
     """
-    if not isinstance(value, str):
-        try:
-            result = float(value)  # type: ignore[arg-type]
-        except (TypeError, ValueError):
-            result = math.nan
-        if math.isfinite(result):
-            return result
-    raise InputError(f"{name} = {value!r}; allowed: a finite number, in SI")
+    unit = _UNITS.get(name, "SI")
+    allowed = f"a finite number, in {unit}" if unit else "a finite number without a unit"
+    if isinstance(value, str):
+        raise InputError(f"{name} = {value!r} is text; allowed: {allowed}. Cases and materials alone read units")
+    if isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim > 0):
+        raise InputError(f"{name} has {len(value)} values; allowed: one, {allowed}")
+    try:
+        result = float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        result = math.nan
+    if math.isfinite(result):
+        return result
+    raise InputError(f"{name} = {value!r}; allowed: {allowed}")
 
 
 def points(**coordinates: ArrayLike) -> tuple[tuple[int, ...], list[Array]]:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
+from brinell._names import renamed
 from brinell._reprs import cells
 from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceCompliance, SurfaceGrid
@@ -19,6 +20,7 @@ from brinell.materials import RIGID, Material
 __all__ = ["TangentialContact", "TangentialResult"]
 
 
+@renamed(dissipated="dissipation_friction", iterations="contact_iterations")
 @dataclass(frozen=True)
 class TangentialResult:
     """A solved step of stick and slip.
@@ -33,8 +35,8 @@ class TangentialResult:
         shift: along x and y, of the upper body past the lower one in this step, imposed or found [m].
         force: along x and y, sum of the shear [N].
         stick_area: of the cells that stick [m^2].
-        dissipated: sum of the dissipation [J].
-        iterations: of the conjugate gradients.
+        dissipation_friction: sum of the dissipation [J].
+        contact_iterations: of the conjugate gradients.
         residual: largest slip where it sticks, and across or against the shear elsewhere [m].
     """
 
@@ -47,8 +49,8 @@ class TangentialResult:
     shift: tuple[float, float]
     force: tuple[float, float]
     stick_area: float
-    dissipated: float
-    iterations: int
+    dissipation_friction: float
+    contact_iterations: int
     residual: float
 
     def __repr__(self) -> str:

@@ -196,6 +196,11 @@ class Body:
     texture: Part | Sequence[Part] | Any | None = None
 
     def __post_init__(self) -> None:
+        if isinstance(self.material, Shape) or hasattr(self.shape, "young_modulus"):
+            raise InputError(
+                f"shape = {self.shape!r} and material = {self.material!r} of a body: the shape comes first, as in "
+                "brinell.Body(brinell.Sphere('1 mm'), steel)"
+            )
         texture = self.texture
         if isinstance(texture, list | tuple):
             object.__setattr__(self, "texture", [HeightMap.of_part(part) for part in texture])

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
-from brinell._names import level_of_caller
+from brinell._names import level_of_caller, renamed
 from brinell._reprs import cells
 from brinell._tangential import (
     TangentialContact,
@@ -43,6 +43,7 @@ __all__ = [
 ]
 
 
+@renamed(area="contact_area", iterations="contact_iterations")
 @dataclass(frozen=True)
 class ContactResult:
     """A solved contact.
@@ -52,10 +53,10 @@ class ContactResult:
         gap: (ny, nx) between the deformed surfaces [m].
         approach: imposed or found [m]; without load that at which the surfaces touch.
         load: sum of the pressure [N].
-        iterations: of the conjugate gradients.
+        contact_iterations: of the conjugate gradients.
         converged: whether the residual is within the tolerance.
         residual: largest |gap| under pressure or penetration elsewhere [m].
-        area: of the contact, finer than its cells: see `contact_area` [m^2].
+        contact_area: finer than the cells: see the function `contact_area` [m^2].
         reaches_edge: whether pressure acts on the outermost cells of an axis that is not periodic: the grid cuts the
             contact off, and the result is that of a smaller body. It is warned of.
     """
@@ -64,10 +65,10 @@ class ContactResult:
     gap: Array
     approach: float
     load: float
-    iterations: int
+    contact_iterations: int
     converged: bool
     residual: float
-    area: float
+    contact_area: float
     reaches_edge: bool = False
 
     def __repr__(self) -> str:
@@ -162,22 +163,23 @@ class ElasticContact:
         return _core.contact_stiffness(self.compliance._engine, contiguous(pressure, "pressure"))
 
 
+@renamed(dissipated="dissipation_friction")
 @dataclass(frozen=True)
 class FrictionResult:
     """A solved step of a contact with friction.
 
     Attributes:
-        contact: pressure, gap, approach, load and area.
+        contact: pressure, gap, approach, load and contact area.
         tangential: shears, slips, stick, shift and force of the step.
         shift: along x and y, of the upper body past the lower one in all steps [m].
-        dissipated: by friction in all steps [J].
+        dissipation_friction: in all steps [J].
         alternations: of the normal and the tangential problem.
     """
 
     contact: ContactResult
     tangential: TangentialResult
     shift: tuple[float, float]
-    dissipated: float
+    dissipation_friction: float
     alternations: int
 
     def __repr__(self) -> str:
@@ -291,12 +293,12 @@ class FrictionalContact:
         if not report.converged:
             raise ConvergenceError(_reason(report))
         slip = tangential_result(self.grid, self.friction * pressure, fields, report.tangential)
-        shift, dissipated = ((0.0, 0.0), 0.0) if before is None else (before.shift, before.dissipated)
+        shift, dissipation = ((0.0, 0.0), 0.0) if before is None else (before.shift, before.dissipation_friction)
         return FrictionResult(
             _result(self.compliance, pressure, gap, report.normal),
             slip,
             (shift[0] + slip.shift[0], shift[1] + slip.shift[1]),
-            dissipated + slip.dissipated,
+            dissipation + slip.dissipation_friction,
             report.alternations,
         )
 

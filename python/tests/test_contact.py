@@ -50,9 +50,9 @@ def test_area_is_finer_than_the_cells() -> None:
         contact, distance = ball(cells)
         result = contact.solve(distance, load=HERTZ.load)
         # A scatter of first order remains; that of counted cells is five times as large (13 %, 6 % and 1 % here).
-        assert result.area == pytest.approx(exact, rel=0.08 / cells)
+        assert result.contact_area == pytest.approx(exact, rel=0.08 / cells)
         again = contact_area(contact.grid, result.pressure, result.gap, contact.compliance.contact_modulus)
-        assert again == result.area
+        assert again == result.contact_area
     with pytest.raises(brinell.InputError, match="pressure"):
         contact_area(contact.grid, result.pressure[1:], result.gap, 1e9)
     with pytest.raises(brinell.InputError, match="contact_modulus = 0; allowed: > 0"):
@@ -84,7 +84,7 @@ def test_a_good_guess_saves_iterations_and_stays_as_it_was() -> None:
     first = contact.solve(distance, load=HERTZ.load)
     guess = first.pressure.copy()
     again = contact.solve(distance, load=HERTZ.load, guess=guess)
-    assert again.iterations < 0.2 * first.iterations
+    assert again.contact_iterations < 0.2 * first.contact_iterations
     np.testing.assert_array_equal(guess, first.pressure)
     assert not np.shares_memory(guess, again.pressure)
 
@@ -124,7 +124,11 @@ def test_what_does_not_fit_is_an_input_error() -> None:
         contact.solve(distance[1:], load=1.0)
     with pytest.raises(brinell.InputError, match="guess has the shape"):
         contact.solve(distance, load=1.0, guess=[0.0])
-    with pytest.raises(brinell.InputError, match="load = '1 N'; allowed: a finite number, in SI"):
+    with pytest.raises(brinell.InputError, match="load has 2 values; allowed: one, a finite number, in N"):
+        contact.solve(distance, load=[1.0, 2.0])  # type: ignore[arg-type]
+    with pytest.raises(brinell.InputError, match="approach = '1 um' is text; allowed: a finite number, in m"):
+        contact.solve(distance, approach="1 um")  # type: ignore[arg-type]
+    with pytest.raises(brinell.InputError, match="load = '1 N' is text; allowed: a finite number, in N"):
         contact.solve(distance, load="1 N")  # type: ignore[arg-type]
     with pytest.raises(brinell.InputError, match="max_iterations = -1"):
         contact.solve(distance, load=1.0, max_iterations=-1)

@@ -245,7 +245,7 @@ def test_coordinates_have_their_origin_in_the_middle() -> None:
         ((1, 10**9, 1.0, 1.0), "ny = 1000000000"),
         ((1, 1, -1.0, 1.0), "dx = -1.0 of a grid; allowed: a length from 1e-30"),
         ((1, 1, 1.0, float("inf")), "dy = inf"),
-        ((1, 1, "1 um", 1.0), "dx = '1 um'; allowed: a finite number, in SI"),
+        ((1, 1, "1 um", 1.0), "dx = '1 um' is text; allowed: a finite number, in m"),
     ],
 )
 def test_an_impossible_grid_is_an_input_error(arguments: tuple[int, int, float, float], message: str) -> None:

@@ -243,3 +243,19 @@ def test_passes_places_and_cycles_count_from_1_in_a_run() -> None:
     assert [(one.place, one.cycle, one.x) for one in run.indents] == [(1, 1, 0), (1, 2, 0), (2, 1, 2e-4), (2, 2, 2e-4)]
     assert np.all(history["evaluations"] >= 1)
     assert np.sum(history["evaluations"]) == run.summary["run"]["evaluations"]  # type: ignore[index]
+
+
+def test_old_attributes_of_contacts_work_with_a_warning() -> None:
+    grid = brinell.halfspace.SurfaceGrid(17, 17, 1e-6, 1e-6)
+    steel = brinell.Material("210 GPa", 0.3)
+    contact = brinell.contact.FrictionalContact(grid, steel, steel, friction=0.3)
+    solved = contact.step((grid.x**2 + grid.y**2) / 2e-3, load=1e-3, force_x=1e-4)
+    for owner, old, new in (
+        (solved.contact, "area", "contact_area"),
+        (solved.contact, "iterations", "contact_iterations"),
+        (solved.tangential, "iterations", "contact_iterations"),
+        (solved.tangential, "dissipated", "dissipation_friction"),
+        (solved, "dissipated", "dissipation_friction"),
+    ):
+        with pytest.warns(FutureWarning, match=IS_NOW.format(old, new)):
+            assert getattr(owner, old) == getattr(owner, new)

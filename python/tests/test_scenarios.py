@@ -241,7 +241,7 @@ def test_shapes_and_textures_have_all_keys_of_their_tables() -> None:
     shapes = [getattr(bodies, s.__name__) for s in bodies.Shape.__subclasses__()]
     assert keys(*shapes) == of_page("shape.")
     assert {s.type for s in shapes} == set(re.findall(r'"(\w+)"', PAGE.split("`shape.type` |")[1].split("|")[0]))
-    of_a_map = {"file", "spacing", "heights", "columns", "periodic"}
+    of_a_map = {"file", "unit", "spacing", "heights", "columns", "periodic"}
     textures = (bodies.Dent, bodies.Bump, bodies.Sinusoid, bodies.RandomSurface)
     assert keys(*textures) == of_page("texture.") - of_a_map
 
@@ -356,3 +356,9 @@ def test_a_body_is_made_of_parts(shape: Any, material: Any) -> None:
 def test_a_scenario_has_bodies() -> None:
     with pytest.raises(brinell.InputError, match=r"lower = 'a'; allowed: a brinell.Body"):
         brinell.Tugging("a", "b", 3)  # type: ignore[arg-type]
+
+
+def test_shape_and_material_in_the_wrong_order_are_told() -> None:
+    for swapped in (lambda: brinell.Body(STEEL, brinell.Sphere("1 mm")), lambda: brinell.Body(brinell.RIGID, STEEL)):
+        with pytest.raises(brinell.InputError, match="the shape comes first, as in brinell.Body"):
+            swapped()

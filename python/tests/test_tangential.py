@@ -38,7 +38,7 @@ def test_stick_radius_and_shift_are_mindlins() -> None:
     assert pushed.shift[1] == 0.0
     assert np.all(np.hypot(pushed.shear_x, pushed.shear_y) <= FRICTION * pressure * (1 + 1e-12))
     assert np.abs(pushed.slip_x[pushed.sticks]).max() <= pushed.residual <= 1e-6 * SLIDING
-    assert pushed.dissipated == pytest.approx(pushed.dissipation.sum() * grid.cell_area)
+    assert pushed.dissipation_friction == pytest.approx(pushed.dissipation.sum() * grid.cell_area)
 
     back = contact.step(FRICTION * pressure, force_x=0.0, before=pushed)
     left = 2 * (1 - 7 / 16) ** (2 / 3) - (1 / 8) ** (2 / 3) - 1
@@ -67,7 +67,7 @@ def test_contact_with_friction() -> None:
     assert np.abs(pressed.tangential.shear_x).max() == 0.0
     pushed = contact.step(distance, load=HERTZ.load, force_y=0.5 * LIMIT, before=pressed)
     assert pushed.shift[1] == pytest.approx(SLIDING * (1 - 0.5 ** (2 / 3)), rel=12**-1.5)
-    assert pushed.dissipated > 0.0
+    assert pushed.dissipation_friction > 0.0
     # Equal bodies: the pressure stays, but for the rounding of its sum, to which a load is held anew.
     np.testing.assert_allclose(pushed.contact.pressure, pressed.contact.pressure, rtol=1e-14)
     # A rigid ball on a soft flat: friction holds what the pressure draws to the middle, and so stiffens the contact.

@@ -47,7 +47,8 @@ TEST_F(Errors, AForgottenUnitComesBeforeWhatFollowsFromIt)
                                "lower.material.hardening.yield_stress=900"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(
-      outcome.err.rfind("brinell: error: case.toml: warning: lower.material.hardening: the yield stress is 900 Pa", 0),
+      outcome.err.rfind(
+          "brinell: error: case.toml: the reason may be: lower.material.hardening: the yield stress is 900 Pa", 0),
       0u)
       << outcome.err;
   EXPECT_NE(outcome.err.find("\nbrinell: error: --set grid.spacing"), std::string::npos) << outcome.err;
@@ -67,6 +68,28 @@ TEST_F(Errors, AnUnknownScenarioIsTheOnlyProblem)
   const Outcome outcome = run({"check", "case.toml"});
   EXPECT_EQ(outcome.err.rfind("brinell: error: case.toml:1: scenario = \"slide\" is not known; allowed: ", 0), 0u);
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(Errors, APercentageWithoutItsSignIsAsked)
+{
+  write("case.toml", quick_case);
+  expect_refused(
+      {"run", "case.toml", "--accuracy", "3"},
+      {"solver.accuracy = 3 is out of range; allowed: number in (0, 0.5], or as in \"1 %\"; did you mean \"3 %\"?"});
+  EXPECT_EQ(run({"run", "case.toml", "--accuracy", "300"}).err.find("did you mean"), std::string::npos);
+}
+
+TEST_F(Errors, AListForOneValueIsToldWhatToDo)
+{
+  write("case.toml", quick_case);
+  expect_refused({"check", "case.toml", "--set", "grid.resolution=[4, 8]"},
+                 {"is a list", "one value is wanted: for several, run the case for each, as brinell sweep does"});
+}
+
+TEST_F(Errors, AKeyWithoutItsTableIsFound)
+{
+  write("case.toml", quick_case);
+  expect_refused({"check", "case.toml", "--set", "friction=0.2"}, {"did you mean interface.friction?"});
 }
 
 TEST_F(Errors, AWordInThePlaceOfATableNamesItsKey)

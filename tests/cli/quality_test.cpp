@@ -187,6 +187,10 @@ TEST_F(QualityOfRuns, AnAccuracyThatIsMissedIsTold)
   EXPECT_FALSE(read.at("accuracy").at("reached").get<bool>());
   EXPECT_EQ(read.at("accuracy").at("runs").size(), 5u);
   EXPECT_EQ(read.at("warnings").back().at("key"), "accuracy_missed");
+  const auto advice = read.at("warnings").back().at("text").get<std::string>();
+  for (const char* part : {"the accuracy asked for, 0.0001 %, is not reached", "indents[0].", " least; ",
+                           "a larger grid.resolution", "more steps than indentation.steps = ", "would bring it closer"})
+    EXPECT_NE(advice.find(part), std::string::npos) << part << "\n  in: " << advice;
 }
 
 TEST_F(QualityOfRuns, BadAccuracies)

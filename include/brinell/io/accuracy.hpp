@@ -48,4 +48,7 @@ struct Accuracy
 /// Estimates from two levels or more.
 [[nodiscard]] Accuracy accuracy_of(const Case& c, std::vector<Level> levels);
 
+/// Which of the key numbers is known least, and what would help: a clause for people.
+[[nodiscard]] std::string accuracy_advice(const Case& c, const Accuracy& accuracy);
+
 } // namespace brinell::io

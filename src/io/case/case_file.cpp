@@ -88,7 +88,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   complete(reader, result);
   if (!problems.empty()) // a forgotten unit may be the reason
     for (const Warning& warning : result.warnings)
-      problems.add_cause(raw.file, "warning: " + warning.text);
+      problems.add_cause(raw.file, "the reason may be: " + warning.text);
   problems.throw_if_any();
   result.warnings.insert(result.warnings.begin(), raw.warnings.begin(), raw.warnings.end());
   return result;

@@ -26,7 +26,11 @@ std::string allowed(const Entry& entry, bool pure)
 
 InputError wrong_type(const Raw& raw, const Entry& entry, bool pure)
 {
-  return InputError(fmt::format("is {}; {}", type_name(raw), allowed(entry, pure)));
+  const bool is_list = std::holds_alternative<std::vector<Raw>>(raw.value);
+  const bool is_one = entry.type == Type::number || entry.type == Type::integer;
+  return InputError(fmt::format(
+      "is {}; {}{}", type_name(raw), allowed(entry, pure),
+      is_list && is_one ? "; one value is wanted: for several, run the case for each, as brinell sweep does" : ""));
 }
 
 double from_quantity(const std::string& text, const Entry& entry, bool pure)
@@ -91,13 +95,17 @@ double number(const Raw& raw, const Entry& entry, bool pure)
   if (!std::isfinite(x))
     throw InputError(fmt::format("is not a finite number; {}", allowed(entry, pure)));
   if (!entry.range.contains(x))
-    throw InputError(fmt::format("is out of range; {}", allowed(entry, pure)));
+    throw InputError(fmt::format(
+        "is out of range; {}{}", allowed(entry, pure),
+        entry.percent && entry.range.contains(x / 100.0) ? fmt::format("; did you mean \"{:g} %\"?", x) : ""));
   return x;
 }
 
 std::int64_t integer(const Raw& raw, const Entry& entry)
 {
   const auto* i = std::get_if<std::int64_t>(&raw.value);
+  if (!i && std::holds_alternative<std::vector<Raw>>(raw.value))
+    throw wrong_type(raw, entry, false);
   if (!i)
     throw InputError(fmt::format("is {}, not an integer; {}", type_name(raw), allowed(entry, false)));
   if (!entry.range.contains(static_cast<double>(*i)))

@@ -160,6 +160,7 @@ std::string allowed_values(const Entry& entry)
   case Type::number:
     return with_range(what, entry.range) + unit_note(entry.dimension) +
            (entry.degrees ? ", in degrees or with a unit as in \"1.2 rad\"" : "") + temperature_note +
+           (entry.percent ? ", or as in \"1 %\"" : "") +
            (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
   case Type::vector3:
     return with_range(fmt::format("three {}s", what), entry.range) + unit_note(entry.dimension);

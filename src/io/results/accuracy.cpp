@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/accuracy.hpp"
 
+#include "io/case/value_text.hpp"
 #include "io/scenarios/scenario_io.hpp"
 
 #include <algorithm>
@@ -195,6 +196,21 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
   accuracy.reached = !accuracy.key_numbers.empty() && accuracy.error <= accuracy.asked;
   accuracy.levels = std::move(levels);
   return accuracy;
+}
+
+std::string accuracy_advice(const Case& c, const Accuracy& accuracy)
+{
+  const auto error = [&](const std::string& name) { return accuracy.numbers.at(name).relative_error; };
+  const auto worst = std::max_element(accuracy.key_numbers.begin(), accuracy.key_numbers.end(),
+                                      [&](const auto& a, const auto& b) { return error(a) < error(b); });
+  std::string text = worst == accuracy.key_numbers.end() ? "" : fmt::format("{} least; ", *worst);
+  text +=
+      c.values.find("grid.spacing") ? "a smaller grid.spacing to begin with" : "a larger grid.resolution to begin with";
+  const std::string steps(std::visit([](const auto& scenario) { return io_of(scenario).steps; }, c.scenario));
+  if (const Value* given = c.values.find(steps)) // else the steps go with the cells
+    text += fmt::format(", or {} than {} = {}, which the series keeps,",
+                        steps.ends_with("shift") ? "a smaller step" : "more steps", steps, toml_text(*given));
+  return text + " would bring it closer";
 }
 
 } // namespace brinell::io

@@ -16,9 +16,11 @@ std::string friction_text(const simulation::RunTotals& s)
 {
   if (s.dissipation_friction == 0.0)
     return {};
-  return fmt::format(
-      "friction  {:>13.6e} J of heat; shear at the limit of the surface in up to {:.0f} % of the contact\n",
-      s.dissipation_friction, 100.0 * s.max_share_at_shear_limit);
+  std::string text = fmt::format("friction  {:>13.6e} J of heat", s.dissipation_friction);
+  if (s.max_share_at_shear_limit > 0.0)
+    text += fmt::format("; shear at the limit of the surface in up to {:.2g} % of the contact",
+                        100.0 * s.max_share_at_shear_limit);
+  return text + "\n";
 }
 
 } // namespace

@@ -195,6 +195,7 @@ struct DescriptionOf<FrettingCase>
           return {f.kind == FrettingCase::Kind::force ? "cycles[].max_displacement_m" : "cycles[].max_force_N",
                   "cycles[].dissipation_friction_J", "cycles[].slip_amplitude_m"};
         },
+        .steps = "fretting.steps_per_cycle",
         .imposed_load = [](const FrettingCase& f) { return f.press.kind == Drive::Kind::load ? f.press.value : 0.0; },
         .cite = cite,
     };

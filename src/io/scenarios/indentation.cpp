@@ -238,6 +238,7 @@ struct DescriptionOf<IndentationCase>
           return {by_load ? "indents[].max_approach_m" : "indents[].max_load_N", "indents[].hardness_Pa",
                   "indents[].residual_depth_m"};
         },
+        .steps = "indentation.steps",
     };
   }
 };

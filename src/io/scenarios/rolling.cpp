@@ -192,6 +192,7 @@ struct DescriptionOf<RollingCase>
         .key_numbers = [](const RollingCase&) -> std::vector<std::string> {
           return {"passes[].rut_depth_m", "passes[].resistance_N", "passes[].dissipation_J"};
         },
+        .steps = "rolling.shift",
         .imposed_load = [](const RollingCase& r) { return r.drive.kind == Drive::Kind::load ? r.drive.value : 0.0; },
         .cite = cite,
     };

@@ -65,6 +65,8 @@ struct ScenarioIo
   std::vector<std::string> result_parts{}; ///< of the summary, beside energy, residual and the lists
   /// What one looks for first: "forces.peak_F_X_N"; "indents[].hardness_Pa" is of the last one in a list.
   std::vector<std::string> (*key_numbers)(const ScenarioCase& scenario);
+  /// The key by which steps become finer; those that it leaves alone go with the cells if it is not given.
+  std::string_view steps{};
   /// Beside which a force may be small [N].
   double (*imposed_load)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return 0.0; };
 

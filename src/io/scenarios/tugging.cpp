@@ -263,6 +263,7 @@ struct DescriptionOf<TuggingCase>
           return {"forces.peak_F_X_N", "forces.peak_F_Z_N", "energy.net_J", "residual.max_lower_m",
                   "residual.max_upper_m"};
         },
+        .steps = "tugging.shift",
         .cite = cite,
     };
   }
