@@ -205,6 +205,7 @@ struct DescriptionOf<SlidingCase>
         .key_numbers = [](const SlidingCase&) -> std::vector<std::string> {
           return {"strokes[].friction", "strokes[].contact_area_m2", "strokes[].dissipation_plastic_J"};
         },
+        .steps = "sliding.shift",
         .imposed_load = [](const SlidingCase& s) { return s.press.kind == Drive::Kind::load ? s.press.value : 0.0; },
         .cite = cite,
     };
