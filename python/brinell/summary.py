@@ -185,7 +185,7 @@ def _parsed(kind: type[_T], entry: Any, where: str) -> _T:
     return kind(**values)
 
 
-_UNITS = ("", "_m", "_m2", "_N", "_N_per_m", "_J", "_Pa", "_Pa_per_m")
+_UNITS = ("", "_m", "_m2", "_N", "_Nm", "_N_per_m", "_J", "_Pa", "_Pa_per_m")
 """What keys of the summary end with."""
 
 _READERS: Mapping[str, Callable[[Any], Any]] = {

@@ -408,6 +408,12 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
                                         const contact::TangentialDrive& along)
 {
   require_size("CoupledContact::advance: the distance", distance, grid().size());
+  if (strategy.stay_within_grids && carries_off(placement))
+  {
+    IncrementReport report;
+    report.outgrown.contact_ends = true;
+    return report;
+  }
   if (interface_)
     begin_friction(placement, strategy, along);
   Undo undo(pressure_, gap_, sides_, interface_.get());

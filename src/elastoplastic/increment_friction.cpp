@@ -130,6 +130,22 @@ void CoupledContact::recall_friction()
   with_bodies(placement_, [&](const Interface::Bodies& bodies) { interface_->recall(bodies); });
 }
 
+/// Whether surfaces that may stick would carry some of the present pressure and shear over an end of the contact grid, so that
+/// what they displace would be lost.
+bool CoupledContact::carries_off(const Placement& placement) const
+{
+  const SurfaceGrid& g = grid();
+  const int columns = placement.lower.column - placement_.lower.column;
+  if (partial_slip() == nullptr || g.is_periodic_x() || std::abs(columns) >= g.nx)
+    return false;
+  const int first = columns > 0 ? 0 : g.nx + columns, last = columns > 0 ? columns : g.nx;
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = first; i < last; ++i)
+      if (pressure_[g.index(i, j)] > 0.0)
+        return true;
+  return false;
+}
+
 /// Pressure and shear by turns, until the shear no longer moves the gap. Where it never does, one turn.
 void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,
                                               const Strategy& strategy, IncrementReport& report)

@@ -3,6 +3,7 @@
 
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/error.hpp"
+#include "contact/carried_field.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
@@ -37,10 +38,26 @@ PartialSlip::PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const El
     : Interface(friction), pair_(grid, lower, upper, reference), scratch_(pair_.make_scratch()), tangential_(pair_),
       couples_(friction.coupling && pair_.couples())
 {
-  for (std::vector<double>* field :
-       {&state_.heat, &state_.path, &bound_before_, &bound_, &pressure_before_, &pressure_added_, &residual_before_[0],
-        &residual_before_[1], &displacement_before_[0], &displacement_before_[1], &change_[0], &change_[1], &slip_[0],
-        &slip_[1], &state_.shear[0], &state_.shear[1], &state_.slip[0], &state_.slip[1]})
+  for (std::vector<double>* field : {&state_.heat,
+                                     &state_.path,
+                                     &bound_before_,
+                                     &bound_,
+                                     &pressure_before_,
+                                     &pressure_added_,
+                                     &residual_before_[0],
+                                     &residual_before_[1],
+                                     &displacement_before_[0],
+                                     &displacement_before_[1],
+                                     &change_[0],
+                                     &change_[1],
+                                     &slip_[0],
+                                     &slip_[1],
+                                     &shear_before_[0],
+                                     &shear_before_[1],
+                                     &state_.shear[0],
+                                     &state_.shear[1],
+                                     &state_.slip[0],
+                                     &state_.slip[1]})
     field->assign(grid.size(), 0.0);
   if (couples_)
     state_.depth.assign(grid.size(), 0.0);
@@ -58,7 +75,9 @@ void PartialSlip::State::exchange(Archive& archive)
     archive("depth", depth);
   archive("shift_x", shift[0]);
   archive("shift_y", shift[1]);
+  archive("turned", turned);
   archive("work", work);
+  archive("total_heat", total_heat);
   archive("limited_share", limited_share, 0.0, 1.0);
   archive("sticking", sticking);
   archive("pressed", pressed);
@@ -102,17 +121,61 @@ void PartialSlip::find_displacement(const Bodies& bodies, std::span<const double
   add(bodies.lower_y, bodies.upper_y, out[1]);
 }
 
+/// The contact rolls on: what the surfaces have is in other cells now. Residual displacements come where they belong by
+/// themselves, as they are read from the bodies.
+void PartialSlip::carry_along(const Bodies& bodies)
+{
+  const SurfaceGrid& grid = pair_.grid();
+  carried_ = {-static_cast<int>(std::lround(bodies.lower_columns)), 0};
+  const auto is_carried = [&](double columns) { return std::abs(columns + carried_[0]) < 1e-6; };
+  const bool rolls = is_carried(bodies.lower_columns) && is_carried(bodies.upper_columns);
+  if (!rolls && sum(bodies.pressure) > 0.0)
+    throw InternalError("PartialSlip: the contact moves by the same whole columns on both bodies");
+  contact::carry(grid, carried_, bodies.pressure, pressure_before_);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    contact::carry(grid, carried_, before_.shear[axis], shear_before_[axis]);
+  if (carried_[0] == 0)
+    return;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    contact::carry(grid, carried_, before_.slip[axis], state_.slip[axis]);
+  contact::carry(grid, carried_, before_.path, state_.path);
+  contact::carry(grid, carried_, before_.heat, state_.heat);
+}
+
+/// By how much the upper body is moved past the lower one there in the increment, without what a force finds [m].
+double PartialSlip::imposed(std::size_t axis, int column, int row) const
+{
+  const SurfaceGrid& grid = pair_.grid();
+  const double shift = is_forced(axis) ? 0.0 : axis_of(drive_, axis).value;
+  return shift + drive_.spin * (axis == 0 ? -grid.y(row) : grid.x(column));
+}
+
+/// Where surfaces roll, errors of the slip pile up from step to step until the points have left the contact: they must be small
+/// beside what is imposed in one, which may be much less than the approach, down to what stays clear of rounding.
+double PartialSlip::tolerance_of_slip() const
+{
+  if (carried_[0] == 0)
+    return start_.tolerance;
+  constexpr double share = 1e-3, least = 1e-4;
+  const SurfaceGrid& grid = pair_.grid();
+  const double spins = drive_.spin * std::hypot(grid.x(grid.nx - 1), grid.y(grid.ny - 1));
+  const double imposed = std::hypot(is_forced(0) ? 0.0 : drive_.x.value, is_forced(1) ? 0.0 : drive_.y.value, spins);
+  return imposed > 0.0 ? std::clamp(share * imposed, least * start_.tolerance, start_.tolerance) : start_.tolerance;
+}
+
 void PartialSlip::begin(Start start)
 {
   before_ = state_;
   start_ = std::move(start);
+  const Bodies& bodies = start_.bodies;
+  carry_along(bodies);
   drive_ = start_.along;
+  drive_.spin -= state_.turned;
   if (!is_forced(0))
     drive_.x.value -= state_.shift[0];
   if (!is_forced(1))
     drive_.y.value -= state_.shift[1];
-  const Bodies& bodies = start_.bodies;
-  pressure_before_.assign(bodies.pressure.begin(), bodies.pressure.end());
+  start_.tolerance = tolerance_of_slip();
   has_bound_ = false;
   set_bound(pressure_before_);
   has_bound_ = false;
@@ -123,7 +186,7 @@ void PartialSlip::begin(Start start)
     residual_before_[0][i] = bodies.lower_x[i] - bodies.upper_x[i];
     residual_before_[1][i] = bodies.lower_y[i] - bodies.upper_y[i];
   }
-  pair_.apply({.shear_x = state_.shear[0], .shear_y = state_.shear[1]}, {.x = change_[0], .y = change_[1]}, scratch_);
+  pair_.apply({.shear_x = shear_before_[0], .shear_y = shear_before_[1]}, {.x = change_[0], .y = change_[1]}, scratch_);
   for (std::size_t axis = 0; axis < 2; ++axis)
     for (std::size_t i = 0; i < bound_.size(); ++i)
       displacement_before_[axis][i] += change_[axis][i];
@@ -181,6 +244,7 @@ bool PartialSlip::solve(const Bodies& bodies)
   step.before = {before_.shear[0], before_.shear[1]};
   step.change = {change_[0], change_[1]};
   step.drive = drive_;
+  step.carried = carried_;
   const contact::TangentialReport report =
       tangential_.solve(step, start_.tolerance, most_iterations, {state_.shear[0], state_.shear[1]},
                         {slip_[0], slip_[1]}, start_.wants_stop);
@@ -224,12 +288,15 @@ double PartialSlip::held_energy() const
   std::array<std::vector<double>, 2> along{std::vector<double>(bound_.size()), std::vector<double>(bound_.size())};
   pair_.apply({.shear_x = state_.shear[0], .shear_y = state_.shear[1]}, {.x = along[0], .y = along[1]});
   double total = 0.0;
+  const SurfaceGrid& grid = pair_.grid();
   for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    const double imposed = is_forced(axis) ? 0.0 : axis_of(drive_, axis).value;
-    for (std::size_t i = 0; i < bound_.size(); ++i)
-      total += state_.shear[axis][i] * (displacement_before_[axis][i] + imposed - 0.5 * along[axis][i]);
-  }
+    for (int row = 0; row < grid.ny; ++row)
+      for (int column = 0; column < grid.nx; ++column)
+      {
+        const std::size_t i = grid.index(column, row);
+        const double whole = displacement_before_[axis][i] + imposed(axis, column, row);
+        total += state_.shear[axis][i] * (whole - 0.5 * along[axis][i]);
+      }
   return total * pair_.grid().cell_area();
 }
 
@@ -243,9 +310,6 @@ void PartialSlip::add_to_gap(std::span<double> gap) const
 /// the bound is nothing. The bound changes with the pressure; its mean over the increment is of second order.
 void PartialSlip::settle(const Bodies& bodies)
 {
-  const bool has_moved = bodies.lower_columns != 0.0 || bodies.upper_columns != 0.0;
-  if (has_moved && sum(bound_before_) > 0.0)
-    throw InternalError("PartialSlip: the contact stays where it is on both bodies");
   state_.sticking = state_.pressed = 0;
   int limited = 0;
   for (std::size_t i = 0; i < bound_.size(); ++i)
@@ -259,12 +323,15 @@ void PartialSlip::settle(const Bodies& bodies)
     if (!slips)
       continue;
     const double along = (slip_[0][i] * state_.shear[0][i] + slip_[1][i] * state_.shear[1][i]) / size;
-    state_.heat[i] += 0.5 * (bound_before_[i] + bound_[i]) * along;
+    const double heat = 0.5 * (bound_before_[i] + bound_[i]) * along;
+    state_.heat[i] += heat;
+    state_.total_heat += heat * pair_.grid().cell_area();
     state_.path[i] += std::hypot(slip_[0][i], slip_[1][i]);
     for (std::size_t axis = 0; axis < 2; ++axis)
       state_.slip[axis][i] += slip_[axis][i];
   }
   state_.limited_share = state_.pressed > 0 ? static_cast<double>(limited) / state_.pressed : 0.0;
+  add_parting_heat();
   const std::array<double, 2> force = forces();
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
@@ -272,6 +339,62 @@ void PartialSlip::settle(const Bodies& bodies)
     const double before = sum(before_.shear[axis]) * pair_.grid().cell_area();
     state_.work += 0.5 * (before + force[axis]) * (state_.shift[axis] - before_.shift[axis]);
   }
+  state_.turned = start_.along.spin;
+  state_.work += 0.5 * (moment_of(shear_before_) + moment()) * (state_.turned - before_.turned);
+}
+
+/// Points that leave the contact in the increment slip until their shear is gone.
+void PartialSlip::add_parting_heat()
+{
+  const auto parts = [&](std::size_t i)
+  { return bound_[i] == 0.0 && (shear_before_[0][i] != 0.0 || shear_before_[1][i] != 0.0); };
+  const SurfaceGrid& grid = pair_.grid();
+  bool any = false;
+  for (std::size_t i = 0; i < bound_.size() && !any; ++i)
+    any = parts(i);
+  if (!any)
+    return;
+  Pair added{state_.shear[0], state_.shear[1]}; // shears first, then what they displace
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (std::size_t i = 0; i < bound_.size(); ++i)
+      added[axis][i] -= shear_before_[axis][i];
+  const Pair shears = added;
+  pair_.apply({.shear_x = shears[0], .shear_y = shears[1]}, {.x = added[0], .y = added[1]}, scratch_);
+  for (int row = 0; row < grid.ny; ++row)
+    for (int column = 0; column < grid.nx; ++column)
+      if (const std::size_t i = grid.index(column, row); parts(i))
+      {
+        std::array<double, 2> slip{};
+        for (std::size_t axis = 0; axis < 2; ++axis)
+        {
+          const double found = is_forced(axis) ? shift_[axis] : 0.0;
+          slip[axis] = imposed(axis, column, row) + found - change_[axis][i] - added[axis][i];
+          state_.slip[axis][i] += slip[axis];
+        }
+        const double work = slip[0] * shear_before_[0][i] + slip[1] * shear_before_[1][i];
+        const double heat = std::max(0.0, 0.5 * work);
+        state_.path[i] += std::hypot(slip[0], slip[1]);
+        state_.heat[i] += heat;
+        state_.total_heat += heat * grid.cell_area();
+      }
+}
+
+double PartialSlip::moment() const
+{
+  return moment_of(state_.shear);
+}
+
+double PartialSlip::moment_of(const Pair& shear) const
+{
+  const SurfaceGrid& grid = pair_.grid();
+  double moment = 0.0;
+  for (int row = 0; row < grid.ny; ++row)
+    for (int column = 0; column < grid.nx; ++column)
+    {
+      const std::size_t i = grid.index(column, row);
+      moment += grid.x(column) * shear[1][i] - grid.y(row) * shear[0][i];
+    }
+  return moment * grid.cell_area();
 }
 
 std::array<double, 2> PartialSlip::forces() const
@@ -289,11 +412,6 @@ double PartialSlip::elastic_energy(std::span<const double> pressure) const
   return (together + alone) * pair_.grid().cell_area();
 }
 
-double PartialSlip::heat() const
-{
-  return sum(state_.heat) * pair_.grid().cell_area();
-}
-
 void PartialSlip::embed(const Interface& smaller)
 {
   const auto& other = dynamic_cast<const PartialSlip&>(smaller);
@@ -307,6 +425,8 @@ void PartialSlip::embed(const Interface& smaller)
   copy(other.state_.path, state_.path);
   copy(other.state_.heat, state_.heat);
   state_.shift = other.state_.shift;
+  state_.turned = other.state_.turned;
+  state_.total_heat = other.state_.total_heat;
   state_.work = other.state_.work;
   state_.limited_share = other.state_.limited_share;
   state_.sticking = other.state_.sticking;

@@ -22,6 +22,7 @@ namespace
 {
 
 using contact::Drive;
+using contact::TangentialDrive;
 
 /// Press, roll, lift, pass after pass.
 class Rolling
@@ -36,7 +37,7 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(moment(0.0).x));
-    setup.sliding = {case_.friction, case_.slide_to_roll < 0.0 ? -1 : 1};
+    setup.sliding = {case_.friction, case_.slide_to_roll < 0.0 ? -1 : 1, case_.creepage.has_value()};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(at_.x); }
@@ -49,18 +50,18 @@ public:
     if (step_in_pass_ == 0)
     {
       track_.begin_pass(stepper.pair().lower().solved(), dissipation(stepper));
-      at_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0, 0.0};
+      at_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0, 0.0, at_.along};
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
       touch_ = by_load() ? 0.0 : std::min(stepper.clearance(from), case_.drive.value);
     const double to = moment(step_in_pass_ + 1).x;
     if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
       touch_ = by_load() ? 0.0 : std::min(touch_, stepper.clearance(centre(to)));
-    const bool moves = step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
+    const bool moves = is_rolling();
     const auto path = [this, moves](double t)
     {
       const Moment m = moment(step_in_pass_ + t);
-      return Target{centre(m.x), drive(m.drive), moves};
+      return Target{centre(m.x), drive(m.drive), moves, along(m.x)};
     };
     const double cells = plan_.shift / plan_.contact.dx;
     const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
@@ -77,10 +78,11 @@ public:
     r.F_X = rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
     const double sliding_force = (1.0 - share_) * (share_ < 1.0 ? r.F_friction : -r.F_friction);
     r.F_X += sliding_force;
-    r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
     r.work += 0.5 * (r.F_n + at_.F_n) * (r.approach - at_.approach) + 0.5 * (r.F_X + at_.F_X) * (r.x - at_.x);
     r.dissipation_friction += 0.5 * (sliding_force + at_.sliding_force) * (r.x - at_.x) - stepper.shear_work();
-    at_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force};
+    at_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force, at_.along};
+    read_shear(stepper, r);
+    r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
     track_.add(r);
     if (++step_in_pass_ < steps_per_pass())
       return;
@@ -123,6 +125,50 @@ private:
     return {(rolled - 0.5 * roll) * plan_.shift, // exactly 0 in the middle
             std::min(steps / press, 1.0) - lifted};
   }
+  /// By which the upper body has crept over the lower one when the contact is at x in this pass: nothing while it is pressed
+  /// on or lifted off.
+  [[nodiscard]] TangentialDrive along(double x) const
+  {
+    const Creepage creepage = case_.creepage.value_or(Creepage{});
+    const double track = plan_.rolling_steps * plan_.shift;
+    const double rolled = pass_ * track + (x + 0.5 * track);
+    return {{TangentialDrive::Kind::shift, creepage.longitudinal * rolled},
+            {TangentialDrive::Kind::shift, creepage.lateral * rolled},
+            creepage.spin * rolled};
+  }
+  /// Whether the contact moves in the step at hand.
+  [[nodiscard]] bool is_rolling() const
+  {
+    return step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
+  }
+  /// What acts between the surfaces along them, and the work of the creepage.
+  void read_shear(const Stepper& stepper, RollingRecord& r)
+  {
+    const SurfaceGrid& grid = stepper.pair().grid();
+    const halfspace::SurfaceLoad load = stepper.load();
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+      {
+        const std::size_t cell = grid.index(i, j);
+        const double x = load.shear_x.empty() ? 0.0 : load.shear_x[cell] * grid.cell_area();
+        const double y = load.shear_y.empty() ? 0.0 : load.shear_y[cell] * grid.cell_area();
+        r.F_x += x;
+        r.F_y += y;
+        r.M_z += grid.x(i) * y - grid.y(j) * x;
+      }
+    const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip();
+    if (slip == nullptr)
+      return;
+    if (case_.creepage && is_rolling())
+      r.F_X += case_.creepage->longitudinal * r.F_x + case_.creepage->lateral * r.F_y + case_.creepage->spin * r.M_z;
+    r.work += slip->work() - at_.along;
+    at_.along = slip->work();
+    r.dissipation_friction = slip->heat();
+    r.stick_share =
+        slip->pressed_cells() > 0 ? static_cast<double>(slip->sticking_cells()) / slip->pressed_cells() : 0.0;
+    r.stick_area = r.stick_share * r.contact_area;
+    r.slip_path = *std::max_element(slip->path().begin(), slip->path().end());
+  }
   [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
   [[nodiscard]] Centre centre(double x) const { return {x, share_ * x}; }
   [[nodiscard]] bool by_load() const { return case_.drive.kind == Drive::Kind::load; }
@@ -141,7 +187,8 @@ private:
   struct WorkedTo
   {
     double x = 0.0, approach = 0.0, F_n = 0.0, F_X = 0.0;
-    double sliding_force = 0.0; ///< share of the shear in F_X [N]
+    double sliding_force = 0.0; ///< share of the shear in F_X, of surfaces that slide everywhere [N]
+    double along = 0.0;         ///< work of the creepage [J]
 
     void exchange(Archive& archive)
     {
@@ -150,6 +197,7 @@ private:
       archive("F_n", F_n);
       archive("F_X", F_X);
       archive("sliding_force", sliding_force);
+      archive("along", along);
     }
   };
 
@@ -166,7 +214,7 @@ private:
 /// Whether both bodies always have the same history: then one is solved and its residual displacement counts twice.
 bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
 {
-  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && plan.lower == plan.upper &&
+  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && !rolling.creepage && plan.lower == plan.upper &&
          alike(rolling.lower, rolling.upper);
 }
 
@@ -183,6 +231,53 @@ Facts facts(const RollingCase& c, const RollingPlan& plan)
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
     f.shift = faster;
   return f;
+}
+
+/// Creepage that does not go with the rest of the case.
+/// @param half  half-length of the contact, the larger one [m]
+void require_creepage(const RollingCase& rolling, double half)
+{
+  if (!rolling.creepage)
+    return;
+  const auto& [longitudinal, lateral, spin] = *rolling.creepage;
+  const bool only_spins = longitudinal == 0.0 && lateral == 0.0 && spin != 0.0;
+  const std::string creepage = fmt::format("rolling.creepage = [{:g}, {:g}]", longitudinal, lateral);
+  const std::string given = only_spins ? fmt::format("rolling.spin = {:g} rad/m", spin) : creepage;
+  const std::string key = only_spins ? "rolling.spin" : "rolling.creepage";
+  for (const double part : {longitudinal, lateral})
+    if (!(std::abs(part) <= largest_creepage))
+      throw KeyError("rolling.creepage",
+                     fmt::format("{}; allowed: each from -{} to {}. For surfaces that slide everywhere there is "
+                                 "rolling.slide_to_roll",
+                                 creepage, largest_creepage, largest_creepage));
+  if (!(std::abs(spin) * half <= largest_creepage))
+    throw KeyError("rolling.spin",
+                   fmt::format("rolling.spin = {:g} rad/m; allowed: up to {:.3g} rad/m, {} over the half-length of the "
+                               "contact",
+                               spin, largest_creepage / half, largest_creepage));
+  if (rolling.slide_to_roll != 0.0)
+    throw KeyError(key, fmt::format("{} with rolling.slide_to_roll = {:g}, which makes the surfaces slide everywhere; "
+                                    "allowed: 0. The first creepage is what slide_to_roll counts, with stick and slip",
+                                    given, rolling.slide_to_roll));
+  if (rolling.friction.coefficient == 0.0)
+    throw KeyError(key, fmt::format("{} with interface.friction = 0: nothing holds the surfaces; allowed: > 0", given));
+  if (spin != 0.0 && (rolling.domain.x.is_periodic() || rolling.domain.y.is_periodic()))
+    throw KeyError(
+        "rolling.spin",
+        fmt::format("rolling.spin = {:g} rad/m between surfaces without ends, which cannot turn; allowed: 0, "
+                    "or grid.boundary = \"open\"",
+                    spin));
+}
+
+/// The history of stick and slip is carried along by whole cells.
+void require_whole_cells(const RollingCase& rolling, const RollingPlan& plan)
+{
+  const double cells = plan.shift / plan.contact.dx;
+  constexpr double rounding = 1e-9;
+  if (rolling.creepage && !(std::abs(cells - std::round(cells)) <= rounding * cells && cells > 0.5))
+    throw KeyError("rolling.shift",
+                   fmt::format("rolling.shift = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m",
+                               plan.shift, plan.contact.dx));
 }
 
 /// Tells of the worst pass.
@@ -206,6 +301,18 @@ std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vecto
                   is_rough ? ", of many lengths of the texture" : "")};
 }
 
+/// Tells of the last pass, unless it has become steady.
+std::optional<Warning> creep_unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
+{
+  if (!rolling.creepage || passes.empty() || passes.back().creeps_steadily())
+    return std::nullopt;
+  return Warning{
+      "unsteady_creep",
+      fmt::format("pass {}: the force along the surface differs by {} between both halves of the last quarter of the "
+                  "track: stick and slip are still on their way to those of steady rolling; take a longer track",
+                  passes.size(), percent_text(passes.back().creep_unsteadiness))};
+}
+
 } // namespace
 
 double upper_share(const RollingCase& rolling)
@@ -216,13 +323,15 @@ double upper_share(const RollingCase& rolling)
 RollingPlan plan(const RollingCase& rolling)
 {
   require_friction(rolling, rolling.lower, rolling.upper,
-                   rolling.slide_to_roll == 0.0
-                       ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
+                   rolling.slide_to_roll == 0.0 && !rolling.creepage
+                       ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll, or "
+                         "rolling.creepage"
                        : "");
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
   const Footprint f =
       footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain, rolling.friction.coefficient);
+  require_creepage(rolling, f.endless_y ? f.half_x : std::max(f.half_x, f.half_y));
   RollingPlan plan;
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;
@@ -235,12 +344,14 @@ RollingPlan plan(const RollingCase& rolling)
   const double track = 0.5 * plan.rolling_steps * plan.shift;
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
   require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
+  require_whole_cells(rolling, plan);
   plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
                           "rolling.passes");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
-  plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
-                                   rolling.solver.anderson_depth, rolling.friction.coefficient > 0.0 ? 1 : 0);
+  plan.memory_bytes =
+      memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
+                   rolling.solver.anderson_depth, rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0);
   return plan;
 }
 
@@ -261,7 +372,10 @@ Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTo
 
 Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
 {
-  return quality_after(facts(rolling, plan), summary, unsteadiness(rolling, summary.passes));
+  Quality quality = quality_after(facts(rolling, plan), summary, unsteadiness(rolling, summary.passes));
+  if (const std::optional<Warning> warning = creep_unsteadiness(rolling, summary.passes))
+    quality.warnings.push_back(*warning);
+  return quality;
 }
 
 template <>

@@ -346,6 +346,8 @@ const Stepper::Depths& Stepper::loaded_depths(const Centre& centre)
   static_cast<void>(depths(centre));
   if (const elastoplastic::SlidingInterface* sliding = pair_->sliding())
     sliding->add_depth(depths_.lower, depths_.upper);
+  else if (const elastoplastic::PartialSlip* slip = pair_->partial_slip())
+    slip->add_to_gap(depths_.lower);
   return depths_;
 }
 

@@ -103,6 +103,7 @@ public:
   };
   [[nodiscard]] const Depths& depths(const Centre& centre);
   /// The same with the elastic depth that the shear of the last step gives to each surface: what the pressure pushes against.
+  /// Of surfaces that may stick the lower one has all of it: they move along the contact alike.
   [[nodiscard]] const Depths& loaded_depths(const Centre& centre);
   /// Pressure and shear of the last step [Pa].
   [[nodiscard]] halfspace::SurfaceLoad load() const;

@@ -31,11 +31,30 @@ void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipatio
     plastic_strain_[static_cast<std::size_t>(layer)] = lower.state().equivalent[middle(lower.grid(), layer)];
   dissipation_ = dissipation;
   sum_force_ = sum_pressure_ = sum_load_ = sum_area_ = 0.0;
+  before_ = after_ = {};
+  farthest_ = -4.0 * quarter_; // before the start
   count_ = 0;
+}
+
+/// Stick and slip know the start of the pass, and nothing of its end.
+void TrackReader::add_along(const RollingRecord& record)
+{
+  const bool rolls = record.x > farthest_; // else it is pressed on or lifted off
+  farthest_ = std::max(farthest_, record.x);
+  if (!rolls || record.x <= quarter_)
+    return;
+  Along& along = record.x <= 1.5 * quarter_ ? before_ : after_;
+  along.F_x += record.F_x;
+  along.F_y += record.F_y;
+  along.M_z += record.M_z;
+  along.stick_share += record.stick_share;
+  along.load += record.F_n;
+  ++along.count;
 }
 
 void TrackReader::add(const RollingRecord& record)
 {
+  add_along(record);
   if (std::abs(record.x) > quarter_)
     return;
   const Uptake now{record.x, record.dissipation_lower + record.dissipation_upper + record.energy_residual};
@@ -73,6 +92,7 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
     pass.track_plastic_increment = std::max(pass.track_plastic_increment, now - before);
   }
   pass.dissipation = dissipation - dissipation_;
+  tell_along(pass);
   if (count_ == 0)
     return pass;
   pass.mean_F_X = sum_force_ / count_;
@@ -90,6 +110,28 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
   return pass;
 }
 
+void TrackReader::tell_along(RollingPass& pass) const
+{
+  const int count = before_.count + after_.count;
+  if (count == 0)
+    return;
+  pass.F_x = (before_.F_x + after_.F_x) / count;
+  pass.F_y = (before_.F_y + after_.F_y) / count;
+  pass.M_z = (before_.M_z + after_.M_z) / count;
+  pass.stick_share = (before_.stick_share + after_.stick_share) / count;
+  if (before_.count == 0 || after_.count == 0) // too short to tell
+  {
+    pass.creep_unsteadiness = pass.F_x != 0.0 || pass.F_y != 0.0 ? 1.0 : 0.0;
+    return;
+  }
+  const double x = before_.F_x / before_.count, y = before_.F_y / before_.count;
+  const double later_x = after_.F_x / after_.count, later_y = after_.F_y / after_.count;
+  constexpr double nothing = 1e-6; // of the load, as for the resistance
+  const double load = (before_.load + after_.load) / count;
+  if (const double larger = std::max({std::hypot(x, y), std::hypot(later_x, later_y), nothing * load}); larger > 0.0)
+    pass.creep_unsteadiness = std::hypot(later_x - x, later_y - y) / larger;
+}
+
 void TrackReader::exchange(Archive& archive)
 {
   archive.list("plastic_strain", plastic_strain_);
@@ -101,7 +143,20 @@ void TrackReader::exchange(Archive& archive)
   archive("sum_pressure", sum_pressure_);
   archive("sum_load", sum_load_);
   archive("sum_area", sum_area_);
+  archive("before", before_);
+  archive("after", after_);
+  archive("farthest", farthest_);
   archive("count", count_, 0, std::numeric_limits<int>::max() - 1);
+}
+
+void TrackReader::Along::exchange(Archive& archive)
+{
+  archive("F_x", F_x);
+  archive("F_y", F_y);
+  archive("M_z", M_z);
+  archive("stick_share", stick_share);
+  archive("load", load);
+  archive("count", count, 0, std::numeric_limits<int>::max() - 1);
 }
 
 void TrackReader::Uptake::exchange(Archive& archive)

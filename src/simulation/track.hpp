@@ -29,10 +29,23 @@ private:
     double x = 0.0, energy = 0.0;
     void exchange(Archive& archive);
   };
+  /// Sums over steps of what acts along the surface.
+  struct Along
+  {
+    double F_x = 0.0, F_y = 0.0, M_z = 0.0, stick_share = 0.0; ///< [N], [N], [N m], [-]
+    double load = 0.0;                                         ///< [N]
+    int count = 0;
+    void exchange(Archive& archive);
+  };
+  void add_along(const RollingRecord& record);
+  void tell_along(RollingPass& pass) const;
+
   std::vector<double> plastic_strain_; ///< under the middle before the pass
   double dissipation_ = 0.0;           ///< before it [J]
   Uptake first_, centre_, last_;       ///< over the middle half of the track
   double sum_force_ = 0.0, sum_pressure_ = 0.0, sum_load_ = 0.0, sum_area_ = 0.0;
+  Along before_, after_;  ///< over both halves of the last quarter of the track
+  double farthest_ = 0.0; ///< where the contact has been in the pass [m]
   int count_ = 0;
 };
 

@@ -212,6 +212,7 @@ private:
   [[nodiscard]] Interface::Change follow(const Placement& placement);
   void settle_friction(const Placement& placement);
   void recall_friction();
+  [[nodiscard]] bool carries_off(const Placement& placement) const;
   [[nodiscard]] Outgrown outgrown() const;
   [[nodiscard]] std::pair<bool, bool> pressed_edges() const;
   void spread(const Placement& placement);

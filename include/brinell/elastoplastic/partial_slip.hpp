@@ -13,7 +13,8 @@ namespace brinell::elastoplastic
 
 /// The shear between two surfaces that stick in places and slip in others: docs/theory/elastoplastic.md (partial-slip).
 ///
-/// Slip is that of the upper surface over the lower one. The contact stays where it is on both bodies.
+/// Slip is that of the upper surface over the lower one. The contact may roll: it moves by the same whole columns on both bodies,
+/// and shear, slip and heat are those of the points of the surfaces that are under it, which carry them along.
 class PartialSlip final : public Interface
 {
 public:
@@ -37,17 +38,19 @@ public:
   [[nodiscard]] double elastic_energy(std::span<const double> pressure) const override;
   [[nodiscard]] double limited_share() const override { return state_.limited_share; }
 
-  /// Slip since the start, with its sign [m].
+  /// Slip since the start, or since these points of the surfaces came under the contact grid, with its sign [m].
   [[nodiscard]] contact::ConstAlongSurface slips() const { return {state_.slip[0], state_.slip[1]}; }
-  /// Length of the way slipped since the start [m].
+  /// Length of the way slipped since then [m].
   [[nodiscard]] std::span<const double> path() const { return state_.path; }
-  /// Heat of friction per area since the start [J/m^2].
+  /// Heat of friction per area since then [J/m^2].
   [[nodiscard]] std::span<const double> heat_per_area() const { return state_.heat; }
-  /// Heat of friction since the start [J].
-  [[nodiscard]] double heat() const;
+  /// Heat of friction since the start, with that of points which have left the grid [J].
+  [[nodiscard]] double heat() const { return state_.total_heat; }
+  /// Of the shear on the lower body about z through the middle of the grid, from x to y [N m].
+  [[nodiscard]] double moment() const;
   /// By which distant points of the upper body have been moved past those of the lower one since the start [m].
   [[nodiscard]] std::array<double, 2> shift() const { return state_.shift; }
-  /// Work of the forces along the surface since the start [J].
+  /// Work of the forces along the surface, and of their moment on the spin, since the start [J].
   [[nodiscard]] double work() const { return state_.work; }
   /// Cells under pressure that did not slip in the last increment, and all cells under pressure.
   [[nodiscard]] int sticking_cells() const { return state_.sticking; }
@@ -63,18 +66,25 @@ private:
   struct State
   {
     Pair shear;                ///< [Pa]
-    Pair slip;                 ///< since the start [m]
-    std::vector<double> path;  ///< length of the way slipped since the start [m]
-    std::vector<double> heat;  ///< since the start [J/m^2]
+    Pair slip;                 ///< see `slips` [m]
+    std::vector<double> path;  ///< length of the way slipped since then [m]
+    std::vector<double> heat;  ///< since then [J/m^2]
     std::vector<double> depth; ///< what the shears add to the gap [m]; empty if they do not
     std::array<double, 2> shift{};
+    double turned = 0.0; ///< of the upper body past the lower one about z [rad]
     double work = 0.0;
+    double total_heat = 0.0; ///< [J]
     double limited_share = 0.0;
     int sticking = 0, pressed = 0;
 
     void exchange(Archive& archive);
   };
 
+  void carry_along(const Bodies& bodies);
+  [[nodiscard]] double imposed(std::size_t axis, int column, int row) const;
+  [[nodiscard]] double tolerance_of_slip() const;
+  void add_parting_heat();
+  [[nodiscard]] double moment_of(const Pair& shear) const;
   [[nodiscard]] double bound_at(std::size_t cell, double pressure) const;
   void set_bound(std::span<const double> pressure);
   [[nodiscard]] bool carries_drive() const;
@@ -89,6 +99,8 @@ private:
   bool couples_;
   Start start_;
   contact::TangentialDrive drive_; ///< of the increment
+  std::array<int, 2> carried_{};   ///< by which the surfaces move through the contact grid in it, in cells
+  Pair shear_before_;              ///< of the points that are in a cell now [Pa]
   std::vector<double> bound_before_, bound_;
   bool has_bound_ = false; ///< in this increment
   std::vector<double> pressure_before_, pressure_added_;

@@ -13,6 +13,20 @@ struct RollingPlan;
 struct RollingRecord;
 struct RollingSummary;
 
+/// How the upper surface creeps over the lower one while both roll, so little that they stick in places: relative speeds over the
+/// mean speed at which the surfaces pass the contact (Kalker 1967).
+struct Creepage
+{
+  double longitudinal = 0.0; ///< towards +x
+  double lateral = 0.0;      ///< towards +y
+  double spin = 0.0;         ///< turn about the contact's normal, from x to y, per distance rolled [rad/m]
+  bool operator==(const Creepage&) const = default;
+};
+
+/// Largest longitudinal and lateral creepage, and spin times the half-length of the contact: both surfaces count as moving by the
+/// same cells.
+inline constexpr double largest_creepage = 0.1;
+
 struct RollingCase : Numerics
 {
   using Plan = RollingPlan;
@@ -25,8 +39,10 @@ struct RollingCase : Numerics
   double distance = 0.0;       ///< from -distance/2 to distance/2 on the lower body in each pass [m], > 0
   std::optional<double> shift; ///< by which the contact moves on the lower body per step [m]; default: one cell dx
   /// (u_lower - u_upper) / mean of the speeds of both surfaces past the contact, in (-2, 2]: 0 pure rolling; 2: the upper body
-  /// slides without turning.
+  /// slides without turning. With friction the surfaces slide everywhere then.
   double slide_to_roll = 0.0;
+  /// With friction the surfaces stick and slip; slide_to_roll is 0 then. None: they slide everywhere, or nowhere.
+  std::optional<Creepage> creepage;
   int passes = 1;
   int load_steps = 6; ///< in which the drive comes up before a pass and goes down after it
 };
@@ -44,10 +60,15 @@ struct RollingPlan : Plan
 /// One row of the history.
 struct RollingRecord : FrictionRecord
 {
-  double x = 0.0;        ///< of the contact's centre on the lower body [m]
-  double approach = 0.0; ///< [m]
-  double F_X = 0.0;      ///< resistance to rolling: work of the drive per distance on the lower body [N]
-  double friction = 0.0; ///< F_X / F_n; 0 without contact
+  double x = 0.0;              ///< of the contact's centre on the lower body [m]
+  double approach = 0.0;       ///< [m]
+  double F_X = 0.0;            ///< resistance to rolling: work of the drive per distance on the lower body [N]
+  double friction = 0.0;       ///< F_X / F_n; 0 without contact
+  double F_x = 0.0, F_y = 0.0; ///< sums of the shear on the lower body [N]
+  double M_z = 0.0;            ///< moment of the shear on the lower body about the contact's normal, from x to y [N m]
+  double stick_share = 0.0; ///< of the contact: there nothing slipped in this step; 0 of surfaces that slide everywhere
+  double stick_area = 0.0;  ///< [m^2]
+  double slip_path = 0.0;   ///< longest way that a place under the contact has slipped since it came there [m]
 
   void exchange(Archive& archive);
 };
@@ -66,13 +87,20 @@ struct RollingPass
   double resistance = 0.0;
   /// Difference of that between the two quarters of the middle half, over the larger of them.
   double unsteadiness = 0.0;
-  double mean_F_X = 0.0;     ///< over the middle half of the track; the approach may change meanwhile [N]
-  double friction = 0.0;     ///< mean F_X over mean F_n over the same
-  double contact_area = 0.0; ///< mean over the same [m^2]
-  double max_pressure = 0.0; ///< mean over the same of the largest pressure [Pa]
+  double mean_F_X = 0.0;       ///< over the middle half of the track; the approach may change meanwhile [N]
+  double friction = 0.0;       ///< mean F_X over mean F_n over the same
+  double contact_area = 0.0;   ///< mean over the same [m^2]
+  double max_pressure = 0.0;   ///< mean over the same of the largest pressure [Pa]
+  double F_x = 0.0, F_y = 0.0; ///< means over the last quarter of the track [N]
+  double M_z = 0.0;            ///< likewise [N m]
+  double stick_share = 0.0;    ///< likewise
+  /// Difference of the force (F_x, F_y) between both halves of this quarter, over the larger of them.
+  double creep_unsteadiness = 0.0;
 
   /// Whether the middle of the track was the same all along, so that its means do not depend on the length of the track.
   [[nodiscard]] bool is_steady() const { return unsteadiness <= 0.1; }
+  /// Whether stick and slip have become those of steady rolling.
+  [[nodiscard]] bool creeps_steadily() const { return creep_unsteadiness <= 0.01; }
 
   void exchange(Archive& archive);
 };
@@ -112,13 +140,21 @@ inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
     {"F_X", "N", &RollingRecord::F_X, "resistance to the motion"},
     {"friction", "1", &RollingRecord::friction, "F_X over F_n, 0 without contact"},
     common::F_friction,
+    {"F_x", "N", &RollingRecord::F_x, "force on the lower body along x, by the shear between the surfaces"},
+    {"F_y", "N", &RollingRecord::F_y, "force on the lower body along y, likewise"},
+    {"M_z", "N m", &RollingRecord::M_z, "moment on the lower body about the contact's normal, from x to y, likewise"},
     common::share_at_shear_limit,
+    {"stick_share", "1", &RollingRecord::stick_share,
+     "share of the contact where nothing slipped in this step; 0 without creepage"},
+    {"stick_area", "m^2", &RollingRecord::stick_area, "area of that"},
+    {"slip_path", "m", &RollingRecord::slip_path,
+     "longest way that a place under the contact has slipped since it came there; 0 without creepage"},
     common::contact_area,
     common::max_pressure,
 });
 
 template <>
-inline constexpr std::array<Column<RollingPass>, 13> columns<RollingPass>{{
+inline constexpr std::array<Column<RollingPass>, 18> columns<RollingPass>{{
     {"pass", "1", &RollingPass::pass},
     {"rut_depth", "m", &RollingPass::rut_depth},
     {"shoulder_height", "m", &RollingPass::shoulder_height},
@@ -132,6 +168,11 @@ inline constexpr std::array<Column<RollingPass>, 13> columns<RollingPass>{{
     {"friction", "1", &RollingPass::friction},
     {"contact_area", "m^2", &RollingPass::contact_area},
     {"max_pressure", "Pa", &RollingPass::max_pressure},
+    {"F_x", "N", &RollingPass::F_x},
+    {"F_y", "N", &RollingPass::F_y},
+    {"M_z", "N m", &RollingPass::M_z},
+    {"stick_share", "1", &RollingPass::stick_share},
+    {"creep_unsteadiness", "1", &RollingPass::creep_unsteadiness},
 }};
 
 } // namespace brinell::simulation

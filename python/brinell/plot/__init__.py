@@ -20,7 +20,15 @@ from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
 from brinell.plot.planes import Plane
 from brinell.plot.quantities import QUANTITIES
-from brinell.plot.rolling import along_track, depth_profiles, pass_by_pass, track_profile
+from brinell.plot.rolling import (
+    along_track,
+    creep_forces,
+    creep_maps,
+    creep_profiles,
+    depth_profiles,
+    pass_by_pass,
+    track_profile,
+)
 from brinell.plot.rough import contact_fraction
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
@@ -40,6 +48,9 @@ __all__ = [
     "contact_maps",
     "contact_pressure",
     "contact_profiles",
+    "creep_forces",
+    "creep_maps",
+    "creep_profiles",
     "cycle_by_cycle",
     "depth_profiles",
     "energy_balance",

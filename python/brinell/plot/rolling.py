@@ -8,6 +8,7 @@ where the drive must push. Stresses are positive in tension.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,11 +18,22 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre
-from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, zero_line
+from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, require_scenario, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
-from brinell.results import BodyFields, History, Run
+from brinell.plot.slip import has_slip, stick_slip_maps, stick_slip_profiles
+from brinell.results import BodyFields, History, Run, Snapshot
 
-__all__ = ["along_track", "depth_profiles", "pass_by_pass", "track_profile"]
+__all__ = [
+    "along_track",
+    "creep_forces",
+    "creep_maps",
+    "creep_profiles",
+    "depth_profiles",
+    "pass_by_pass",
+    "track_profile",
+]
+
+Which = int | Literal["aligned", "final"]
 
 FloatArray = NDArray[np.float64]
 
@@ -162,13 +174,16 @@ def _along(shown: Sequence[Entry]) -> list[tuple[History, Look]]:
             (_rolled(part), {"label": str(number), "color": colour})
             for number, (part, colour) in enumerate(zip(parts, colours, strict=True), start=1)
         ]
-    result: list[tuple[History, Look]] = []
-    for entry in shown:
-        parts = entry.run.history.passes()
-        for number, dash in {1: "-", len(parts): ":" if len(parts) > 1 else "-"}.items():
-            look = {"label": f"{entry.label}, pass {number}", "color": entry.look["color"], "linestyle": dash}
-            result.append((_rolled(parts[number - 1]), look))
-    return result
+    return [line for entry in shown for line in _first_and_last(entry)]
+
+
+def _first_and_last(entry: Entry) -> list[tuple[History, Look]]:
+    parts = entry.run.history.passes()
+    lines: list[tuple[History, Look]] = []
+    for number, dash in {1: "-", len(parts): ":" if len(parts) > 1 else "-"}.items():
+        look = {"label": f"{entry.label}, pass {number}", "color": entry.look["color"], "linestyle": dash}
+        lines.append((_rolled(parts[number - 1]), look))
+    return lines
 
 
 def _some(handles: Sequence[Look], most: int = 8) -> list[Look]:
@@ -226,3 +241,108 @@ def _scale_of(values: Sequence[FloatArray], unit: str) -> Scale:
     if unit == "m²":  # a prefix of it would count twice
         return Scale(1e-12, "", "µm²") if largest(values) < 1e-7 else Scale(1e-6, "", "mm²")
     return si(largest(values), unit)
+
+
+_OF_CREEP = (
+    ("F_x", "force along", "F_x/(fP)"),
+    ("F_y", "force across", "F_y/(fP)"),
+    ("M_z", "moment", "M_z/(fPa)"),
+    ("stick_share", "share that sticks", ""),
+)
+"""Column, name, symbol. Forces are over friction times load, the moment over that times the radius of a circle of the
+contact's area."""
+
+
+def _creeps(run: Run) -> bool:
+    """Whether the surfaces stick and slip."""
+    return run.case("rolling", "creepage") is not None or run.case("rolling", "spin") is not None
+
+
+def _of_creep(part: History, friction: float, column: str) -> FloatArray:
+    values = np.asarray(part[column], dtype=float)
+    if column == "stick_share":
+        return values
+    bound = friction * np.maximum(part["F_n"], np.finfo(float).tiny)
+    if column == "M_z":
+        bound = bound * np.sqrt(np.maximum(part["contact_area"], np.finfo(float).tiny) / np.pi)
+    return np.asarray(values / bound)
+
+
+def _distance_rolled(part: History) -> FloatArray:
+    return np.asarray(part["x"] - part["x"][0])
+
+
+@style.figure
+def creep_forces(runs: Sequence[Run]) -> Figure | None:
+    """Forces, moment and share that sticks over the distance rolled in each pass: the way from rest to steady rolling.
+
+    A force that is never more than a thousandth of friction times load has no panel. None without creepage.
+    """
+    shown = [entry for entry in entries(runs, "rolling") if _creeps(entry.run)]
+    if not shown:
+        return None
+    lines = [
+        (part, look, float(entry.run.case("interface", "friction") or 0.0))
+        for entry in shown
+        for part, look in (_along(shown) if len(shown) == 1 else _first_and_last(entry))
+    ]
+    panels = [
+        one
+        for one in _OF_CREEP
+        if one[0] == "stick_share" or largest(_of_creep(part, f, one[0]) for part, _, f in lines) > 1e-3
+    ]
+    length = si(largest(_distance_rolled(part) for part, _, _ in lines), "m")
+    fig = style.new_figure(6.6, 1.2 + 1.9 * len(panels))
+    axes = np.atleast_1d(fig.subplots(len(panels), 1, sharex=True))
+    for ax, (column, name, symbol) in zip(axes, panels, strict=True):
+        for part, look, friction in lines:
+            ax.plot(_distance_rolled(part) / length.size, _of_creep(part, friction, column), **look)
+        ax.set_ylabel(f"{name}  ${symbol}$" if symbol else name)
+        if column == "stick_share":
+            ax.set_ylim(0.0, 1.0)
+        else:
+            zero_line(ax)
+    axes[-1].set_xlabel(length.label("distance rolled", "s"))
+    axes[-1].margins(x=0.02)
+    handles = [look for _, look, _ in lines]
+    legend_beside(axes[0], _some(handles), title="pass" if len(shown) == 1 else None)
+    return fig
+
+
+def _state(run: Run, which: Which) -> Snapshot | None:
+    """A stored state with stick and slip; None if there is none."""
+    if not _creeps(run) or (which == "aligned" and not run.steps):
+        return None
+    snapshot = run.snapshot(which)
+    return snapshot if has_slip(snapshot) else None
+
+
+def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+    """Pressure with the shear as arrows, what sticks, shear and slip over the contact, of a single run.
+
+    None of several runs, of plane strain, and without creepage.
+
+    Args:
+        runs: one.
+        which: number of a stored step; "aligned", the middle of the last pass; or "final".
+        cells: show each cell as a rectangle of one colour.
+    """
+    require_scenario(runs, "rolling")
+    snapshot = _state(runs[0], which) if len(runs) == 1 else None
+    if snapshot is None or snapshot.contact.y.size == 1:
+        return None
+    return stick_slip_maps(runs[0], snapshot, cells=cells)
+
+
+def creep_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
+    """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
+
+    None without creepage.
+
+    Args:
+        runs: one or several.
+        which: number of a stored step; "aligned", the middle of the last pass; or "final".
+    """
+    states = [(entry.run, _state(entry.run, which), entry.look) for entry in entries(runs, "rolling")]
+    loaded = [(run, snapshot, look) for run, snapshot, look in states if snapshot is not None]
+    return stick_slip_profiles(loaded) if loaded else None

@@ -2,7 +2,7 @@
 """Stick and slip in one state: maps over the contact, and profiles along the motion.
 
 SI with prefixes throughout. The shear is that on the lower body, the slip that of the upper surface over the lower one
-since the start.
+since the start; in rolling, since these places came under the contact.
 """
 
 from __future__ import annotations
@@ -64,6 +64,11 @@ class _Tangential:
     def along(self, vector: tuple[FloatArray, FloatArray]) -> FloatArray:
         """Its component along the motion."""
         return vector[0] * self.direction[0] + vector[1] * self.direction[1]
+
+
+def _since(runs: Sequence[Run]) -> str:
+    """From when on the slip counts: where the contact moves, each place has its own beginning."""
+    return "the start" if all(run.scenario == "fretting" for run in runs) else "these places touched"
 
 
 def has_slip(snapshot: Snapshot) -> bool:
@@ -173,7 +178,7 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
         axes[1, 0], state, state.shear_size, length, shear, (style.STRESS_MAP, shear.label("", "|q|")), cells=cells
     )
     _draw_size(axes[1, 1], state, state.slip_size, length, slip, (style.STRAIN_MAP, slip.label("", "|s|")), cells=cells)
-    titles = ("pressure, and the shear on the lower body", "what sticks", "shear", "slip since the start")
+    titles = ("pressure, and the shear on the lower body", "what sticks", "shear", f"slip since {_since([run])}")
     for ax, letter, title in zip(axes.flat, "abcd", titles, strict=True):
         ax.set_title(f"({letter})  {title}")
     patch = contact_patch(contact, length.size)
@@ -363,7 +368,7 @@ def stick_slip_profiles(states: Sequence[tuple[Run, Snapshot, Look]]) -> Figure:
         zero_line(ax)
     upper.set_title(f"(a)  {state_title(*states[0][:2]) if alone else 'shear on the lower body'}")
     upper.set_ylabel(shear.label("shear", "q"))
-    lower.set_title("(b)  slip since the start")
+    lower.set_title(f"(b)  slip since {_since([run for run, _, _ in states])}")
     lower.set_ylabel(slip.label("slip", "s"))
     lower.set_xlabel(length.label("along the motion", r"\xi"))
     if alone:

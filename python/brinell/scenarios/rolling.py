@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -38,6 +38,8 @@ class Rolling(ScenarioCase):
         approach: Quantity | None = None,
         passes: int | None = None,
         slide_to_roll: float | None = None,
+        creepage: Sequence[float] | None = None,
+        spin: Quantity | None = None,
         shift: Quantity | None = None,
         load_steps: int | None = None,
         interface: Interface | Mapping[str, Any] | None = None,
@@ -56,7 +58,12 @@ class Rolling(ScenarioCase):
             hertz_pressure: the load by the peak pressure that it would have in elastic contact.
             approach: kept while rolling, instead of a load.
             passes: how often the track is rolled over.
-            slide_to_roll: difference over mean of the speeds of both surfaces; 0: pure rolling.
+            slide_to_roll: difference over mean of the speeds of both surfaces; 0: pure rolling. With friction the
+                surfaces slide everywhere.
+            creepage: longitudinal and lateral, relative speed of the upper surface over the mean speed; with friction
+                the surfaces stick and slip.
+            spin: turn of the upper body past the lower one about the normal of the contact per distance rolled, in
+                rad/m or with a unit, "0.5 rad/mm"; likewise with stick and slip.
             shift: by which the contact moves on the lower body per step.
             load_steps: in which the upper body is pressed on before a pass and lifted off after it.
             interface: friction, `brinell.Interface` or a dictionary.
@@ -75,6 +82,8 @@ class Rolling(ScenarioCase):
             "approach": approach,
             "passes": passes,
             "slide_to_roll": slide_to_roll,
+            "creepage": None if creepage is None else [float(part) for part in creepage],
+            "spin": spin,
             "shift": shift,
             "load_steps": load_steps,
         }
@@ -113,6 +122,19 @@ class RollingPass:
     """Mean F_X over mean F_n over the same [-]."""
     contact_area: float = math.nan
     """Mean over the same [m^2]."""
+    F_x: float = math.nan
+    """Mean over the last quarter of the track of the force on the lower body along x, by the shear between the surfaces
+    [N]."""
+    F_y: float = math.nan
+    """Mean over the same of that along y [N]."""
+    M_z: float = math.nan
+    """Mean over the same of the moment of that shear about the normal of the contact, from x to y [N m]."""
+    stick_share: float = math.nan
+    """Mean over the same of the share of the contact that sticks; 0 without creepage [-]."""
+    creep_steady: bool = False
+    """Whether these forces were the same all along: then they are those of steady rolling."""
+    creep_unsteadiness: float = math.nan
+    """Difference of the force between both halves of that quarter, over the larger of them; steady up to 0.01 [-]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,6 +165,11 @@ class RollingResult(RunSummary):
         return self._entry_of("rolling", "profile", TrackProfile)
 
 
+def _creeps(run: Run) -> bool:
+    """Whether the surfaces stick and slip."""
+    return run.case("rolling", "creepage") is not None or run.case("rolling", "spin") is not None
+
+
 def _key_numbers(run: Run) -> Iterator[KeyNumber]:
     yield KeyNumber("Largest load", float(run.history["F_n"].max()), "N", "load")
     if run.complete:
@@ -153,6 +180,12 @@ def _key_numbers(run: Run) -> Iterator[KeyNumber]:
         steady = "" if last.steady else ", not steady"
         yield KeyNumber(f"Resistance, last pass{steady}", last.resistance, "N", "load")
         yield KeyNumber("Growth of strain in the last pass", last.track_plastic_increment, "%")
+        if _creeps(run) and not math.isnan(last.F_x):
+            on_the_way = "" if last.creep_steady else ", not steady"
+            yield KeyNumber(f"Force along the motion, last pass{on_the_way}", last.F_x, "N", "load")
+            yield KeyNumber(f"Force across it, last pass{on_the_way}", last.F_y, "N", "load")
+            yield KeyNumber("Share that sticks, last pass", last.stick_share, "%")
+            yield KeyNumber("Heat of friction", float(run.history["dissipation_friction"][-1]), "J", "energy")
         if run.case("rolling", "slide_to_roll") and not math.isnan(last.friction):
             yield KeyNumber("Friction F_X / F_n, last pass", last.friction)
             yield KeyNumber("Area of contact, last pass", last.contact_area, "m²")
@@ -169,7 +202,8 @@ def _drawings() -> Drawings:
 
     return Drawings(
         "rolling",
-        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it.",
+        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it, stick and "
+        "slip.",
         {
             "passes": Drawing(
                 rolling.pass_by_pass,
@@ -185,6 +219,21 @@ def _drawings() -> Drawings:
                 "Residual surface of the lower body across the track, after the last pass.",
             ),
             "along-track": Drawing(rolling.along_track, "Resistance and approach along the track, pass by pass."),
+            "creep-forces": Drawing(
+                rolling.creep_forces,
+                "With creepage: forces and moment between the surfaces over friction times load, and the share of the "
+                "contact that sticks, over the distance rolled.",
+            ),
+            "contact-maps": Drawing(
+                rolling.creep_maps,
+                "With creepage: pressure with the shear on the lower body as arrows, what sticks and what slips, shear "
+                "and slip, in the middle of the track.",
+            ),
+            "contact-profiles": Drawing(
+                rolling.creep_profiles,
+                "With creepage: the shear between the bounds of friction along the motion through the middle of the "
+                "contact, and the slip.",
+            ),
         },
     )
 

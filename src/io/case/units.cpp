@@ -37,6 +37,7 @@ constexpr std::array units{
     Unit{"bar", {.mass = 1, .length = -1, .time = -2}, 5},
     Unit{"J", {.mass = 1, .length = 2, .time = -2}},
     Unit{"W", {.mass = 1, .length = 2, .time = -3}},
+    Unit{"rad", {}, 0, false}, // per length: an angle alone is a matter of the keys that take one
     Unit{"%", {}, -2, false},
 };
 
@@ -60,6 +61,7 @@ struct NamedDimension
 constexpr std::array named_dimensions{
     NamedDimension{{}, "pure number", "", "0.3"},
     NamedDimension{{.length = 1}, "length", "m", "3.85 mm"},
+    NamedDimension{{.length = -1}, "angle per length", "rad/m", "0.5 rad/mm"},
     NamedDimension{{.length = 2}, "area", "m^2", "2 mm^2"},
     NamedDimension{{.mass = 1, .length = -1, .time = -2}, "pressure", "Pa", "200 GPa"},
     NamedDimension{{.mass = 1, .length = 1, .time = -2}, "force", "N", "10 kN"},
@@ -213,6 +215,8 @@ Unit unit_expression(std::string_view whole)
       throw bad("impossible unit");
     multiply(product, *unit, sign == "/" ? -exponent : exponent);
   }
+  if (product.dimension == Dimension{} && text.find("rad") != text.npos)
+    throw bad("unknown unit");
   return product;
 }
 

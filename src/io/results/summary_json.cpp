@@ -219,7 +219,7 @@ std::string key_of(std::string_view name, std::string_view unit)
   for (const char c : unit)
     if (c == '/')
       key += "_per_";
-    else if (c != '^')
+    else if (c != '^' && c != ' ')
       key += c;
   return key;
 }

@@ -19,7 +19,47 @@ using simulation::RollingPlan;
 using simulation::RollingRecord;
 using simulation::RollingSummary;
 
-std::vector<Entry> keys()
+using simulation::Creepage;
+using simulation::largest_creepage;
+
+Creepage& creepage_of(Case& c)
+{
+  std::optional<Creepage>& creepage = std::get<RollingCase>(c.scenario).creepage;
+  return creepage ? *creepage : creepage.emplace();
+}
+
+/// Stick and slip.
+std::vector<Entry> creep_keys()
+{
+  return {
+      Entry{.key = "rolling.creepage",
+            .type = Type::numbers,
+            .range = between(-largest_creepage, largest_creepage),
+            .unset = "no stick: the surfaces slide everywhere, as slide_to_roll says",
+            .text =
+                "Creepages [longitudinal, lateral]: speeds of the surface of the upper body relative to that of the "
+                "lower one, towards +x and +y, over the mean speed at which the surfaces pass the contact. With it "
+                "the surfaces stick in places and slip in others, from rest to steady rolling. Needs "
+                "interface.friction; slide_to_roll, the first of them for surfaces that slide everywhere, is 0 then.",
+            .fill =
+                [](Case& c, const Value& value)
+            {
+              const auto& list = std::get<std::vector<double>>(value);
+              Creepage& creepage = creepage_of(c);
+              creepage.longitudinal = list.front();
+              creepage.lateral = list.back();
+            }},
+      Entry{.key = "rolling.spin",
+            .type = Type::number,
+            .dimension = {.length = -1},
+            .unset = "none",
+            .text = "Spin creepage: turn of the upper body past the lower one about the normal of the contact, from x "
+                    "to y, per distance rolled. With stick and slip, as creepage.",
+            .fill = [](Case& c, const Value& value) { creepage_of(c).spin = std::get<double>(value); }},
+  };
+}
+
+std::vector<Entry> motion_keys()
 {
   const auto drive = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
   {
@@ -70,6 +110,16 @@ std::vector<Entry> keys()
   };
 }
 
+std::vector<Entry> keys()
+{
+  std::vector<Entry> all = motion_keys();
+  const std::vector<Entry> creep = creep_keys();
+  const auto after =
+      std::find_if(all.begin(), all.end(), [](const Entry& e) { return e.key == "rolling.slide_to_roll"; });
+  all.insert(after + 1, creep.begin(), creep.end());
+  return all;
+}
+
 /// Load whose elastic contact has that peak pressure.
 double load_of_hertz_pressure(const CaseReader& reader, const Case& c, const RollingCase& rolling)
 {
@@ -99,7 +149,17 @@ std::string read(const CaseReader& reader, Case& c, RollingCase& r)
                                     given.size() > 1 ? "are given" : "is given"));
   else if (given.front() == "rolling.hertz_pressure")
     r.drive.value = load_of_hertz_pressure(reader, c, r);
+  if (reader.has("rolling.creepage") && reader.get<std::vector<double>>("rolling.creepage").size() != 2)
+    reader.add("rolling.creepage", "needs two numbers, [longitudinal, lateral]");
   return "rolling.distance";
+}
+
+std::string creepage_text(const RollingCase& r)
+{
+  if (!r.creepage)
+    return "";
+  return fmt::format("# Creepage: {:g} along, {:g} across, spin {:g} rad/m; friction {:g}\n", r.creepage->longitudinal,
+                     r.creepage->lateral, r.creepage->spin, r.friction.coefficient);
 }
 
 std::string motion(const RollingCase& r, const RollingPlan& plan)
@@ -109,15 +169,30 @@ std::string motion(const RollingCase& r, const RollingPlan& plan)
                      plan.rolling_steps, plan.shift, passes_text(r.passes),
                      r.drive.kind == contact::Drive::Kind::load ? "load" : "approach", r.drive.value,
                      r.drive.kind == contact::Drive::Kind::load ? "N" : "m", 2.0 * plan.half_width_x,
-                     2.0 * plan.half_width_y);
+                     2.0 * plan.half_width_y) +
+         creepage_text(r);
 }
 
-std::string place(const Case&, const RollingRecord& record)
+std::string place(const Case& c, const RollingRecord& record)
 {
-  return fmt::format("pass {}  x {:+.3e} m", record.pass, record.x);
+  const std::string where = fmt::format("pass {}  x {:+.3e} m", record.pass, record.x);
+  if (!std::get<RollingCase>(c.scenario).creepage)
+    return where;
+  return fmt::format("{}  along it {:+.3e} N, {:+.3e} N  sticks {:.0f} %", where, record.F_x, record.F_y,
+                     100.0 * record.stick_share);
 }
 
-std::string results(const Case&, const RollingSummary& s)
+std::string creep_results(const RollingSummary& s)
+{
+  return table_text("pass      F_x [N]       F_y [N]     M_z [N m]  sticks  steady\n", s.passes,
+                    [](const RollingPass& p)
+                    {
+                      return fmt::format("{:4} {:12.5e} {:13.6e} {:13.6e} {:5.0f} %  {}\n", p.pass, p.F_x, p.F_y, p.M_z,
+                                         100.0 * p.stick_share, p.creeps_steadily() ? "yes" : "no");
+                    });
+}
+
+std::string pass_results(const RollingSummary& s)
 {
   return table_text("pass      rut [m]  shoulder [m]  plastic strain     increment  dissipated [J]  resistance [N]\n",
                     s.passes,
@@ -129,6 +204,11 @@ std::string results(const Case&, const RollingSummary& s)
                     });
 }
 
+std::string results(const Case& c, const RollingSummary& s)
+{
+  return pass_results(s) + (std::get<RollingCase>(c.scenario).creepage ? creep_results(s) : "");
+}
+
 Json pass_json(const RollingPass& pass)
 {
   Json json;
@@ -136,6 +216,8 @@ Json pass_json(const RollingPass& pass)
   {
     if (column.name == "unsteadiness")
       json["steady"] = pass.is_steady(); // beside what it follows from
+    if (column.name == "creep_unsteadiness")
+      json["creep_steady"] = pass.creeps_steadily();
     put(json, column, pass);
   }
   return json;
@@ -165,6 +247,8 @@ void cite(Sources& sources, const RollingCase& r)
   sources.add("boucly2006", "rolling: both surfaces and their strain are carried past the contact");
   if (can_yield(r) && r.passes > 1)
     sources.add("johnson1985", "shakedown under repeated passes");
+  if (r.creepage)
+    sources.add("kalker1967", "rolling with creepage and spin: stick and slip");
 }
 
 } // namespace
@@ -189,8 +273,12 @@ struct DescriptionOf<RollingCase>
         .results = results,
         .summarise = summarise,
         .lists = {{"passes", columns(RollingPass())}},
-        .key_numbers = [](const RollingCase&) -> std::vector<std::string> {
-          return {"passes[].rut_depth_m", "passes[].resistance_N", "passes[].dissipation_J"};
+        .key_numbers = [](const RollingCase& r) -> std::vector<std::string>
+        {
+          std::vector<std::string> names{"passes[].rut_depth_m", "passes[].resistance_N", "passes[].dissipation_J"};
+          if (r.creepage)
+            names.insert(names.end(), {"passes[].F_x_N", "passes[].F_y_N"});
+          return names;
         },
         .steps = "rolling.shift",
         .imposed_load = [](const RollingCase& r) { return r.drive.kind == Drive::Kind::load ? r.drive.value : 0.0; },

@@ -30,6 +30,10 @@ material = {young_modulus = "200 GPa", poisson_ratio = 0.3}
 }
 const std::string rolling = "rolling\n[rolling]\nload = \"10 N\"\ndistance = \"1 mm\"\nslide_to_roll = 0.5\n";
 const std::string pure_rolling = "rolling\n[rolling]\nload = \"10 N\"\ndistance = \"1 mm\"\nslide_to_roll = 0\n";
+std::string creeping(const std::string& keys)
+{
+  return "rolling\n[rolling]\nload = \"10 N\"\ndistance = \"1 mm\"\n" + keys + "\n";
+}
 const std::string indentation = "indentation\n[indentation]\nload = [\"10 N\"]\nsteps = 2\ncycles = 1\n";
 
 void expect_refused(const std::string& text, int line, const std::vector<std::string>& parts)
@@ -57,6 +61,36 @@ TEST(FrictionCase, WhatIsGoodIsRead)
   EXPECT_EQ(read("friction = 0.4\nshear_limit = \"300 MPa\"\ncoupling = false"),
             (elastoplastic::Friction{0.4, 300e6, false}));
   EXPECT_NO_THROW(static_cast<void>(parse_case(sample(pure_rolling, "friction = 0"), "sample.toml", {})));
+}
+
+TEST(FrictionCase, CreepageIsRead)
+{
+  const auto read = [](const std::string& keys)
+  {
+    const io::Case c = parse_case(sample(creeping(keys), "friction = 0.3"), "sample.toml", {});
+    return std::get<simulation::RollingCase>(c.scenario).creepage;
+  };
+  using simulation::Creepage;
+  EXPECT_EQ(read("creepage = [0.002, -0.001]"), (Creepage{0.002, -0.001, 0.0}));
+  EXPECT_EQ(read("creepage = [0.002, 0]\nspin = 3"), (Creepage{0.002, 0.0, 3.0}));
+  EXPECT_EQ(read("spin = \"0.5 rad/mm\""), (Creepage{0.0, 0.0, 500.0}));
+  EXPECT_EQ(read("creepage = [0, 0]"), Creepage{});
+  EXPECT_EQ(read("slide_to_roll = 0.1"), std::nullopt);
+}
+
+TEST(FrictionCase, CreepageThatDoesNotFitIsRefused)
+{
+  const auto with = [](const std::string& keys) { return sample(creeping(keys), "friction = 0.3"); };
+  expect_refused(with("creepage = [0.002]"), 11, {"rolling.creepage", "two numbers, [longitudinal, lateral]"});
+  expect_refused(with("creepage = [0.002, 0, 0.1]"), 11, {"rolling.creepage", "two numbers"});
+  expect_refused(with("creepage = [0.2, 0]"), 11, {"rolling.creepage", "[-0.1, 0.1]"});
+  expect_refused(with("creepage = [nan, 0]"), 11, {"rolling.creepage"});
+  expect_refused(with("spin = \"2 mm\""), 11, {"rolling.spin", "rad/m"});
+  expect_refused(with("spin = \"2 rad\""), 11, {"rolling.spin", "rad"});
+  expect_refused(with("spin = 1e6"), 11, {"rolling.spin = 1e+06 rad/m", "half-length"});
+  expect_refused(sample(creeping("creepage = [0.002, 0]"), "friction = 0"), 11,
+                 {"rolling.creepage", "interface.friction = 0"});
+  expect_refused(with("slide_to_roll = 0.1\ncreepage = [0.002, 0]"), 12, {"rolling.creepage", "slide_to_roll = 0.1"});
 }
 
 TEST(FrictionCase, WhatIsBadIsRefused)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rolling with creepage in Python: the arguments, forces from rest to steady rolling, maps of the contact, figures."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import brinell
+from brinell.plot import rolling
+from brinell.results import Run, RunError, open_run
+from brinell.scenarios.rolling import TRAITS
+from figure_parts import legend_of, texts
+
+CASE = Path(__file__).parents[2] / "cases" / "rolling-creepage" / "case.toml"
+STEEL = brinell.Material("210 GPa", 0.3)
+FLAT, BALL = brinell.Body(brinell.Flat(), STEEL), brinell.Body(brinell.Sphere("10 mm"), STEEL)
+FRICTION, LOAD = 0.3, 100.0
+
+
+def crept(**arguments: object) -> brinell.Rolling:
+    given: dict = {"load": LOAD, "distance": "1.6 mm", "creepage": [0.001, 0.0005], "load_steps": 2}
+    parts: dict = {"interface": brinell.Interface(friction=FRICTION), "grid": {"resolution": 5}}
+    return brinell.Rolling(FLAT, BALL, **(given | parts | arguments))
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    return crept(title="creeps").run(in_memory=True)
+
+
+@pytest.fixture(scope="module")
+def run_spun() -> Run:
+    return crept(creepage=None, spin="2 rad/m", passes=2, title="spins").run(in_memory=True)
+
+
+def test_it_is_that_of_the_case_file() -> None:
+    steel = brinell.Material("210 GPa", 0.3, brinell.Linear("1.6 GPa", "20 GPa"))
+    case = brinell.Rolling(
+        brinell.Body(brinell.Flat(), steel),
+        brinell.Body(brinell.Sphere("10 mm"), steel),
+        "4 mm",
+        hertz_pressure="3.6 GPa",
+        creepage=(0.003, 0.001),
+        spin="2 rad/m",
+        interface={"friction": 0.3},
+        grid={"resolution": 8},
+        title="A ball that drives and steers",
+    )
+    assert tomllib.loads(case.to_toml()) == tomllib.loads(brinell.Case.from_file(CASE).to_toml())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"creepage": [0.001]}, "needs two numbers"),
+        ({"creepage": [0.5, 0.0]}, "creepage"),
+        ({"creepage": [float("nan"), 0.0]}, "creepage"),
+        ({"interface": None}, "interface.friction = 0: nothing holds the surfaces"),
+        ({"slide_to_roll": 0.1}, "slide_to_roll = 0.1"),
+        ({"spin": "1e6 rad/m"}, "half-length of the contact"),
+        ({"spin": "1 mm"}, "spin"),
+        ({"shift": "70 um"}, "whole multiples of the cell"),
+    ],
+)
+def test_errors_name_the_argument(arguments: dict, message: str) -> None:
+    with pytest.raises(brinell.InputError, match=message):
+        crept(**arguments).run(in_memory=True)
+
+
+def test_forces_grow_to_those_of_steady_rolling(run: Run) -> None:
+    rows, last = run.history, run.passes[-1]
+    moving = np.flatnonzero(np.diff(rows["x"])) + 1
+    force = rows["F_x"][moving]
+    assert rows["F_x"][moving[0] - 1] == 0.0
+    assert np.all(np.diff(force) > -1e-3 * force[-1])
+    assert last.creep_steady
+    assert last.creep_unsteadiness < 0.01
+    quarter = moving[rows["x"][moving] > 0.25 * 1.6e-3]
+    for name in ("F_x", "F_y", "M_z", "stick_share"):
+        assert getattr(last, name) == pytest.approx(rows[name][quarter].mean(), rel=1e-12)
+    assert 0.0 < np.hypot(last.F_x, last.F_y) < FRICTION * LOAD
+    assert 0.0 < last.stick_share < 1.0
+    np.testing.assert_allclose(rows["F_friction"], np.hypot(rows["F_x"], rows["F_y"]), atol=1e-12)
+
+
+def test_balls_that_hardly_creep_have_kalkers_forces() -> None:
+    """C11 and C22 of a circle are 4.2 and 3.7 about, for nu = 0.3 (Kalker 1967); cells of a fifth of the radius."""
+    small = 2e-6
+    last = crept(creepage=[small, small]).run(in_memory=True).passes[-1]
+    radius = (0.75 * LOAD * 0.01 / (0.5 * 210e9 / (1.0 - 0.09))) ** (1.0 / 3.0)
+    linear = 210e9 / 2.6 * radius**2 * small
+    assert last.F_x / linear == pytest.approx(4.3, rel=0.15)
+    assert last.F_y / linear == pytest.approx(3.7, rel=0.15)
+
+
+def test_fields_of_the_contact(run: Run) -> None:
+    snapshot = run.snapshot("aligned")
+    contact = snapshot.contact
+    assert contact.shear_x is not None
+    assert contact.slip_x is not None
+    assert contact.slip_path is not None
+    area = (contact.x[1] - contact.x[0]) * (contact.y[1] - contact.y[0])
+    assert contact.shear_x.sum() * area == pytest.approx(snapshot.row["F_x"], rel=1e-6)
+    assert contact.slip_path.max() == pytest.approx(snapshot.row["slip_path"], rel=1e-6)
+    # What has slipped lies behind: the contact moves to larger x.
+    behind = contact.slip_path[:, contact.x < 0.0].sum()
+    assert behind > 10.0 * contact.slip_path[:, contact.x > 0.0].sum()
+
+
+def test_creep_forces(run: Run, run_spun: Run) -> None:
+    fig = rolling.creep_forces([run])
+    assert fig is not None
+    assert [ax.get_ylabel().split("  ")[0] for ax in fig.axes] == [
+        "force along",
+        "force across",
+        "moment",
+        "share that sticks",
+    ]
+    force = fig.axes[0].get_lines()
+    assert max(np.max(line.get_ydata()) for line in force) == pytest.approx(
+        np.max(run.history["F_x"]) / (FRICTION * LOAD), rel=1e-6
+    )
+    texts(fig)
+    both = rolling.creep_forces([run, run_spun])
+    assert both is not None
+    assert len(legend_of(both.axes[0])) == 3  # one pass, and the first and the last of two
+    texts(both)
+
+
+def test_maps_and_profiles(run: Run, run_spun: Run) -> None:
+    maps = rolling.creep_maps([run])
+    assert maps is not None
+    assert any("slip since these places touched" in ax.get_title() for ax in maps.axes)
+    assert rolling.creep_maps([run, run_spun]) is None
+    assert rolling.creep_profiles([run, run_spun]) is not None
+
+
+def test_without_creepage_there_is_nothing_to_draw(
+    make_rolling: Callable[..., Path], make_indentation: Callable[..., Path]
+) -> None:
+    old = open_run(make_rolling())
+    for draw in (rolling.creep_forces, rolling.creep_maps, rolling.creep_profiles):
+        assert draw([old]) is None
+        with pytest.raises(RunError):
+            draw([open_run(make_indentation())])
+
+
+def test_key_numbers(run: Run) -> None:
+    assert TRAITS.key_numbers is not None
+    names = [number.name for number in TRAITS.key_numbers(run)]
+    assert "Force along the motion, last pass" in names
+    assert "Share that sticks, last pass" in names
