@@ -26,7 +26,8 @@ def in_source(suite: str, test: str) -> tuple[str, str]:
     return suite.split("/")[-1], test.split("/")[0]
 
 
-PEOPLE = {"Cattaneo", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Johnson", "Mindlin", "Persson"}
+PEOPLE = {"Carter", "Cattaneo", "Coulomb", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Johnson", "Kalker", "Mindlin",
+          "Persson", "Vermeulen"}
 
 
 def words(name: str) -> str:

@@ -24,7 +24,7 @@ FRICTION, LOAD = 0.3, 100.0
 
 def crept(**arguments: object) -> brinell.Rolling:
     given: dict = {"load": LOAD, "distance": "1.6 mm", "creepage": [0.001, 0.0005], "load_steps": 2}
-    parts: dict = {"interface": brinell.Interface(friction=FRICTION), "grid": {"resolution": 5}}
+    parts: dict = {"interface": brinell.Interface(friction=FRICTION), "grid": {"resolution": 6}}
     return brinell.Rolling(FLAT, BALL, **(given | parts | arguments))
 
 
@@ -89,13 +89,16 @@ def test_forces_grow_to_those_of_steady_rolling(run: Run) -> None:
 
 
 def test_balls_that_hardly_creep_have_kalkers_forces() -> None:
-    """C11 and C22 of a circle are 4.2 and 3.7 about, for nu = 0.3 (Kalker 1967); cells of a fifth of the radius."""
+    """C11 and C22 of a circle are 4.32 and 3.73 for nu = 0.3, between the rows of the table (Kalker 1967).
+
+    With 8 cells per radius forces are too large by 8 % (docs/verification.md).
+    """
     small = 2e-6
-    last = crept(creepage=[small, small]).run(in_memory=True).passes[-1]
+    last = crept(creepage=[small, small], grid={"resolution": 8}).run(in_memory=True).passes[-1]
     radius = (0.75 * LOAD * 0.01 / (0.5 * 210e9 / (1.0 - 0.09))) ** (1.0 / 3.0)
     linear = 210e9 / 2.6 * radius**2 * small
-    assert last.F_x / linear == pytest.approx(4.3, rel=0.15)
-    assert last.F_y / linear == pytest.approx(3.7, rel=0.15)
+    assert last.F_x / linear == pytest.approx(4.32, rel=0.1)
+    assert last.F_y / linear == pytest.approx(3.73, rel=0.1)
 
 
 def test_fields_of_the_contact(run: Run) -> None:
@@ -135,7 +138,7 @@ def test_creep_forces(run: Run, run_spun: Run) -> None:
 def test_maps_and_profiles(run: Run, run_spun: Run) -> None:
     maps = rolling.creep_maps([run])
     assert maps is not None
-    assert any("slip since these places touched" in ax.get_title() for ax in maps.axes)
+    assert any("slip since these places touched" in ax.get_title(loc="left") for ax in maps.axes)
     assert rolling.creep_maps([run, run_spun]) is None
     assert rolling.creep_profiles([run, run_spun]) is not None
 
@@ -143,11 +146,11 @@ def test_maps_and_profiles(run: Run, run_spun: Run) -> None:
 def test_without_creepage_there_is_nothing_to_draw(
     make_rolling: Callable[..., Path], make_indentation: Callable[..., Path]
 ) -> None:
-    old = open_run(make_rolling())
+    old, other = open_run(make_rolling()), open_run(make_indentation())
     for draw in (rolling.creep_forces, rolling.creep_maps, rolling.creep_profiles):
         assert draw([old]) is None
         with pytest.raises(RunError):
-            draw([open_run(make_indentation())])
+            draw([other])
 
 
 def test_key_numbers(run: Run) -> None:

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -246,6 +247,26 @@ simulation::RollingCase random_skidding(Draw& draw)
   return c;
 }
 
+/// Stick and slip with creepages from small ones to those at which all slips, in steps of one or two cells.
+simulation::RollingCase random_creeping(Draw& draw)
+{
+  simulation::RollingCase c = random_rolling(draw);
+  c.slide_to_roll = 0.0;
+  c.shift.reset();
+  add_friction(draw, c);
+  c.creepage.emplace();
+  const simulation::RollingPlan plan = simulation::plan(c);
+  // All slips from some times the friction times the approach over the radius on.
+  const double size =
+      std::min(0.1, draw.between(0.02, 6.0) * c.friction.coefficient * plan.scales.gap / plan.half_width_x);
+  const double angle = draw.between(0.0, 2.0 * std::numbers::pi);
+  c.creepage = simulation::Creepage{size * std::cos(angle), size * std::sin(angle), 0.0};
+  if (draw.chance(0.5))
+    c.creepage->spin = draw.between(-1.0, 1.0) * size / std::max(plan.half_width_x, plan.half_width_y);
+  c.shift = (1 + draw.below(2)) * plan.shift;
+  return c;
+}
+
 /// Largest excess of the von Mises stress over the yield stress, over the yield stress, in the cells of a body. Only without back
 /// stresses: a snapshot does not tell them.
 double yield_excess(const simulation::BodySnapshot& body, const Material& material)
@@ -405,6 +426,11 @@ TEST(RandomCases, RubbingConvergesAndBalances)
 TEST(RandomCases, SkiddingConvergesAndBalances)
 {
   sweep("rolling with slip and friction", slow_build ? 5 : 40, random_skidding);
+}
+
+TEST(RandomCases, CreepingConvergesAndBalances)
+{
+  sweep("rolling with creepage", slow_build ? 5 : 40, random_creeping);
 }
 
 TEST(RandomCases, RollingConvergesAndBalances)

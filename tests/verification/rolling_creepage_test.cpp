@@ -56,7 +56,7 @@ struct Cylinder
   }
 };
 
-TEST(RollingCreepage, CylindersHaveCartersForce)
+TEST(RollingCreepage, CylindersFollowCarter)
 {
   // Carter (1926; Johnson 1985, section 8.3): F = f P (1 - (1 - xi R/(f a))^2). The rigid shift of a step is met at its end alone,
   // so that the error is of first order.
@@ -113,7 +113,7 @@ struct PairOfBalls
   }
 };
 
-TEST(RollingCreepage, BallsHaveKalkersCoefficients)
+TEST(RollingCreepage, BallsFollowKalker)
 {
   // F_x = C11 G a^2 xi, F_y = C22 G a^2 eta + C23 G a^3 phi, M = -C23 G a^3 eta + .. of small creepages on a circle (Kalker 1967; Johnson 1985, table
   // 8.1), which has three digits. So little slips that the force is proportional; the limit of fine cells is that of first order.
@@ -158,7 +158,7 @@ TEST(RollingCreepage, BallsHaveKalkersCoefficients)
   }
 }
 
-TEST(RollingCreepage, LargeCreepageIsCoulombsForce)
+TEST(RollingCreepage, LargeCreepageFollowsCoulomb)
 {
   // All slips: friction times load against the slip, to the angle by which displacements across the creepage turn it.
   const PairOfBalls balls;
@@ -216,8 +216,8 @@ RollingCase yielding(double cells, const Creepage& creepage, bool are_alike)
   c.resolution = cells;
   c.friction.coefficient = 0.3;
   c.creepage = creepage;
-  c.load_steps = 10;
-  c.distance = 4.0 * simulation::plan(c).half_width_x;
+  c.load_steps = 6;
+  c.distance = 3.0 * simulation::plan(c).half_width_x;
   return c;
 }
 
@@ -225,8 +225,9 @@ TEST(RollingCreepage, EnergyClosesWithPlasticity)
 {
   for (const bool are_alike : {true, false})
   {
-    const RollingRun run =
-        computed(yielding(slow_build ? 5.0 : (are_alike ? 16.0 : 8.0), {0.004, 0.002, 4.0}, are_alike));
+    RollingCase c = yielding(slow_build ? 5.0 : (are_alike ? 16.0 : 8.0), {0.004, 0.002, 4.0}, are_alike);
+    c.distance *= 0.5; // both bodies are solved on many cells
+    const RollingRun run = computed(c);
     const std::string name = are_alike ? "equal bodies, 16 cells" : "unlike bodies, 8 cells";
     test::expect_close("error of the energy balance, rolling with creepage and spin of " + name,
                        run.summary.energy_balance_error, 0.0, 5e-3, "bound: mesh and steps");
@@ -239,8 +240,8 @@ TEST(RollingCreepage, EnergyClosesWithPlasticity)
 
 TEST(RollingCreepage, ElasticWorkIsHeat)
 {
-  // Of elastic bodies, whatever their materials, nothing is left in the end. The heat is a trapezoidal rule over steps in which points
-  // pass from stick to slip, and the pressure works over the load steps, all of at least first order in the cell.
+  // Nothing is left in the end. Pressure, shear and heat work by trapezoidal rules over cells rolled and load steps, as many as there
+  // are cells: all of second order.
   std::vector<double> errors;
   for (const double cells : {4.0, 8.0, 16.0})
   {
@@ -251,9 +252,9 @@ TEST(RollingCreepage, ElasticWorkIsHeat)
     const simulation::RollingSummary s = computed(c).summary;
     errors.push_back(s.dissipation_friction / s.work - 1.0);
   }
-  EXPECT_GT(test::Orders("elastic rolling with creepage: heat over work", errors).overall, 1.0);
-  test::expect_close("elastic rolling with creepage and spin, 16 cells: heat over work", 1.0 + errors.back(), 1.0, 5e-3,
-                     "exact: all of it");
+  EXPECT_GT(test::Orders("elastic rolling with creepage: heat over work", errors).overall, 1.7);
+  test::expect_close("elastic rolling with creepage and spin, 16 cells: heat over work", 1.0 + errors.back(), 1.0, 0.01,
+                     "exact: all of it; second order from 2 % with 8 cells, twice that for the short track");
 }
 
 TEST(RollingCreepage, WhereAllSlipsItIsFullSliding)
@@ -279,7 +280,9 @@ TEST(RollingCreepage, WhereAllSlipsItIsFullSliding)
   test::expect_close("creepage of 4 % that slips everywhere: force over that of full sliding", 1.0 + forces.back(), 1.0,
                      1e-3, "the same contact, but for the angle of the slip");
   test::expect_close("the same, rut", 1.0 + ruts.back(), 1.0, 0.04, "bound: of first order in the creepage");
-  test::expect_close("the same, heat", 1.0 + heats.back(), 1.0, 0.04, "bound: of first order in the creepage");
+  // Full sliding counts the slip per way on the lower body, creepage per mean way of both, and more of that kind.
+  test::expect_close("the same, heat, from creepages of 8 and 4 % to none", 1.0 + 2.0 * heats[1] - heats[0], 1.0, 5e-3,
+                     "exact: the difference is of first order in the creepage");
 }
 
 TEST(RollingCreepage, SwappingTheBodiesMirrorsTheResult)

@@ -175,7 +175,7 @@ std::string motion(const RollingCase& r, const RollingPlan& plan)
 
 std::string place(const Case& c, const RollingRecord& record)
 {
-  const std::string where = fmt::format("pass {}  x {:+.3e} m", record.pass, record.x);
+  std::string where = fmt::format("pass {}  x {:+.3e} m", record.pass, record.x);
   if (!std::get<RollingCase>(c.scenario).creepage)
     return where;
   return fmt::format("{}  along it {:+.3e} N, {:+.3e} N  sticks {:.0f} %", where, record.F_x, record.F_y,
