@@ -49,7 +49,7 @@ def test_it_is_that_of_the_case_file() -> None:
         spin="2 rad/m",
         interface={"friction": 0.3},
         grid={"resolution": 8},
-        title="A ball that drives and steers",
+        title="A ball that brakes and steers",
     )
     assert tomllib.loads(case.to_toml()) == tomllib.loads(brinell.Case.from_file(CASE).to_toml())
 
