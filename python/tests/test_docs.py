@@ -126,13 +126,13 @@ def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind:
     derived = {"steady", "creep_steady"} if part == "passes" else set()
     assert {field.name.rstrip("_") for field in dataclasses.fields(kind)} == columns.keys() | derived  # pass_
     endings = {name: "" if unit == "1" else "_" + unit for name, unit in columns.items()}
-    keys = {name + ending.replace("^", "").replace("/", "_per_") for name, ending in endings.items()}
+    keys = {name + ending.replace("^", "").replace(" ", "").replace("/", "_per_") for name, ending in endings.items()}
     page = (ROOT / "docs" / "reference" / "results-format.md").read_text(encoding="utf-8")
     assert set(re.findall(rf"`{part}\[\]\.(\w+)`", page)) == keys | derived
 
 
 @pytest.mark.parametrize(
-    "page", ["boundaries", "curves", "fretting", "notebooks", "rough-sliding", "rough-surfaces", "sliding"]
+    "page", ["boundaries", "creepage", "curves", "fretting", "notebooks", "rough-sliding", "rough-surfaces", "sliding"]
 )
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
 def test_the_code_of_a_page_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

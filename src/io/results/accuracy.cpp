@@ -112,7 +112,7 @@ private:
   [[nodiscard]] static std::string_view unit_of(std::string_view name)
   {
     std::string_view longest;
-    for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_N_per_m"})
+    for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_Nm", "_N_per_m"})
       if (name.ends_with(unit) && unit.size() > longest.size())
         longest = unit;
     return longest;
