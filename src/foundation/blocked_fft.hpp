@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "foundation/aligned.hpp"
+#include "foundation/lane_fft.hpp"
 #include "foundation/lanes.hpp"
 
 #include <memory>
@@ -10,15 +11,23 @@
 namespace brinell
 {
 
+/// Neighbouring rows of a spectrum, wavenumbers along y.
+struct SpectrumRows
+{
+  int first = 0, count = 0;
+  static constexpr int most = 4; ///< worked on together, so that memory is read and written in pieces of 512 bytes
+};
+
 /// Zero-padded transforms (as PaddedFft) of many planes at once: the components of a field in every layer of a volume.
 ///
 /// Work on a layered body couples all planes at one wavenumber. So the spectrum is cut into blocks of `lane_count`
 /// neighbouring wavenumbers along x, each small enough for the cache, and the transforms along x and y are apart:
-///   rows      [block][plane][ny][lane]         after the transform along x; the zero padding in y is not stored
-///   spectrum  [block][row][pitch][lane]        row = wavenumber index along y, wrapped; the pitch holds the planes
-/// Lanes beyond the last wavenumber hold zeros. The pitch is odd, at the price of one unused plane: were it divisible by
-/// a power of two, the rows of a column would fall into few sets of the caches and evict each other. Planned once; every function is const and may be called from several
-/// threads for different planes or blocks, each with its own Scratch.
+///   rows      [block][plane][ny]      after the transform along x; the zero padding in y is not stored
+///   spectrum  [plane][pitch]          of one block: py wavenumbers along y, wrapped; the pitch holds them
+/// of ComplexLanes, the wavenumbers of a block. Lanes beyond the last wavenumber hold zeros. The pitch is odd, at the price of
+/// one unused row: were it divisible by a power of two, the planes at one wavenumber would fall into few sets of the caches
+/// and evict each other. Planned once; every function is const and may be called from several threads for different planes
+/// or blocks, each with its own Scratch.
 class BlockedFft
 {
 public:
@@ -30,67 +39,55 @@ public:
 
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] int px() const { return px_; }
-  [[nodiscard]] int py() const { return py_; }
+  [[nodiscard]] int py() const { return columns_.length(); }
   [[nodiscard]] int kx() const { return px_ / 2 + 1; } ///< wavenumbers along x
   [[nodiscard]] int planes() const { return planes_; }
-  /// Places for planes in one row of the spectrum: from one row to the next, pitch() * lane_count complex values.
-  [[nodiscard]] int pitch() const { return planes_ | 1; }
-  /// The row of the opposite wavenumber along y.
-  [[nodiscard]] int mirrored(int row) const { return row == 0 ? 0 : py_ - row; }
   [[nodiscard]] int blocks() const { return (kx() + lane_count - 1) / lane_count; }
-  /// Complex values of all rows, and of the spectrum of one block.
+  /// The row of the wavenumber along y with the same size, >= 0.
+  [[nodiscard]] int folded(int row) const { return row > py() / 2 ? py() - row : row; }
+  /// Values from one plane to the next in a spectrum.
+  [[nodiscard]] int pitch() const { return py() | 1; }
+  /// Values of all rows, and of the spectrum of one block.
   [[nodiscard]] std::size_t rows_size() const;
   [[nodiscard]] std::size_t block_size() const;
+  /// Place of a plane in spectra of all blocks, one after the other.
+  [[nodiscard]] std::ptrdiff_t plane_at(int block, int plane) const;
 
   /// The rows of a plane are transformed in batches that stay in the cache, so many of them:
   [[nodiscard]] int batches() const { return (grid_.ny + batch_rows_ - 1) / batch_rows_; }
 
-  /// The columns of neighbouring planes are transformed together, so that the spectrum is read and written in pieces long
-  /// enough for the memory. Ten planes: the components of two layers.
-  static constexpr int group_planes = 10;
-  /// Groups of the first `planes` planes.
-  [[nodiscard]] static int groups(int planes) { return (planes + group_planes - 1) / group_planes; }
-
   struct Scratch
   {
-    AlignedVector<double> real;     ///< [px]
-    AlignedVector<Complex> half;    ///< [row of a batch][blocks][lane]
-    AlignedVector<Complex> padded;  ///< [py][lane], zero beyond row ny
-    AlignedVector<Complex> column;  ///< [py][lane]
-    AlignedVector<Complex> columns; ///< [plane of a group][py][lane]: the spectrum of a group
+    AlignedVector<double> real;         ///< [px]
+    AlignedVector<Complex> half;        ///< [row of a batch][blocks][lane]
+    AlignedVector<ComplexLanes> column; ///< [py]: for the caller, between its two transforms
+    AlignedVector<ComplexLanes> work;   ///< of LaneFft
   };
   [[nodiscard]] Scratch make_scratch() const;
 
   /// Along x: one real field on the grid to its rows (unnormalised).
-  void rows_forward(const double* field, int plane, Complex* rows, Scratch& scratch) const;
+  void rows_forward(const double* field, int plane, ComplexLanes* rows, Scratch& scratch) const;
   /// One batch of them.
-  void rows_forward(const double* field, int plane, int batch, Complex* rows, Scratch& scratch) const;
-  /// Along y: the rows of one group of the first `planes` planes in one block to `scratch.columns`,
-  void columns_forward(const Complex* rows, int block, int group, int planes, Scratch& scratch) const;
-  /// and from there into the spectrum of the block.
-  void scatter(const Scratch& scratch, int group, int planes, Complex* spectrum) const;
-  /// The way back along y: from the spectrum to `scratch.columns`,
-  void gather(const Complex* spectrum, int group, int planes, Scratch& scratch) const;
-  /// and from there, which is left as it is, to the rows.
-  void columns_inverse(Scratch& scratch, int block, int group, int planes, Complex* rows) const;
+  void rows_forward(const double* field, int plane, int batch, ComplexLanes* rows, Scratch& scratch) const;
+  /// Along y: the rows of one plane in one block to its py values.
+  void columns_forward(const ComplexLanes* rows, int block, int plane, ComplexLanes* column, Scratch& scratch) const;
+  /// The way back along y.
+  void columns_inverse(const ComplexLanes* column, int block, int plane, ComplexLanes* rows, Scratch& scratch) const;
   /// The way back along x, to the field on the grid (scaled by 1/(px py)).
-  void rows_inverse(const Complex* rows, int plane, double* field, Scratch& scratch) const;
+  void rows_inverse(const ComplexLanes* rows, int plane, double* field, Scratch& scratch) const;
   /// One batch of its rows.
-  void rows_inverse(const Complex* rows, int plane, int batch, double* field, Scratch& scratch) const;
+  void rows_inverse(const ComplexLanes* rows, int plane, int batch, double* field, Scratch& scratch) const;
 
 private:
   struct Plans;
   [[nodiscard]] int width() const { return blocks() * lane_count; } ///< wavenumbers along x with the unused lanes
-  [[nodiscard]] std::size_t rows_at(int block, int plane) const;
+  [[nodiscard]] std::ptrdiff_t rows_at(int block, int plane) const;
   [[nodiscard]] int rows_in(int batch) const;
-  [[nodiscard]] bool past_caches() const { return rows_size() * sizeof(Complex) > cached_bytes; }
-  /// Complex values of one column, and of its part on the grid.
-  [[nodiscard]] std::ptrdiff_t column_size() const { return static_cast<std::ptrdiff_t>(py_) * lane_count; }
-  [[nodiscard]] std::ptrdiff_t grid_column_size() const { return static_cast<std::ptrdiff_t>(grid_.ny) * lane_count; }
 
   SurfaceGrid grid_;
-  int px_ = 0, py_ = 0, planes_ = 0;
+  int px_ = 0, planes_ = 0;
   int batch_rows_ = 1; ///< the last batch may have fewer
+  LaneFft columns_;
   std::unique_ptr<Plans> plans_;
 };
 

@@ -78,34 +78,32 @@ inline void end_streaming()
 #endif
 }
 
-inline void store_lanes(const ComplexLanes& value, Complex* to, bool past_caches = false)
+/// The values one after the other.
+inline void store_lanes(const ComplexLanes& value, Complex* to)
 {
   const Lanes low = __builtin_shufflevector(value.re, value.im, 0, 8, 1, 9, 2, 10, 3, 11);
   const Lanes high = __builtin_shufflevector(value.re, value.im, 4, 12, 5, 13, 6, 14, 7, 15);
   auto* lanes = reinterpret_cast<double*>(to);
-  if (past_caches)
-  {
-    stream_lanes(low, lanes);
-    stream_lanes(high, lanes + lane_count);
-  }
-  else
-  {
-    std::memcpy(lanes, &low, sizeof low);
-    std::memcpy(lanes + lane_count, &high, sizeof high);
-  }
+  std::memcpy(lanes, &low, sizeof low);
+  std::memcpy(lanes + lane_count, &high, sizeof high);
 }
 
-/// Copies one block of lanes.
-inline void copy_lanes(const Complex* from, Complex* to, bool past_caches)
+/// Starts to load a value into the cache.
+inline void fetch_soon(const ComplexLanes* value)
+{
+  __builtin_prefetch(&value->re);
+  __builtin_prefetch(&value->im);
+}
+
+inline void store_lanes(const ComplexLanes& value, ComplexLanes* to, bool past_caches)
 {
   if (past_caches)
   {
-    stream_lanes(load_lanes(reinterpret_cast<const double*>(from)), reinterpret_cast<double*>(to));
-    stream_lanes(load_lanes(reinterpret_cast<const double*>(from) + lane_count),
-                 reinterpret_cast<double*>(to) + lane_count);
+    stream_lanes(value.re, reinterpret_cast<double*>(&to->re));
+    stream_lanes(value.im, reinterpret_cast<double*>(&to->im));
   }
   else
-    std::memcpy(static_cast<void*>(to), from, lane_count * sizeof(Complex));
+    *to = value;
 }
 
 } // namespace brinell

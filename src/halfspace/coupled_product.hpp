@@ -22,14 +22,14 @@ struct CoupledProduct
 
   struct Scratch
   {
-    std::array<AlignedVector<Complex>, count> rows;
+    std::array<AlignedVector<ComplexLanes>, count> rows;
     std::vector<std::array<BlockedFft::Scratch, count>> threads; ///< one where the grid is too small to share
   };
 
   [[nodiscard]] static Scratch make_scratch(const BlockedFft& fft)
   {
     Scratch scratch;
-    for (AlignedVector<Complex>& rows : scratch.rows)
+    for (AlignedVector<ComplexLanes>& rows : scratch.rows)
       rows.resize(fft.rows_size());
     scratch.threads.resize(is_shared(fft.grid().size()) ? static_cast<std::size_t>(omp_get_max_threads()) : 1U);
     for (auto& own : scratch.threads)
@@ -80,22 +80,22 @@ private:
   {
     for (std::size_t f = 0; f < count; ++f)
       if (!in[f].empty())
-        fft.columns_forward(scratch.rows[f].data(), block, 0, 1, own[f]);
+        fft.columns_forward(scratch.rows[f].data(), block, 0, own[f].column.data(), own[f]);
     for (int row = 0; row < fft.py(); ++row)
     {
-      const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * lane_count;
+      const auto line = static_cast<std::size_t>(row);
       Values values;
       for (std::size_t f = 0; f < count; ++f)
         if (!in[f].empty())
-          values[f] = load_lanes(own[f].columns.data() + line);
+          values[f] = own[f].column[line];
       const Values result = product(block, row, values);
       for (std::size_t f = 0; f < count; ++f)
         if (!out[f].empty())
-          store_lanes(result[f], own[f].columns.data() + line);
+          own[f].column[line] = result[f];
     }
     for (std::size_t f = 0; f < count; ++f)
       if (!out[f].empty())
-        fft.columns_inverse(own[f], block, 0, 1, scratch.rows[f].data());
+        fft.columns_inverse(own[f].column.data(), block, 0, scratch.rows[f].data(), own[f]);
   }
 };
 

@@ -111,25 +111,19 @@ Wave reflect(const Factors& f, const Wave& up)
   return {image.a, image.c, f.lag * image.c, image.w};
 }
 
-/// Strain from the axes x, y, z to the frame of the wavevector.
-green::SheetStrain<ComplexLanes> rotate(const Factors& f, double nu, const Complex* strain)
+/// The stress of a layer in itself, and in the layers below it, comes to what those above give it; tz, which these give but for
+/// its sign, is returned.
+ComplexLanes add_own(const Factors& f, const Layer& layer, Field& s)
 {
-  return green::in_wave_frame<Lanes>(f, nu, load_lanes(strain), load_lanes(strain + lane_count),
-                                     load_lanes(strain + 2 * lane_count), load_lanes(strain + 3 * lane_count),
-                                     load_lanes(strain + 4 * lane_count));
-}
-
-/// Stress (ll, zz, lz, lt, tz) to the deviator in the axes x, y, z. @returns the trace.
-ComplexLanes rotate_back(const Factors& f, double nu, const Field& s, const ComplexLanes& tz, Complex* stress,
-                         bool past_caches)
-{
-  const auto axes = green::in_axes<Lanes>(f, nu, s.ll, s.zz, s.lz, s.lt, tz);
-  store_lanes(axes.xx, stress, past_caches);
-  store_lanes(axes.yy, stress + lane_count, past_caches);
-  store_lanes(axes.yz, stress + 2 * lane_count, past_caches);
-  store_lanes(axes.xz, stress + 3 * lane_count, past_caches);
-  store_lanes(axes.xy, stress + 4 * lane_count, past_caches);
-  return axes.trace;
+  const green::SheetStrain<ComplexLanes>& own = layer.strain;
+  const ComplexLanes held = f.m0 * own.a - f.m1 * own.d;
+  const Lanes twice = 2.0 * f.m0;
+  const ComplexLanes tz = times_i(s.lt - layer.below_lt) - f.m2 * own.tz;
+  s.ll = s.ll + layer.below_ll + held + twice * own.d;
+  s.zz = s.zz + layer.below_zz - held;
+  s.lz = times_i(s.lz - layer.below_lz) - (twice - 2.0 * f.m1) * own.lz;
+  s.lt = s.lt + layer.below_lt + f.m2 * own.lt;
+  return tz;
 }
 
 } // namespace
@@ -139,7 +133,7 @@ EigenstrainStress::~EigenstrainStress() = default;
 EigenstrainStress::EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft)
     : grid_(grid), nu_(elastic.poisson_ratio), mu_(elastic.shear_modulus()), fft_(fft),
       spectra_bytes_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(fft.py()) *
-                     static_cast<std::size_t>(Deviator::size * grid.nz) * lane_count * sizeof(Complex))
+                     static_cast<std::size_t>(Deviator::size * grid.nz) * sizeof(ComplexLanes))
 {
   const int rows = fft.py() / 2 + 1;
   factors_.resize(static_cast<std::size_t>(fft.blocks() * rows));
@@ -179,7 +173,7 @@ void EigenstrainStress::add_local(int component, const std::array<const double*,
 
 EigenstrainStress::Factors EigenstrainStress::factors_at(int block, int row) const
 {
-  const int folded = std::min(row, fft_.py() - row);
+  const int folded = fft_.folded(row);
   Factors f = factors_[static_cast<std::size_t>(block * (fft_.py() / 2 + 1) + folded)];
   if (row != folded)
   {
@@ -189,56 +183,84 @@ EigenstrainStress::Factors EigenstrainStress::factors_at(int block, int row) con
   return f;
 }
 
-void EigenstrainStress::apply(int block, int row, const Complex* strain, int strained, Complex* stress, int layers,
-                              Scratch& scratch, Complex* trace) const
+/// Rows that pass through the layers together.
+struct EigenstrainStress::Tile
 {
-  const Factors f = factors_at(block, row);
+  std::array<Factors, SpectrumRows::most> factors;
+  std::array<Wave, SpectrumRows::most> waves;
+};
+
+void EigenstrainStress::apply(int block, const SpectrumRows& rows, const Spectra& spectra, Scratch& scratch) const
+{
+  Tile tile;
+  for (int r = 0; r < rows.count; ++r)
+    tile.factors[static_cast<std::size_t>(r)] = factors_at(block, rows.first + r);
+  go_up(rows, spectra, tile, scratch);
+  for (int r = 0; r < rows.count; ++r)
+  {
+    Wave& wave = tile.waves[static_cast<std::size_t>(r)];
+    wave = reflect(tile.factors[static_cast<std::size_t>(r)], wave);
+  }
+  go_down(rows, spectra, tile, scratch);
+}
+
+/// What the layers below give is kept; the sums that reach the surface make the image.
+void EigenstrainStress::go_up(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const
+{
+  const std::ptrdiff_t pitch = fft_.pitch();
+  for (std::ptrdiff_t i = spectra.strained - 1; i >= 0; --i)
+    for (std::ptrdiff_t r = 0; r < rows.count; ++r)
+    {
+      const Factors& f = tile.factors[static_cast<std::size_t>(r)];
+      Wave& up = tile.waves[static_cast<std::size_t>(r)];
+      Layer& layer = scratch[static_cast<std::size_t>(i * SpectrumRows::most + r)];
+      const Field below = emit(f, up);
+      const ComplexLanes* strain = spectra.strain + i * Deviator::size * pitch + rows.first + r;
+      if (i > 0)
+        for (int c = 1; c <= Deviator::size; ++c)
+          fetch_soon(strain - c * pitch); // of the next layer: so far apart that the processor does not expect it
+      layer = {green::in_wave_frame<Lanes>(f, nu_, strain[0], strain[pitch], strain[2 * pitch], strain[3 * pitch],
+                                           strain[4 * pitch]),
+               below.ll, below.zz, below.lz, below.lt};
+      advance(f, layer.strain, -1.0, up);
+    }
+}
+
+/// The image, the layers above, those below, and the layer itself; then back to the axes x, y, z.
+void EigenstrainStress::go_down(const SpectrumRows& rows, const Spectra& spectra, Tile& tile,
+                                const Scratch& scratch) const
+{
   const bool past_caches = spectra_bytes_ > cached_bytes;
-  constexpr std::ptrdiff_t per_layer = Deviator::size * lane_count;
-
-  // Upwards: what the layers below give is kept; the sums that reach the surface make the image.
-  Wave up;
-  for (std::ptrdiff_t i = strained - 1; i >= 0; --i)
-  {
-    Layer& layer = scratch[static_cast<std::size_t>(i)];
-    const Field below = emit(f, up);
-    layer.below_ll = below.ll;
-    layer.below_zz = below.zz;
-    layer.below_lz = below.lz;
-    layer.below_lt = below.lt;
-    layer.strain = rotate(f, nu_, strain + i * per_layer);
-    advance(f, layer.strain, -1.0, up);
-  }
-
-  // Downwards: the image, the layers above, those below, and the layer itself; then back to the axes x, y, z.
-  Wave down = reflect(f, up);
-  for (std::ptrdiff_t i = 0; i < layers; ++i)
-  {
-    Field s = emit(f, down);
-    ComplexLanes tz;
-    if (i < strained)
+  const std::ptrdiff_t pitch = fft_.pitch();
+  for (std::ptrdiff_t i = 0; i < spectra.layers; ++i)
+    for (std::ptrdiff_t r = 0; r < rows.count; ++r)
     {
-      const Layer& layer = scratch[static_cast<std::size_t>(i)];
-      const green::SheetStrain<ComplexLanes>& own = layer.strain;
-      const ComplexLanes held = f.m0 * own.a - f.m1 * own.d;
-      const Lanes twice = 2.0 * f.m0;
-      tz = times_i(s.lt - layer.below_lt) - f.m2 * own.tz;
-      s.ll = s.ll + layer.below_ll + held + twice * own.d;
-      s.zz = s.zz + layer.below_zz - held;
-      s.lz = times_i(s.lz - layer.below_lz) - (twice - 2.0 * f.m1) * own.lz;
-      s.lt = s.lt + layer.below_lt + f.m2 * own.lt;
-      advance(f, own, 1.0, down);
+      const Factors& f = tile.factors[static_cast<std::size_t>(r)];
+      Wave& down = tile.waves[static_cast<std::size_t>(r)];
+      Field s = emit(f, down);
+      ComplexLanes tz;
+      if (i < spectra.strained)
+      {
+        const Layer& layer = scratch[static_cast<std::size_t>(i * SpectrumRows::most + r)];
+        tz = add_own(f, layer, s);
+        advance(f, layer.strain, 1.0, down);
+      }
+      else
+      {
+        tz = times_i(s.lt);
+        s.lz = times_i(s.lz);
+        pass(f, down);
+      }
+      const auto axes = green::in_axes<Lanes>(f, nu_, s.ll, s.zz, s.lz, s.lt, tz);
+      ComplexLanes* stress = spectra.stress + i * Deviator::size * pitch + rows.first + r;
+      for (const ComplexLanes& component : {axes.xx, axes.yy, axes.yz, axes.xz, axes.xy})
+      {
+        store_lanes(component, stress, past_caches);
+        stress += pitch;
+      }
+      if (spectra.trace != nullptr)
+        spectra.trace[i * pitch + rows.first + r] = axes.trace;
     }
-    else
-    {
-      tz = times_i(s.lt);
-      s.lz = times_i(s.lz);
-      pass(f, down);
-    }
-    const ComplexLanes sum = rotate_back(f, nu_, s, tz, stress + i * per_layer, past_caches);
-    if (trace != nullptr)
-      store_lanes(sum, trace + i * lane_count);
-  }
   end_streaming();
 }
 

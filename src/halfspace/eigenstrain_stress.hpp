@@ -46,16 +46,23 @@ public:
     green::SheetStrain<ComplexLanes> strain;
     ComplexLanes below_ll, below_zz, below_lz, below_lt; ///< stress of the layers below
   };
-  using Scratch = AlignedVector<Layer>;
-  [[nodiscard]] Scratch make_scratch() const { return Scratch(static_cast<std::size_t>(grid_.nz)); }
+  using Scratch = AlignedVector<Layer>; ///< [layer][row]
+  [[nodiscard]] Scratch make_scratch() const
+  {
+    return Scratch(static_cast<std::size_t>(grid_.nz) * static_cast<std::size_t>(SpectrumRows::most));
+  }
 
-  /// Non-local part of the residual stress at the wavenumbers of one row of one block (the caller adds `local_stress`
-  /// in real space).
-  /// @param strain    [5 * nz planes][lane], traceless plastic strain; zero in layers >= `strained`, which are not read.
-  /// @param stress    deviatoric stress [Pa]; overwritten in layers [0, layers). Starts on a cache line.
-  /// @param trace     nullptr, or [nz][lane] for the trace of the stress [Pa].
-  void apply(int block, int row, const Complex* strain, int strained, Complex* stress, int layers, Scratch& scratch,
-             Complex* trace = nullptr) const;
+  /// Strain and stress at the wavenumbers of one block.
+  struct Spectra
+  {
+    const ComplexLanes* strain; ///< [layer][component][pitch], traceless plastic strain
+    int strained;               ///< layers [0, strained) are read, the others hold no strain
+    ComplexLanes* stress;       ///< the same, deviatoric stress [Pa]
+    int layers;                 ///< layers [0, layers) are written
+    ComplexLanes* trace;        ///< nullptr, or [layer][pitch] for the trace of the stress [Pa]
+  };
+  /// Non-local part of the residual stress at some rows of one block (the caller adds `local_stress` in real space).
+  void apply(int block, const SpectrumRows& rows, const Spectra& spectra, Scratch& scratch) const;
 
   /// Local stress [Pa]: a uniform, unbounded layer held in its plane (plane stress across it). Adds one component of
   /// its deviator, or for component 5 its trace, over `cells` cells.
@@ -66,7 +73,10 @@ public:
   struct Factors; ///< of one block of wavenumbers
 
 private:
+  struct Tile;
   [[nodiscard]] Factors factors_at(int block, int row) const;
+  void go_up(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const;
+  void go_down(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, const Scratch& scratch) const;
 
   VolumeGrid grid_;
   double nu_, mu_;

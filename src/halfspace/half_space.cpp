@@ -102,29 +102,15 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
     throw InternalError("HalfSpace::full_stress: the work is empty; make_work makes one");
   Work::Buffers& buffers = *work.buffers_;
   const BlockedFft& fft = op.trace_fft;
-  AlignedVector<Complex> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
-  AlignedVector<Complex> rows(fft.rows_size());
+  AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
   op.load_strain(plastic_strain, grid.nz, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));
-  BlockedFft::Scratch& scratch = buffers.threads.front().fft;
-  for (int block = 0; block < fft.blocks(); ++block)
-  {
-    Complex* spectrum = spectra.data() + row_at(fft, block, 0);
-    for (std::size_t t = 0; t < kernels.size(); ++t)
-      for (int row = 0; row < fft.py() && kernels[t] != nullptr; ++row)
-        kernels[t]->add_trace(block, row, buffers.surface[t].data() + row_at(op.surface_fft, block, row),
-                              spectrum + row_at(fft, 0, row));
-    for (int group = 0; group < BlockedFft::groups(grid.nz); ++group)
-    {
-      fft.gather(spectrum, group, grid.nz, scratch);
-      fft.columns_inverse(scratch, block, group, grid.nz, rows.data());
-    }
-  }
   for (int layer = 0; layer < grid.nz; ++layer)
   {
     double* field = trace.data() + op.field_at(0, layer);
-    fft.rows_inverse(rows.data(), layer, field, scratch);
+    op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers, buffers.threads.front(),
+                    field);
     op.finish(ImageCorrection::trace, layer, plastic_strain, buffers, field);
   }
 }

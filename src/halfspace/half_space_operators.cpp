@@ -2,6 +2,7 @@
 #include "half_space_operators.hpp"
 
 #include "foundation/fft.hpp"
+#include "foundation/lane_functions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +14,12 @@ namespace brinell::halfspace
 namespace
 {
 
-/// A group of planes that are transformed together holds whole layers.
-constexpr int layers_of_a_group = BlockedFft::group_planes / Deviator::size;
-static_assert(BlockedFft::group_planes % Deviator::size == 0);
+constexpr int layers_of_a_part = 2; ///< enough for all threads to have some, few enough for the parts to be small
+
+int parts_for(int layers)
+{
+  return (layers + layers_of_a_part - 1) / layers_of_a_part;
+}
 
 } // namespace
 
@@ -49,12 +53,13 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   const auto blocks = static_cast<std::size_t>(volume_fft.blocks());
   auto work = std::make_unique<Work::Buffers>();
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
-    work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch()});
+    work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
+                             AlignedVector<ComplexLanes>(surface_fft.rows_size())});
   work->rows.resize(volume_fft.rows_size());
   work->strain.resize(volume_fft.block_size());
   work->stress.resize(volume_fft.block_size() * blocks);
+  work->displacement_parts.resize(static_cast<std::size_t>(part_at(parts_for(grid.nz), 0)));
   work->displacement_rows.front().resize(surface_fft.rows_size());
-  work->surface_rows.resize(surface_fft.rows_size());
   work->surface.front().resize(surface_fft.block_size() * blocks);
   work->images = image_correction.make_response();
   return work;
@@ -79,7 +84,7 @@ int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain
 }
 
 void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements,
-                                       Work::Buffers& work, Complex* trace) const
+                                       Work::Buffers& work, ComplexLanes* trace) const
 {
   const int strained = strained_layers(plastic_strain);
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
@@ -94,66 +99,105 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   image_correction.respond(plastic_strain, strained, work.images);
   const int planes = Deviator::size * strained;
   const auto threads = static_cast<int>(work.threads.size());
+  const int rows = volume_fft.py() / 2 + 1;
+  const int parts = parts_for(strained);
 
 #pragma omp parallel num_threads(threads)
   {
     Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
-    for (int plane = 0; plane < planes; ++plane)
-      volume_fft.rows_forward(plastic_strain.data() + field_at(plane % Deviator::size, plane / Deviator::size), plane,
-                              work.rows.data(), scratch.fft);
+    transform_strain(plastic_strain, planes, work, scratch.fft);
     for (int block = 0; block < volume_fft.blocks(); ++block)
     {
 #pragma omp for schedule(static)
-      for (int group = 0; group < BlockedFft::groups(planes); ++group)
-      {
-        volume_fft.columns_forward(work.rows.data(), block, group, planes, scratch.fft);
-        volume_fft.scatter(scratch.fft, group, planes, work.strain.data());
-      }
-      const auto pass_row = [&](int row)
-      {
-        const Complex* strain = work.strain.data() + row_at(volume_fft, 0, row);
-        for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-          kernels[t]->displacement(block, row, strain, work.surface[t].data() + row_at(surface_fft, block, row),
-                                   strained);
-        eigenstrain_stress.apply(block, row, strain, strained, work.stress.data() + row_at(volume_fft, block, row),
-                                 layers, scratch.layers,
-                                 trace == nullptr ? nullptr : trace + row_at(trace_fft, block, row));
-      };
+      for (int part = 0; part < parts; ++part)
+        transform_layers(block, part, strained, kernels, work, scratch.fft);
+      const EigenstrainStress::Spectra spectra{work.strain.data(), strained,
+                                               work.stress.data() + volume_fft.plane_at(block, 0), layers,
+                                               trace == nullptr ? nullptr : trace + trace_fft.plane_at(block, 0)};
 #pragma omp for schedule(static)
-      for (int row = 0; row <= volume_fft.py() / 2; ++row)
+      for (int first = 0; first < rows; first += SpectrumRows::most)
       {
-        pass_row(row);
-        if (const int mirrored = volume_fft.mirrored(row); mirrored != row)
-          pass_row(mirrored); // while the kernels of both are in the cache
+        const SpectrumRows own{first, std::min(SpectrumRows::most, rows - first)};
+        for (const SpectrumRows& tile : {own, mirrored(own)})
+        {
+          eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
+          sum_displacement(block, tile, parts, kernels, work);
+        }
       }
     }
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft.blocks(); ++block)
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-      {
-        surface_fft.gather(work.surface[t].data() + row_at(surface_fft, block, 0), 0, 1, scratch.fft);
-        surface_fft.columns_inverse(scratch.fft, block, 0, 1, work.displacement_rows[t].data());
-      }
+        surface_fft.columns_inverse(work.surface[t].data() + surface_fft.plane_at(block, 0), block, 0,
+                                    work.displacement_rows[t].data(), scratch.fft);
   }
+}
+
+/// Along x. To be called by all threads.
+void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int planes, Work::Buffers& work,
+                                            BlockedFft::Scratch& scratch) const
+{
+#pragma omp for schedule(static)
+  for (int plane = 0; plane < planes; ++plane)
+    volume_fft.rows_forward(plastic_strain.data() + field_at(plane % Deviator::size, plane / Deviator::size), plane,
+                            work.rows.data(), scratch);
+}
+
+/// The rows of the opposite wavenumbers along y, but for those that are their own.
+SpectrumRows HalfSpace::Operators::mirrored(const SpectrumRows& rows) const
+{
+  const int py = volume_fft.py();
+  const int first = std::max(rows.first, 1);
+  const int last = std::min(rows.first + rows.count - 1, (py - 1) / 2);
+  return {py - last, last - first + 1};
+}
+
+/// Along y, and to the displacement of the surface while a plane is in the cache.
+void HalfSpace::Operators::transform_layers(int block, int part, int layers,
+                                            const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
+                                            BlockedFft::Scratch& scratch) const
+{
+  ComplexLanes* sums = work.displacement_parts.data() + part_at(part, 0);
+  std::fill_n(sums, part_at(1, 0), ComplexLanes{});
+  for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
+    for (int component = 0; component < Deviator::size; ++component)
+    {
+      const int plane = Deviator::size * layer + component;
+      ComplexLanes* strain = work.strain.data() + volume_fft.plane_at(0, plane);
+      volume_fft.columns_forward(work.rows.data(), block, plane, strain, scratch);
+      for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
+        kernels[t]->add_displacement(block, component, layer, strain, sums + part_at(0, t));
+    }
+}
+
+/// Sums the parts at some wavenumbers.
+void HalfSpace::Operators::sum_displacement(int block, const SpectrumRows& rows, int parts,
+                                            const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const
+{
+  for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
+    for (int row = rows.first; row < rows.first + rows.count; ++row)
+    {
+      ComplexLanes sum;
+      for (int part = 0; part < parts; ++part)
+        sum = sum + work.displacement_parts[static_cast<std::size_t>(part_at(part, t) + row)];
+      work.surface[t][static_cast<std::size_t>(surface_fft.plane_at(block, 0) + row)] = sum;
+    }
 }
 
 void HalfSpace::Operators::load_surface(const SurfaceLoad& load, Work::Buffers& work) const
 {
-  BlockedFft::Scratch& scratch = work.threads.front().fft;
+  Work::Buffers::Scratch& scratch = work.threads.front();
   for (const Traction traction : tractions)
   {
     const std::span<const double> part = part_of(load, traction);
     if (part.empty())
       continue;
-    AlignedVector<Complex>& spectrum = work.surface[index(traction)];
+    AlignedVector<ComplexLanes>& spectrum = work.surface[index(traction)];
     spectrum.resize(work.surface.front().size());
-    surface_fft.rows_forward(part.data(), 0, work.surface_rows.data(), scratch);
+    surface_fft.rows_forward(part.data(), 0, scratch.rows.data(), scratch.fft);
     for (int block = 0; block < surface_fft.blocks(); ++block)
-    {
-      surface_fft.columns_forward(work.surface_rows.data(), block, 0, 1, scratch);
-      surface_fft.scatter(scratch, 0, 1, spectrum.data() + row_at(surface_fft, block, 0));
-    }
+      surface_fft.columns_forward(scratch.rows.data(), block, 0, spectrum.data() + surface_fft.plane_at(block, 0),
+                                  scratch.fft);
   }
 }
 
@@ -163,34 +207,35 @@ void HalfSpace::Operators::add_load_and_invert(const SurfaceLoad& load, std::spa
   const auto kernels = kernels_of(parts_of(load));
   const int planes = Deviator::size * work.layers;
   const auto threads = static_cast<int>(work.threads.size());
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (int plane = 0; plane < planes; ++plane)
   {
-    Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())];
-    for (int block = 0; block < volume_fft.blocks(); ++block)
-    {
-#pragma omp for schedule(static)
-      for (int group = 0; group < BlockedFft::groups(planes); ++group)
-      {
-        volume_fft.gather(work.stress.data() + row_at(volume_fft, block, 0), group, planes, scratch.fft);
-        const int first = group * layers_of_a_group;
-        for (std::size_t t = 0; t < tractions.size(); ++t)
-          if (kernels[t] != nullptr)
-            kernels[t]->add_deviator(block, first, std::min(layers_of_a_group, work.layers - first),
-                                     work.surface[t].data() + row_at(surface_fft, block, 0),
-                                     scratch.fft.columns.data());
-        volume_fft.columns_inverse(scratch.fft, block, group, planes, work.rows.data());
-      }
-    }
-#pragma omp for schedule(static)
-    for (int plane = 0; plane < planes; ++plane)
-    {
-      const int component = plane % Deviator::size;
-      const int layer = plane / Deviator::size;
-      double* field = stress.data() + field_at(component, layer);
-      volume_fft.rows_inverse(work.rows.data(), plane, field, scratch.fft);
-      finish(component, layer, plastic_strain, work, field);
-    }
+    const int component = plane % Deviator::size;
+    const int layer = plane / Deviator::size;
+    double* field = stress.data() + field_at(component, layer);
+    invert_plane(component, layer, kernels, volume_fft, work.stress.data(), plane, work,
+                 work.threads[static_cast<std::size_t>(omp_get_thread_num())], field);
+    finish(component, layer, plastic_strain, work, field);
   }
+}
+
+void HalfSpace::Operators::invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels,
+                                        const BlockedFft& fft, const ComplexLanes* spectra, int plane,
+                                        const Work::Buffers& work, Work::Buffers::Scratch& scratch, double* field) const
+{
+  for (int block = 0; block < fft.blocks(); ++block)
+  {
+    const ComplexLanes* column = spectra + fft.plane_at(block, plane);
+    for (std::size_t t = 0; t < tractions.size(); ++t)
+      if (kernels[t] != nullptr)
+      {
+        ComplexLanes* sum = scratch.fft.column.data();
+        kernels[t]->add(block, component, layer, work.surface[t].data() + surface_fft.plane_at(block, 0), column, sum);
+        column = sum;
+      }
+    surface_fft.columns_inverse(column, block, 0, scratch.rows.data(), scratch.fft);
+  }
+  surface_fft.rows_inverse(scratch.rows.data(), 0, field, scratch.fft);
 }
 
 /// Adds the local part of the residual stress and takes off the stress of the periodic images.

@@ -33,27 +33,24 @@ inline constexpr OfTraction<Traction> tractions{Traction::pressure, Traction::sh
   return OfTraction<std::span<const double>>{load.pressure, load.shear_x, load.shear_y}[index(traction)];
 }
 
-/// In a spectrum of one block, or of all blocks one after the other: the row of one wavenumber along y.
-inline std::ptrdiff_t row_at(const BlockedFft& fft, int block, int row)
-{
-  return (static_cast<std::ptrdiff_t>(block) * fft.py() + row) * fft.pitch() * lane_count;
-}
-
 struct HalfSpace::Work::Buffers
 {
   struct Scratch
   {
     BlockedFft::Scratch fft;
     EigenstrainStress::Scratch layers;
+    AlignedVector<ComplexLanes> rows; ///< of one plane
   };
-  std::vector<Scratch> threads;  ///< one per thread
-  AlignedVector<Complex> rows;   ///< of strain, later of stress
-  AlignedVector<Complex> strain; ///< spectrum of one block
-  AlignedVector<Complex> stress; ///< spectra of all blocks, of the strain loaded
+  std::vector<Scratch> threads;       ///< one per thread
+  AlignedVector<ComplexLanes> rows;   ///< of the strain
+  AlignedVector<ComplexLanes> strain; ///< spectrum of one block
+  AlignedVector<ComplexLanes> stress; ///< spectra of all blocks, of the strain loaded
+  /// Displacements of the surface by a few layers each, in one block: the order of their sum is that of the layers, however
+  /// many threads there are.
+  AlignedVector<ComplexLanes> displacement_parts; ///< [part][traction][pitch]
   /// Of the components that have been asked for; the others are empty.
-  OfTraction<AlignedVector<Complex>> displacement_rows; ///< of the strain loaded
-  OfTraction<AlignedVector<Complex>> surface;           ///< spectra of a displacement, later of a traction
-  AlignedVector<Complex> surface_rows;                  ///< of a traction
+  OfTraction<AlignedVector<ComplexLanes>> displacement_rows; ///< of the strain loaded
+  OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
   ImageCorrection::Response images;
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
@@ -78,11 +75,16 @@ struct HalfSpace::Operators
   [[nodiscard]] OfTraction<const TractionStress*> kernels_of(const OfTraction<bool>& wanted) const;
   /// @param trace  nullptr, or spectra that receive the trace of the stress
   void load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements, Work::Buffers& work,
-                   Complex* trace) const;
+                   ComplexLanes* trace) const;
   /// Transforms what acts on the surface.
   void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
   void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
                            std::span<double> stress) const;
+  /// One component of the stress, or its trace, in one layer: that of the load on the surface comes to the spectra of the
+  /// residual stress, given for all blocks, and all goes back to the grid.
+  void invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
+                    const ComplexLanes* spectra, int plane, const Work::Buffers& work, Work::Buffers::Scratch& scratch,
+                    double* field) const;
   void finish(int component, int layer, std::span<const double> plastic_strain, const Work::Buffers& work,
               double* field) const;
   /// Place of one component in one layer of a field.
@@ -94,6 +96,19 @@ struct HalfSpace::Operators
   [[nodiscard]] int strained_layers(std::span<const double> plastic_strain) const;
 
 private:
+  void transform_strain(std::span<const double> plastic_strain, int planes, Work::Buffers& work,
+                        BlockedFft::Scratch& scratch) const;
+  [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
+  /// Place of a part in `displacement_parts`.
+  [[nodiscard]] std::ptrdiff_t part_at(int part, std::size_t traction) const
+  {
+    return (static_cast<std::ptrdiff_t>(part * tractions.size()) + static_cast<std::ptrdiff_t>(traction)) *
+           surface_fft.pitch();
+  }
+  void transform_layers(int block, int part, int layers, const OfTraction<const TractionStress*>& kernels,
+                        Work::Buffers& work, BlockedFft::Scratch& scratch) const;
+  void sum_displacement(int block, const SpectrumRows& rows, int parts,
+                        const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const;
   struct Kernels
   {
     std::once_flag tabulated;

@@ -64,7 +64,7 @@ void ShearStiffness::apply(const std::array<std::span<const double>, 2>& displac
   const auto product = [&](int block, int row, const Product::Values& u)
   {
     const auto& [xx, yy, xy] = stiffness_[static_cast<std::size_t>(block) * static_cast<std::size_t>(rows_) +
-                                          static_cast<std::size_t>(std::min(row, fft_.py() - row))];
+                                          static_cast<std::size_t>(fft_.folded(row))];
     const Lanes determinant = xx * yy - xy * xy;
     const Lanes share = 1.0 / (1.0 + added * (xx + yy + added * determinant));
     const Lanes across = row > fft_.py() / 2 ? -share * xy : share * xy; // odd along both axes

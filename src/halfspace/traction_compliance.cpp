@@ -103,7 +103,7 @@ struct TractionCompliance::Operator
   [[nodiscard]] Triple displaced(int block, int row, const Triple& load) const
   {
     const Terms& term = terms[static_cast<std::size_t>(block) * static_cast<std::size_t>(rows) +
-                              static_cast<std::size_t>(std::min(row, fft.py() - row))];
+                              static_cast<std::size_t>(fft.folded(row))];
     const auto& [pressure, shear_x, shear_y] = load;
     const auto times = [&](std::size_t t, double factor, const ComplexLanes& value)
     { return (factor * term[t]) * parities[t].phased(row, fft.py(), value); };

@@ -19,8 +19,8 @@ constexpr std::array<double, 3> gauss_weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}
 
 TractionStress::TractionStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft, Traction traction)
     : grid_(grid), fft_(fft), traction_(traction), rows_(fft.py() / 2 + 1),
-      kernels_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows_) *
-               static_cast<std::size_t>(grid.nz))
+      kernels_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(grid.nz) * kernel_count *
+               static_cast<std::size_t>(rows_))
 {
   const PaddedFft padded(grid.surface, fft.px(), fft.py());
 #pragma omp parallel for schedule(dynamic)
@@ -31,18 +31,15 @@ TractionStress::TractionStress(const VolumeGrid& grid, double poisson_ratio, con
       tabulate_cells(layer, poisson_ratio, padded);
 }
 
-TractionStress::Kernels& TractionStress::kernels_at(int row, int column, int layer)
+const Lanes* TractionStress::kernel(int block, int layer, int which) const
 {
-  return kernels_[(static_cast<std::size_t>(column / lane_count) * static_cast<std::size_t>(rows_) +
-                   static_cast<std::size_t>(row)) *
-                      static_cast<std::size_t>(grid_.nz) +
-                  static_cast<std::size_t>(layer)];
+  return kernels_.data() + ((static_cast<std::ptrdiff_t>(block) * grid_.nz + layer) * kernel_count + which) * rows_;
 }
 
-const TractionStress::Kernels* TractionStress::kernels(int block, int row) const
+double& TractionStress::number(int row, int column, int layer, int which)
 {
-  const int folded = std::min(row, fft_.py() - row);
-  return kernels_.data() + static_cast<std::size_t>(block * rows_ + folded) * static_cast<std::size_t>(grid_.nz);
+  const std::ptrdiff_t at = kernel(column / lane_count, layer, which) + row - kernels_.data();
+  return reinterpret_cast<double*>(kernels_.data() + at)[column % lane_count];
 }
 
 Parity TractionStress::parity(int which) const
@@ -85,8 +82,7 @@ void TractionStress::tabulate_cells(int layer, double poisson_ratio, const Padde
     parity_spectrum(
         fft, parity(which),
         [&](int i, int j) { return kernel_values(response.at(i, j))[static_cast<std::size_t>(which)]; },
-        [&](int row, int column, double number)
-        { kernels_at(row, column, layer)[static_cast<std::size_t>(which)][column % lane_count] = number; });
+        [&](int row, int column, double value) { number(row, column, layer, which) = value; });
 }
 
 namespace
@@ -169,85 +165,61 @@ void TractionStress::tabulate_waves(int layer, double poisson_ratio, const Padde
                    : wave_stress(traction_, m / k, n / k, mean_decay(k * grid_.dz, layer), poisson_ratio));
       // At the shortest wave of an even number of cells nothing that is odd can be told.
       const bool shortest_x = 2 * i == fft.px(), shortest_y = 2 * row == fft.py();
-      Kernels& kernel = kernels_at(row, i, layer);
       for (int which = 0; which < kernel_count; ++which)
       {
         const auto [odd_x, odd_y] = parity(which);
         const bool is_told = !(odd_x && shortest_x) && !(odd_y && shortest_y);
-        kernel[static_cast<std::size_t>(which)][i % lane_count] =
-            is_told ? value[static_cast<std::size_t>(which)] : 0.0;
+        number(row, i, layer, which) = is_told ? value[static_cast<std::size_t>(which)] : 0.0;
       }
     }
 }
 
-namespace
+/// @param factor  of a stored row
+template <bool is_imaginary, typename Factor>
+void TractionStress::add_rows(const Factor& factor, const ComplexLanes* traction, const ComplexLanes* stress,
+                              ComplexLanes* total) const
 {
-
-void add_lanes(const ComplexLanes& value, Complex* to)
-{
-  store_lanes(load_lanes(to) + value, to);
-}
-
-} // namespace
-
-ComplexLanes TractionStress::phased(int which, int row, const ComplexLanes& value) const
-{
-  return parity(which).phased(row, fft_.py(), value);
-}
-
-void TractionStress::add_deviator(int block, int first, int count, const Complex* traction, Complex* stress) const
-{
-  const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(fft_.py()) * lane_count;
-  const auto add_to_row = [&](int row, const Kernels* kernel)
+  const auto add_row = [&](int row, const Lanes& number)
   {
-    const ComplexLanes q = load_lanes(traction + row * lane_count);
-    const ComplexLanes third = (1.0 / 3.0) * phased(xx, row, q);
-    const ComplexLanes q_yz = phased(yz, row, q), q_xz = phased(xz, row, q), q_xy = phased(xy, row, q);
-    Complex* s = stress + row * lane_count;
-    for (int layer = 0; layer < count; ++layer, ++kernel, s += Deviator::size * plane)
-    {
-      const Kernels& k = *kernel;
-      add_lanes((2.0 * k[xx] - k[yy]) * third, s);
-      add_lanes((2.0 * k[yy] - k[xx]) * third, s + plane);
-      add_lanes(k[yz] * q_yz, s + 2 * plane);
-      add_lanes(k[xz] * q_xz, s + 3 * plane);
-      add_lanes(k[xy] * q_xy, s + 4 * plane);
-    }
+    const ComplexLanes product = number * traction[row];
+    total[row] = stress[row] + (is_imaginary ? times_i(product) : product);
   };
   for (int row = 0; row < rows_; ++row)
-  {
-    const Kernels* kernel = kernels(block, row) + first;
-    add_to_row(row, kernel);
-    if (const int mirrored = fft_.mirrored(row); mirrored != row)
-      add_to_row(mirrored, kernel);
-  }
+    add_row(row, factor(row, 1.0));
+  for (int row = rows_; row < fft_.py(); ++row)
+    add_row(row, factor(fft_.folded(row), -1.0));
 }
 
-void TractionStress::add_trace(int block, int row, const Complex* traction, Complex* trace_of_stress) const
+void TractionStress::add(int block, int component, int layer, const ComplexLanes* traction, const ComplexLanes* stress,
+                         ComplexLanes* total) const
 {
-  const Kernels* kernel = kernels(block, row);
-  const ComplexLanes q = phased(trace, row, load_lanes(traction));
-  for (int layer = 0; layer < grid_.nz; ++layer, ++kernel, trace_of_stress += lane_count)
-    add_lanes((*kernel)[trace] * q, trace_of_stress);
+  const auto [odd_x, odd_y] = parity(component);
+  if (component == xx || component == yy) // stored are differences from zz
+  {
+    const Lanes* own = kernel(block, layer, component);
+    const Lanes* other = kernel(block, layer, component == xx ? yy : xx);
+    const auto deviator = [=, is_odd = odd_y](int row, double sign)
+    { return ((is_odd ? sign : 1.0) / 3.0) * (2.0 * own[row] - other[row]); };
+    return odd_x != odd_y ? add_rows<true>(deviator, traction, stress, total)
+                          : add_rows<false>(deviator, traction, stress, total);
+  }
+  const Lanes* own = kernel(block, layer, component);
+  const auto plain = [=, is_odd = odd_y](int row, double sign) { return (is_odd ? sign : 1.0) * own[row]; };
+  return odd_x != odd_y ? add_rows<true>(plain, traction, stress, total)
+                        : add_rows<false>(plain, traction, stress, total);
 }
 
-void TractionStress::displacement(int block, int row, const Complex* strain, Complex* displacement, int layers) const
+void TractionStress::add_displacement(int block, int component, int layer, const ComplexLanes* strain,
+                                      ComplexLanes* displacement) const
 {
-  const Kernels* kernel = kernels(block, row);
-  ComplexLanes of_diagonal, of_yz, of_xz, of_xy; // sums of K eps
-  for (int layer = 0; layer < layers; ++layer, ++kernel, strain += Deviator::size * lane_count)
-  {
-    const Kernels& k = *kernel;
-    of_diagonal = of_diagonal + k[xx] * load_lanes(strain) + k[yy] * load_lanes(strain + lane_count);
-    of_yz = of_yz + k[yz] * load_lanes(strain + 2 * lane_count);
-    of_xz = of_xz + k[xz] * load_lanes(strain + 3 * lane_count);
-    of_xy = of_xy + k[xy] * load_lanes(strain + 4 * lane_count);
-  }
-  // Of the transpose, with conj(i K) = -i K.
-  const auto conjugated = [&](int which, const ComplexLanes& sum)
-  { return parity(which).is_imaginary() ? -1.0 * phased(which, row, sum) : phased(which, row, sum); };
-  const ComplexLanes shear = conjugated(yz, of_yz) + conjugated(xz, of_xz) + conjugated(xy, of_xy);
-  store_lanes(grid_.dz * (conjugated(xx, of_diagonal) + 2.0 * shear), displacement);
+  const Parity parity_of = parity(component);
+  const bool is_shear = component != xx && component != yy;
+  // Of the transpose, with conj(i K) = -i K; a shear is in two places of the tensor.
+  const double weight = (parity_of.is_imaginary() ? -1.0 : 1.0) * (is_shear ? 2.0 : 1.0) * grid_.dz;
+  const Lanes* own = kernel(block, layer, component);
+  const auto factor = [=](int row, double sign) { return (parity_of.odd_y ? sign * weight : weight) * own[row]; };
+  return parity_of.is_imaginary() ? add_rows<true>(factor, strain, displacement, displacement)
+                                  : add_rows<false>(factor, strain, displacement, displacement);
 }
 
 } // namespace brinell::halfspace

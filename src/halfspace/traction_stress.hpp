@@ -21,23 +21,24 @@ namespace brinell::halfspace
 ///   u(x) = integral of s^(unit load at x) : eps_p dV,    docs/theory/half-space.md (residual-displacement),
 /// with the same coefficients, so the discrete system stays symmetric.
 ///
-/// Works on blocks of BlockedFft's spectra, on single rows of them where nothing else is said: there a stress or strain is
-/// [5 * nz planes][lane], the components (order of Deviator) of one layer together.
+/// Works on the spectra of single blocks of BlockedFft.
 class TractionStress
 {
 public:
   /// @param fft  transform of single planes on the surface of `grid`; must outlive this object.
   TractionStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft, Traction traction);
 
-  /// Adds the deviatoric stress of the traction [Pa] to all rows of one block in the layers [first, first + count).
-  /// @param traction  [row][lane]
-  /// @param stress    [5 * count planes][row][lane]
-  void add_deviator(int block, int first, int count, const Complex* traction, Complex* stress) const;
-  /// Adds the trace of the stress of the traction [Pa] to nz planes.
-  void add_trace(int block, int row, const Complex* traction, Complex* trace_of_stress) const;
-  /// Surface displacement [m] (one plane) of traceless plastic strain in the layers [0, layers): that which the traction
-  /// works on.
-  void displacement(int block, int row, const Complex* strain, Complex* displacement, int layers) const;
+  static constexpr int trace = Deviator::size; ///< component of the stress after those of its deviator
+  /// Adds one component of the stress of the traction in one layer.
+  /// @param traction       [row]
+  /// @param stress, total  [row] [Pa]; may be the same
+  void add(int block, int component, int layer, const ComplexLanes* traction, const ComplexLanes* stress,
+           ComplexLanes* total) const;
+  /// Adds the displacement of the surface [m] of one component of plastic strain in one layer: that which the traction
+  /// works on. The sum over all components is that of a traceless strain.
+  /// @param strain, displacement  [row]
+  void add_displacement(int block, int component, int layer, const ComplexLanes* strain,
+                        ComplexLanes* displacement) const;
 
 private:
   /// Kernels of a layer: those of a deviator, of which xx and yy hold their difference from zz, and the trace.
@@ -48,24 +49,24 @@ private:
     yz = Deviator::yz,
     xz = Deviator::xz,
     xy = Deviator::xy,
-    trace,
-    kernel_count
+    kernel_count = trace + 1
   };
-  /// For `lane_count` wavenumbers. Every kernel is even or odd in x and in y: the imaginary parts of those that are odd in
-  /// one of them alone, real parts otherwise.
-  using Kernels = std::array<Lanes, kernel_count>;
   [[nodiscard]] Parity parity(int which) const;
-  [[nodiscard]] ComplexLanes phased(int which, int row, const ComplexLanes& value) const;
-  [[nodiscard]] const Kernels* kernels(int block, int row) const;
-  [[nodiscard]] Kernels& kernels_at(int row, int column, int layer);
+  [[nodiscard]] const Lanes* kernel(int block, int layer, int which) const;
+  [[nodiscard]] double& number(int row, int column, int layer, int which);
+  template <bool is_imaginary, typename Factor>
+  void add_rows(const Factor& factor, const ComplexLanes* traction, const ComplexLanes* stress,
+                ComplexLanes* total) const;
   void tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft);
   void tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft);
 
   VolumeGrid grid_;
   const BlockedFft& fft_;
   Traction traction_;
-  int rows_;                       ///< stored rows, ky >= 0
-  AlignedVector<Kernels> kernels_; ///< [block][row][layer]
+  int rows_; ///< stored rows, ky >= 0
+  /// [block][layer][kernel][row]. Every kernel is even or odd in x and in y: the imaginary parts of those that are odd in one
+  /// of them alone, real parts otherwise.
+  AlignedVector<Lanes> kernels_;
 };
 
 } // namespace brinell::halfspace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspace/wave_product.hpp"
 
+#include "foundation/lane_functions.hpp"
 #include "foundation/sharing.hpp"
 
-#include <algorithm>
 #include <omp.h>
 
 namespace brinell::halfspace
@@ -11,7 +11,7 @@ namespace brinell::halfspace
 
 WaveProduct::WaveProduct(const SurfaceGrid& grid, const PaddedLengths& lengths, std::span<const double> factors)
     : fft_(grid, lengths.x, lengths.y, 1), rows_(fft_.py() / 2 + 1),
-      factors_(static_cast<std::size_t>(fft_.blocks()) * static_cast<std::size_t>(rows_) * lane_count, 0.0)
+      factors_(static_cast<std::size_t>(fft_.blocks()) * static_cast<std::size_t>(rows_))
 {
   const double* factor = factors.data();
   for (int row = 0; row < rows_; ++row)
@@ -19,7 +19,7 @@ WaveProduct::WaveProduct(const SurfaceGrid& grid, const PaddedLengths& lengths, 
     {
       const auto line =
           static_cast<std::size_t>(i / lane_count) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row);
-      factors_[line * lane_count + static_cast<std::size_t>(i % lane_count)] = *factor;
+      factors_[line][i % lane_count] = *factor;
     }
 }
 
@@ -34,18 +34,16 @@ WaveProduct::Scratch WaveProduct::make_scratch() const
 }
 
 /// From the rows of one block and back to them.
-void WaveProduct::apply_to_block(int block, AlignedVector<Complex>& values, BlockedFft::Scratch& own) const
+void WaveProduct::apply_to_block(int block, AlignedVector<ComplexLanes>& values, BlockedFft::Scratch& own) const
 {
-  fft_.columns_forward(values.data(), block, 0, 1, own);
-  const double* factors = factors_.data() + static_cast<std::ptrdiff_t>(block) * rows_ * lane_count;
-  Complex* line = own.columns.data();
-  for (int row = 0; row < fft_.py(); ++row, line += lane_count)
+  fft_.columns_forward(values.data(), block, 0, own.column.data(), own);
+  const Lanes* factors = factors_.data() + static_cast<std::ptrdiff_t>(block) * rows_;
+  for (int row = 0; row < fft_.py(); ++row)
   {
-    const double* factor = factors + std::min(row, fft_.py() - row) * lane_count;
-    for (int lane = 0; lane < lane_count; ++lane)
-      line[lane] *= factor[lane];
+    ComplexLanes& value = own.column[static_cast<std::size_t>(row)];
+    value = factors[fft_.folded(row)] * value;
   }
-  fft_.columns_inverse(own, block, 0, 1, values.data());
+  fft_.columns_inverse(own.column.data(), block, 0, values.data(), own);
 }
 
 void WaveProduct::apply(std::span<const double> in, std::span<double> out, Scratch& scratch) const

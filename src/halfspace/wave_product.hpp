@@ -22,7 +22,7 @@ public:
 
   struct Scratch
   {
-    AlignedVector<Complex> rows;
+    AlignedVector<ComplexLanes> rows;
     std::vector<BlockedFft::Scratch> threads; ///< one where the grid is too small to share
   };
   [[nodiscard]] Scratch make_scratch() const;
@@ -34,11 +34,11 @@ public:
   void apply(std::span<const double> in, std::span<double> out, Scratch& scratch) const;
 
 private:
-  void apply_to_block(int block, AlignedVector<Complex>& values, BlockedFft::Scratch& own) const;
+  void apply_to_block(int block, AlignedVector<ComplexLanes>& values, BlockedFft::Scratch& own) const;
 
   BlockedFft fft_;
-  int rows_;                      ///< stored rows of the factors, ky >= 0
-  AlignedVector<double> factors_; ///< [block][row][lane]
+  int rows_;                     ///< stored rows of the factors, ky >= 0
+  AlignedVector<Lanes> factors_; ///< [block][row]
 };
 
 } // namespace brinell::halfspace

@@ -17,7 +17,7 @@ namespace brinell
 namespace
 {
 
-constexpr int planes = 13; ///< a group of them, and a part of the next
+constexpr int planes = 13;
 constexpr double rounding = 1e-14;
 
 class BlockedFftTest : public testing::TestWithParam<SurfaceGrid>
@@ -27,16 +27,15 @@ protected:
   PaddedFft plain{grid};
   BlockedFft blocked{grid, plain.px(), plain.py(), planes};
   BlockedFft::Scratch scratch = blocked.make_scratch();
-  AlignedVector<Complex> rows = AlignedVector<Complex>(blocked.rows_size());
+  AlignedVector<ComplexLanes> rows = AlignedVector<ComplexLanes>(blocked.rows_size());
   std::vector<std::vector<double>> fields;
 
-  void transform_columns(int block, Complex* spectrum)
+  [[nodiscard]] AlignedVector<ComplexLanes> spectrum_of(int block)
   {
-    for (int group = 0; group < BlockedFft::groups(planes); ++group)
-    {
-      blocked.columns_forward(rows.data(), block, group, planes, scratch);
-      blocked.scatter(scratch, group, planes, spectrum);
-    }
+    AlignedVector<ComplexLanes> spectrum(blocked.block_size());
+    for (int plane = 0; plane < planes; ++plane)
+      blocked.columns_forward(rows.data(), block, plane, spectrum.data() + blocked.plane_at(0, plane), scratch);
+    return spectrum;
   }
 
   void SetUp() override
@@ -62,8 +61,7 @@ TEST_P(BlockedFftTest, SpectrumIsThatOfEveryPlaneByItself)
   AlignedVector<double> real(plain.scratch_size());
   for (int block = 0; block < blocked.blocks(); ++block)
   {
-    AlignedVector<Complex> spectrum(blocked.block_size());
-    transform_columns(block, spectrum.data());
+    const AlignedVector<ComplexLanes> spectrum = spectrum_of(block);
     for (int plane = 0; plane < planes; ++plane)
     {
       plain.forward(fields[static_cast<std::size_t>(plane)].data(), expected.data(), real);
@@ -71,7 +69,8 @@ TEST_P(BlockedFftTest, SpectrumIsThatOfEveryPlaneByItself)
         for (int lane = 0; lane < lane_count; ++lane)
         {
           const int i = block * lane_count + lane;
-          const Complex value = spectrum[static_cast<std::size_t>((row * blocked.pitch() + plane) * lane_count + lane)];
+          const ComplexLanes& lanes = spectrum[static_cast<std::size_t>(blocked.plane_at(0, plane) + row)];
+          const Complex value(lanes.re[lane], lanes.im[lane]);
           const Complex exact = i < plain.kx() ? expected[static_cast<std::size_t>(row * plain.kx() + i)] : 0.0;
           EXPECT_NEAR(std::abs(value - exact), 0.0, rounding * static_cast<double>(grid.size()));
         }
@@ -83,13 +82,9 @@ TEST_P(BlockedFftTest, ThereAndBackIsTheField)
 {
   for (int block = 0; block < blocked.blocks(); ++block)
   {
-    AlignedVector<Complex> spectrum(blocked.block_size());
-    transform_columns(block, spectrum.data());
-    for (int group = 0; group < BlockedFft::groups(planes); ++group)
-    {
-      blocked.gather(spectrum.data(), group, planes, scratch);
-      blocked.columns_inverse(scratch, block, group, planes, rows.data());
-    }
+    const AlignedVector<ComplexLanes> spectrum = spectrum_of(block);
+    for (int plane = 0; plane < planes; ++plane)
+      blocked.columns_inverse(spectrum.data() + blocked.plane_at(0, plane), block, plane, rows.data(), scratch);
   }
   for (int plane = 0; plane < planes; ++plane)
   {
@@ -105,20 +100,17 @@ TEST(BlockedFftSizeTest, RowsThatGoPastTheCachesComeBackAsWell)
   const SurfaceGrid grid{96, 70, 1.0, 1.0};
   const int many = 320;
   const BlockedFft fft(grid, 192, 140, many);
-  ASSERT_GT(fft.rows_size() * sizeof(Complex), cached_bytes);
+  ASSERT_GT(fft.rows_size() * sizeof(ComplexLanes), cached_bytes);
   BlockedFft::Scratch scratch = fft.make_scratch();
-  AlignedVector<Complex> rows(fft.rows_size());
-  AlignedVector<Complex> spectrum(fft.block_size());
+  AlignedVector<ComplexLanes> rows(fft.rows_size());
   const std::vector<double> fields = test::random_field(grid.size() * many, 1);
   for (int plane = 0; plane < many; ++plane)
     fft.rows_forward(fields.data() + plane * static_cast<std::ptrdiff_t>(grid.size()), plane, rows.data(), scratch);
   for (int block = 0; block < fft.blocks(); ++block)
-    for (int group = 0; group < BlockedFft::groups(many); ++group)
+    for (int plane = 0; plane < many; ++plane)
     {
-      fft.columns_forward(rows.data(), block, group, many, scratch);
-      fft.scatter(scratch, group, many, spectrum.data());
-      fft.gather(spectrum.data(), group, many, scratch);
-      fft.columns_inverse(scratch, block, group, many, rows.data());
+      fft.columns_forward(rows.data(), block, plane, scratch.column.data(), scratch);
+      fft.columns_inverse(scratch.column.data(), block, plane, rows.data(), scratch);
     }
   double largest = 0.0;
   std::vector<double> back(grid.size());
