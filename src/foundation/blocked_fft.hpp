@@ -5,8 +5,7 @@
 #include "foundation/aligned.hpp"
 #include "foundation/lane_fft.hpp"
 #include "foundation/lanes.hpp"
-
-#include <memory>
+#include "foundation/row_fft.hpp"
 
 namespace brinell
 {
@@ -33,16 +32,13 @@ class BlockedFft
 public:
   /// @param px, py  padded lengths (PaddedFft chooses them).
   BlockedFft(const SurfaceGrid& grid, int px, int py, int planes);
-  ~BlockedFft();
-  BlockedFft(const BlockedFft&) = delete;
-  BlockedFft& operator=(const BlockedFft&) = delete;
 
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
-  [[nodiscard]] int px() const { return px_; }
+  [[nodiscard]] int px() const { return rows_.length(); }
   [[nodiscard]] int py() const { return columns_.length(); }
-  [[nodiscard]] int kx() const { return px_ / 2 + 1; } ///< wavenumbers along x
+  [[nodiscard]] int kx() const { return rows_.wavenumbers(); } ///< along x
   [[nodiscard]] int planes() const { return planes_; }
-  [[nodiscard]] int blocks() const { return (kx() + lane_count - 1) / lane_count; }
+  [[nodiscard]] int blocks() const { return rows_.blocks(); }
   /// The row of the wavenumber along y with the same size, >= 0.
   [[nodiscard]] int folded(int row) const { return row > py() / 2 ? py() - row : row; }
   /// Values from one plane to the next in a spectrum.
@@ -53,13 +49,12 @@ public:
   /// Place of a plane in spectra of all blocks, one after the other.
   [[nodiscard]] std::ptrdiff_t plane_at(int block, int plane) const;
 
-  /// The rows of a plane are transformed in batches that stay in the cache, so many of them:
-  [[nodiscard]] int batches() const { return (grid_.ny + batch_rows_ - 1) / batch_rows_; }
+  /// The rows of a plane are transformed in batches, so many of them:
+  [[nodiscard]] int batches() const { return (grid_.ny + RowFft::most_rows - 1) / RowFft::most_rows; }
 
   struct Scratch
   {
-    AlignedVector<double> real;         ///< [px]
-    AlignedVector<Complex> half;        ///< [row of a batch][blocks][lane]
+    RowFft::Work rows;
     AlignedVector<ComplexLanes> column; ///< [py]: for the caller, between its two transforms
     AlignedVector<ComplexLanes> work;   ///< of LaneFft
   };
@@ -79,16 +74,13 @@ public:
   void rows_inverse(const ComplexLanes* rows, int plane, int batch, double* field, Scratch& scratch) const;
 
 private:
-  struct Plans;
-  [[nodiscard]] int width() const { return blocks() * lane_count; } ///< wavenumbers along x with the unused lanes
   [[nodiscard]] std::ptrdiff_t rows_at(int block, int plane) const;
-  [[nodiscard]] int rows_in(int batch) const;
+  [[nodiscard]] RowFft::Spectra rows_layout() const;
 
   SurfaceGrid grid_;
-  int px_ = 0, planes_ = 0;
-  int batch_rows_ = 1; ///< the last batch may have fewer
+  int planes_ = 0;
+  RowFft rows_;
   LaneFft columns_;
-  std::unique_ptr<Plans> plans_;
 };
 
 } // namespace brinell

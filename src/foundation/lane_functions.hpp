@@ -78,6 +78,16 @@ inline void end_streaming()
 #endif
 }
 
+/// Stores the first `count` values.
+inline void store_lanes(const Lanes& value, std::size_t count, double* to)
+{
+  if (count == lane_count)
+    std::memcpy(to, &value, sizeof value);
+  else
+    for (std::size_t lane = 0; lane < count; ++lane)
+      to[lane] = value[lane];
+}
+
 /// The values one after the other.
 inline void store_lanes(const ComplexLanes& value, Complex* to)
 {

@@ -48,11 +48,17 @@ protected:
   }
 };
 
-// One lane, a full block, one more than a block, several blocks, several batches of rows.
+constexpr Boundary periodic = Boundary::periodic;
+
+// One lane, a full block, one more than a block, several blocks; rows one by one, as real parts alone, as imaginary parts too, in
+// several batches; transforms of odd length, and of a prime one.
 INSTANTIATE_TEST_SUITE_P(Grids, BlockedFftTest,
                          testing::Values(SurfaceGrid{1, 1, 1.0, 1.0}, SurfaceGrid{7, 5, 1.0, 1.0},
-                                         SurfaceGrid{8, 3, 1.0, 2.0}, SurfaceGrid{23, 14, 0.1, 0.3},
-                                         SurfaceGrid{250, 19, 1.0, 1.0}),
+                                         SurfaceGrid{8, 3, 1.0, 2.0}, SurfaceGrid{12, 7, 1.0, 1.0},
+                                         SurfaceGrid{23, 14, 0.1, 0.3}, SurfaceGrid{31, 41, 1.0, 1.0},
+                                         SurfaceGrid{250, 19, 1.0, 1.0},
+                                         SurfaceGrid{21, 15, 1.0, 1.0, periodic, periodic},
+                                         SurfaceGrid{37, 29, 1.0, 1.0, periodic, periodic}),
                          [](const auto& p) { return std::to_string(p.param.nx) + "x" + std::to_string(p.param.ny); });
 
 TEST_P(BlockedFftTest, SpectrumIsThatOfEveryPlaneByItself)
