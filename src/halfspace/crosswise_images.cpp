@@ -53,7 +53,6 @@ CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic,
   const int cells_along = along_x_ ? s.nx : s.ny;
   const double spacing = along_x_ ? s.dx : s.dy;
   waves_ = std::min(waves_, cells_along); // at most all waves that the padded cells tell
-  across_ = images::coordinate_powers(along_x_ ? s.ny : s.nx, degree);
   along_.resize(cells_along, 2 * waves_);
   for (int wave = 0; wave < waves_; ++wave)
     for (int i = 0; i < cells_along; ++i)
@@ -171,21 +170,15 @@ std::size_t CrosswiseImages::sorted_size() const
   return coupling_.front().columns().size() + coupling_.front().rows().size();
 }
 
-void CrosswiseImages::respond(std::span<const double> strain, int layers, Response& response) const
+void CrosswiseImages::take(const Columns& strain, int component, int layer, Response& response) const
 {
-  const SurfaceGrid& s = grid_.surface;
-#pragma omp parallel for collapse(2) schedule(static)
-  for (int e = 0; e < strains; ++e)
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      const ConstPlane field(strain.data() + static_cast<std::size_t>(e * grid_.nz + layer) * s.size(), s.nx, s.ny);
-      Plane moments(response.of_layers.data() + static_cast<std::ptrdiff_t>((e * grid_.nz + layer) * block()),
-                    2 * waves_, powers);
-      if (along_x_)
-        moments.noalias() = along_.transpose() * (field * across_);
-      else
-        moments.noalias() = along_.transpose() * (field.transpose() * across_);
-    }
+  Plane(response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * block()), 2 * waves_,
+        powers)
+      .noalias() = along_.transpose() * strain;
+}
+
+void CrosswiseImages::respond(int layers, Response& response) const
+{
   for (int e = 0; e < strains; ++e)
   {
     const ConstPlane of_layers(response.of_layers.data() + static_cast<std::ptrdiff_t>(e * grid_.nz * block()), block(),
@@ -223,18 +216,12 @@ void CrosswiseImages::multiply(int wave, Response& response) const
   }
 }
 
-void CrosswiseImages::subtract(const Response& response, int component, int layer, double* stress) const
+CrosswiseImages::Columns CrosswiseImages::stress(const Response& response, int component, int layer) const
 {
-  const SurfaceGrid& s = grid_.surface;
   const ConstPlane of_depths(response.stress.data() + static_cast<std::ptrdiff_t>(component * depth_.count * block()),
                              block(), depth_.count);
   const Eigen::VectorXd in_layer = of_depths * depth_.means.row(layer).transpose();
-  const Eigen::MatrixXd of_columns = along_ * ConstPlane(in_layer.data(), 2 * waves_, powers);
-  Plane field(stress, s.nx, s.ny);
-  if (along_x_)
-    field.noalias() -= of_columns * across_.transpose();
-  else
-    field.noalias() -= across_ * of_columns.transpose();
+  return along_ * ConstPlane(in_layer.data(), 2 * waves_, powers);
 }
 
 } // namespace brinell::halfspace

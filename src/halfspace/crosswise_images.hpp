@@ -36,14 +36,19 @@ public:
     std::vector<double> sorted;    ///< moments, then stress, of each wave in the order of its coupling
   };
   [[nodiscard]] Response make_response() const;
-  /// Response to `strain` as in ImageCorrection.
-  void respond(std::span<const double> strain, int layers, Response& response) const;
-  void subtract(const Response& response, int component, int layer, double* stress) const;
-
-private:
+  /// Sums over y (or x) of a field in one layer, times powers of the coordinate across the grid: [cell along][power].
+  using Columns = Eigen::MatrixXd;
   static constexpr int degree = 6; ///< largest power of the distance across the grid
   static constexpr int powers = degree + 1;
+  [[nodiscard]] bool is_along_x() const { return along_x_; }
 
+  /// As in ImageCorrection.
+  void take(const Columns& strain, int component, int layer, Response& response) const;
+  void respond(int layers, Response& response) const;
+  /// The stress of the images as a polynomial across the grid.
+  [[nodiscard]] Columns stress(const Response& response, int component, int layer) const;
+
+private:
   [[nodiscard]] int block() const { return 2 * waves_ * powers; } ///< values for one component and one depth
   [[nodiscard]] MomentCoupling empty_coupling() const;
   void fit(int wave, const Elastic& elastic, double period_along, double period_across);
@@ -61,7 +66,6 @@ private:
   int waves_; ///< wavenumbers 2 pi i / period, i < waves, of cos and sin
   images::DepthBasis depth_;
   Eigen::MatrixXd along_;                ///< [cell][2 i: cos, 2 i + 1: sin]
-  Eigen::MatrixXd across_;               ///< [cell][power]
   std::vector<MomentCoupling> coupling_; ///< of each wave
 };
 

@@ -96,7 +96,6 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     work.displacement_rows[t].resize(work.displacement_rows.front().size());
   }
   ++work.number;
-  image_correction.respond(plastic_strain, strained, work.images);
   const int planes = Deviator::size * strained;
   const auto threads = static_cast<int>(work.threads.size());
   const int rows = volume_fft.py() / 2 + 1;
@@ -131,16 +130,22 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
         surface_fft.columns_inverse(work.surface[t].data() + surface_fft.plane_at(block, 0), block, 0,
                                     work.displacement_rows[t].data(), scratch.fft);
   }
+  image_correction.respond(strained, work.images);
 }
 
-/// Along x. To be called by all threads.
+/// Along x, and what else is to be taken from each plane. To be called by all threads.
 void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int planes, Work::Buffers& work,
                                             BlockedFft::Scratch& scratch) const
 {
 #pragma omp for schedule(static)
   for (int plane = 0; plane < planes; ++plane)
-    volume_fft.rows_forward(plastic_strain.data() + field_at(plane % Deviator::size, plane / Deviator::size), plane,
-                            work.rows.data(), scratch);
+  {
+    const int component = plane % Deviator::size;
+    const int layer = plane / Deviator::size;
+    const double* strain = plastic_strain.data() + field_at(component, layer);
+    image_correction.take(strain, component, layer, work.images);
+    volume_fft.rows_forward(strain, plane, work.rows.data(), scratch);
+  }
 }
 
 /// The rows of the opposite wavenumbers along y, but for those that are their own.

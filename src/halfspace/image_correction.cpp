@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 namespace brinell::halfspace
@@ -114,14 +113,7 @@ std::vector<images::WaveRow> waves_of_images(Period x, Period y, double largest_
 
 void subtract_lanes(const Lanes& value, std::size_t used, double* from)
 {
-  if (used == lane_count)
-  {
-    const Lanes rest = load_lanes(from) - value;
-    std::memcpy(from, &rest, sizeof rest);
-    return;
-  }
-  for (std::size_t lane = 0; lane < used; ++lane)
-    from[lane] -= value[lane];
+  store_lanes(load_lanes(from, used) - value, used, from);
 }
 
 /// Periods of the lattice that is left when CrosswiseImages has taken off those beside a long grid.
@@ -222,13 +214,13 @@ ImageCorrection::Response ImageCorrection::make_response() const
           crosswise_ ? crosswise_->make_response() : CrosswiseImages::Response{}};
 }
 
-void ImageCorrection::respond(std::span<const double> strain, int layers, Response& response) const
+void ImageCorrection::respond(int layers, Response& response) const
 {
   if (!has_images_)
     return;
   if (crosswise_)
-    crosswise_->respond(strain, layers, response.crosswise);
-  find_moments(strain, layers, response);
+    crosswise_->respond(layers, response.crosswise);
+  find_moments(layers, response);
   const std::size_t columns = coupling_.columns().size();
   for (std::size_t i = 0; i < columns; ++i)
     response.sorted[i] = response.moments[static_cast<std::size_t>(coupling_.columns()[i])];
@@ -237,18 +229,10 @@ void ImageCorrection::respond(std::span<const double> strain, int layers, Respon
     response.stress[static_cast<std::size_t>(coupling_.rows()[i])] = response.sorted[columns + i];
 }
 
-void ImageCorrection::find_moments(std::span<const double> strain, int layers, Response& response) const
+void ImageCorrection::find_moments(int layers, Response& response) const
 {
-  const SurfaceGrid& s = grid_.surface;
-  const std::size_t cells = s.size();
   const auto of_layer = [&](int component, int layer)
   { return response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers); };
-
-#pragma omp parallel for collapse(2) schedule(static)
-  for (int e = 0; e < strains; ++e)
-    for (int layer = 0; layer < layers; ++layer)
-      plane_moments(strain.data() + static_cast<std::size_t>(e * grid_.nz + layer) * cells, of_layer(e, layer));
-
   std::fill(response.moments.begin(), response.moments.end(), 0.0);
   for (int e = 0; e < strains; ++e)
     for (int q = 0; q < depth_.count; ++q)
@@ -258,11 +242,13 @@ void ImageCorrection::find_moments(std::span<const double> strain, int layers, R
               depth_.means(layer, q) * of_layer(e, layer)[p];
 }
 
-/// Moments of one component in one layer. Rows at the same distance from the middle are taken together: their sum has even
-/// powers of y, their difference odd ones.
-void ImageCorrection::plane_moments(const double* field, double* moment) const
+/// Rows at the same distance from the middle are taken together: their sum has even powers of y, their difference odd ones.
+void ImageCorrection::take(const double* strain, int component, int layer, Response& response) const
 {
+  if (!has_images_)
+    return;
   const SurfaceGrid& s = grid_.surface;
+  CrosswiseImages::Columns columns(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
   std::array<Lanes, powers> sum{};
   for (int first = 0; first < s.nx; first += lane_count)
   {
@@ -271,8 +257,8 @@ void ImageCorrection::plane_moments(const double* field, double* moment) const
     for (int j = 0; 2 * j < s.ny; ++j)
     {
       const int mirrored = s.ny - 1 - j;
-      const Lanes here = load_lanes(field + s.nx * j + first, used);
-      const Lanes there = mirrored == j ? Lanes{} : load_lanes(field + s.nx * mirrored + first, used);
+      const Lanes here = load_lanes(strain + s.nx * j + first, used);
+      const Lanes there = mirrored == j ? Lanes{} : load_lanes(strain + s.nx * mirrored + first, used);
       const std::array<Lanes, 2> value{here + there, here - there};
       for (int b = 0; b <= degree; ++b)
         of_columns[static_cast<std::size_t>(b)] += y_(j, b) * value[static_cast<std::size_t>(b % 2)];
@@ -283,22 +269,38 @@ void ImageCorrection::plane_moments(const double* field, double* moment) const
       for (int b = 0; a + b <= degree; ++b)
         sum[static_cast<std::size_t>(monomial(a, b))] += x * of_columns[static_cast<std::size_t>(b)];
     }
+    for (int b = 0; crosswise_ && b < CrosswiseImages::powers; ++b)
+      store_lanes(of_columns[static_cast<std::size_t>(b)], used, columns.col(b).data() + first);
   }
+  double* moment = response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers);
   for (std::size_t p = 0; p < powers; ++p)
   {
     moment[p] = 0.0;
     for (std::size_t lane = 0; lane < lane_count; ++lane)
       moment[p] += sum[p][lane];
   }
+  if (crosswise_)
+    crosswise_->take(crosswise_->is_along_x() ? columns : along_y(strain), component, layer, response.crosswise);
+}
+
+/// Of a grid that is long in y: sums over x, times powers of x.
+CrosswiseImages::Columns ImageCorrection::along_y(const double* field) const
+{
+  const SurfaceGrid& s = grid_.surface;
+  return Eigen::Map<const Eigen::MatrixXd>(field, s.nx, s.ny).transpose() * x_.leftCols(CrosswiseImages::powers);
 }
 
 void ImageCorrection::subtract(const Response& response, int component, int layer, double* stress) const
 {
   if (!has_images_)
     return;
-  if (crosswise_)
-    crosswise_->subtract(response.crosswise, component, layer, stress);
   const SurfaceGrid& s = grid_.surface;
+  CrosswiseImages::Columns along_x = CrosswiseImages::Columns::Zero(s.nx, CrosswiseImages::powers);
+  if (crosswise_ && crosswise_->is_along_x())
+    along_x = crosswise_->stress(response.crosswise, component, layer);
+  else if (crosswise_)
+    Eigen::Map<Eigen::MatrixXd>(stress, s.nx, s.ny).noalias() -=
+        x_.leftCols(CrosswiseImages::powers) * crosswise_->stress(response.crosswise, component, layer).transpose();
   std::array<double, powers> of_depth{};
   for (int q = 0; q < depth_.count; ++q)
     for (int p = 0; p < powers; ++p)
@@ -309,6 +311,8 @@ void ImageCorrection::subtract(const Response& response, int component, int laye
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
     std::array<Lanes, degree + 1> of_columns{}; // coefficients of the powers of y
+    for (int b = 0; b < CrosswiseImages::powers; ++b)
+      of_columns[static_cast<std::size_t>(b)] = load_lanes(along_x.col(b).data() + first, used);
     for (int a = 0; a <= degree; ++a)
     {
       const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace brinell::halfspace
@@ -43,8 +42,10 @@ public:
   };
   [[nodiscard]] Response make_response() const;
 
-  /// Response to `strain` (5 * grid.size() values, component by component, traceless; zero beneath layer `layers`).
-  void respond(std::span<const double> strain, int layers, Response& response) const;
+  /// Takes the moments of one component of the strain in one layer, given on the grid: while other work has it in the cache.
+  void take(const double* strain, int component, int layer, Response& response) const;
+  /// Response to the strain, traceless, whose components in the layers [0, layers) have been taken; beneath there is none.
+  void respond(int layers, Response& response) const;
   static constexpr int trace = Deviator::size; ///< component index of the trace of the stress, after those of Deviator
   /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
   void subtract(const Response& response, int component, int layer, double* stress) const;
@@ -56,8 +57,8 @@ private:
   void fit(const Elastic& elastic, double period_x, double period_y);
   [[nodiscard]] MomentCoupling empty_coupling() const;
   void couple(int c, int e, const images::Powers& power, const Eigen::MatrixXd& value);
-  void find_moments(std::span<const double> strain, int layers, Response& response) const;
-  void plane_moments(const double* field, double* moment) const;
+  void find_moments(int layers, Response& response) const;
+  [[nodiscard]] CrosswiseImages::Columns along_y(const double* field) const;
 
   VolumeGrid grid_;
   bool has_images_;                          ///< not where the body is periodic itself along both axes
