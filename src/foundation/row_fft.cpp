@@ -15,8 +15,13 @@ namespace brinell
 namespace
 {
 
-/// Together, any number of rows takes as long as this many one by one (measured for lengths of 90 and 512).
+/// Together, any number of rows takes as long as this many one by one (measured for lengths of 90 and 512). Without vectors
+/// of eight numbers the compiler exchanges rows and lanes one number at a time, which takes longer than all else.
+#if defined(__AVX512F__)
 constexpr int worth_together = 6;
+#else
+constexpr int worth_together = RowFft::most_rows + 1;
+#endif
 
 fftw_complex* as_fftw(Complex* c)
 {
