@@ -84,6 +84,10 @@ public:
     add("slip_y", s.slip[1]);
     add("slip_path", s.slip_path);
     add("friction_heat", s.friction_heat);
+    add("temperature_lower", s.temperature[0]);
+    add("temperature_upper", s.temperature[1]);
+    add("heat_flux_lower", s.heat_flux[0]);
+    add("heat_flux_upper", s.heat_flux[1]);
     result["lower"] = body(std::move(s.lower));
     result["upper"] = body(std::move(s.upper));
     return result;

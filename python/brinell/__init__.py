@@ -65,7 +65,7 @@ from brinell.materials import (
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import *  # noqa: F403 (a class for each)
-from brinell.settings import Grid, Interface, Output, Solver
+from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
 
@@ -95,6 +95,7 @@ __all__ = [
     "Flat",
     "Grid",
     "GridError",
+    "Heating",
     "HeightMap",
     "Hollomon",
     "InputError",

@@ -17,7 +17,7 @@ from typing import Any, Literal
 from brinell._names import renamed
 from brinell.bodies import Quantity
 
-__all__ = ["Grid", "Output", "Solver"]
+__all__ = ["Grid", "Heating", "Interface", "Output", "Solver"]
 
 
 class _Table:
@@ -63,11 +63,28 @@ class Interface(_Table):
         friction: shear over pressure.
         shear_limit: largest shear that a surface can carry; the shear yield stress of the softer one if it is None.
         coupling: whether the shear moves the gap where the two materials differ.
+        heat_fraction: share of the friction power that warms bodies with thermal constants, in tugging and rolling.
     """
 
     friction: float | None = None
     shear_limit: Quantity | None = None
     coupling: bool | None = None
+    heat_fraction: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Heating(_Table):
+    """What the heat of friction does to bodies with thermal constants, in tugging and rolling.
+
+    Attributes:
+        partition: share of the lower body in it; both surfaces have one temperature where they touch if it is None.
+        displacement: whether the surfaces swell into the gap.
+        stress: whether thermal stress counts when the material yields.
+    """
+
+    partition: float | None = None
+    displacement: bool | None = None
+    stress: bool | None = None
 
 
 @renamed(max_iterations="max_evaluations")

@@ -35,6 +35,8 @@ void BodyState::exchange(Archive& archive)
     archive("residual_displacement_y", residual_displacement_y);
   archive("dissipation", dissipation);
   archive("locked_in_energy", locked_in_energy);
+  archive.list("thermal_stress", thermal_stress);
+  archive("thermal_work", thermal_work);
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
@@ -82,6 +84,7 @@ void Body::exchange(Archive& archive)
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
+  thermal_stress_ = state_.thermal_stress;
   if (archive.gives())
     take_up_guess();
 }
@@ -122,6 +125,7 @@ void Body::begin(int shift, double stiffness_share)
   in_increment_ = true;
   active_.clear();
   layers_ = grid().nz;
+  thermal_stress_ = state_.thermal_stress;
   // Seen from the contact, q changes little from step to step: it is carried along.
   collect_active(stress_, shift, shortcuts_ ? active_share : -1.0);
   keep_active_layers();
@@ -132,6 +136,7 @@ void Body::restore()
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
+  thermal_stress_ = state_.thermal_stress;
   if (!in_increment_)
     return;
   in_increment_ = false;
@@ -159,6 +164,23 @@ void Body::add_initial_stress(int layers, std::span<double> stress) const
   for (std::size_t cell = 0; cell < static_cast<std::size_t>(layers) * per_layer; ++cell)
     for (const std::size_t component : {Deviator::xx, Deviator::yy})
       stress[component * n + cell] += initial_stress_[cell / per_layer] / 3.0;
+}
+
+void Body::set_thermal_stress(std::span<const double> deviator)
+{
+  if (is_plastic())
+    thermal_stress_.assign(deviator.begin(), deviator.end());
+}
+
+void Body::add_thermal_stress(int layers, std::span<double> stress) const
+{
+  if (thermal_stress_.empty())
+    return;
+  const std::size_t n = grid().size();
+  const std::size_t cells = static_cast<std::size_t>(layers) * grid().surface.size();
+  for (std::size_t component = 0; component < Deviator::size; ++component)
+    for (std::size_t cell = component * n; cell < component * n + cells; ++cell)
+      stress[cell] += thermal_stress_[cell];
 }
 
 Deviator Body::backstress(std::size_t cell, std::size_t term) const
@@ -222,6 +244,7 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   const std::size_t n = grid().size();
   loaded_->stress(load, stress_);
   add_initial_stress(layers_, stress_);
+  add_thermal_stress(layers_, stress_);
   std::visit(
       [&](const auto& law)
       {
@@ -287,13 +310,42 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load) const
     }
     return work;
   };
-  const double volume_work = sum_of_pieces(n, work_in);
+  // The stress has the thermal one in it, which does not belong to the strain.
+  const double volume_work = sum_of_pieces(n, work_in) - work_of(thermal_stress_, state_.plastic_strain);
   double surface_work = dot(load.pressure, displacement_);
   if (!load.shear_x.empty())
     surface_work += dot(load.shear_x, displacement_x_);
   if (!load.shear_y.empty())
     surface_work += dot(load.shear_y, displacement_y_);
   return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
+}
+
+/// Of a deviatoric stress on a strain [J/cell volume].
+double Body::work_of(std::span<const double> stress_deviator, std::span<const double> strain) const
+{
+  const std::size_t n = grid().size();
+  double work = 0.0;
+  for (std::size_t cell = 0; cell < n && !stress_deviator.empty(); ++cell)
+    work += contract(deviator_at(stress_deviator, n, cell), deviator_at(strain, n, cell));
+  return work;
+}
+
+/// Of the thermal stress on the plastic strain of the present trial, by the trapezoidal rule [J].
+double Body::thermal_work_of_trial() const
+{
+  if (thermal_stress_.empty())
+    return 0.0;
+  const std::size_t n = grid().size();
+  double work = 0.0;
+  for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    const std::size_t cell = active_.cell(a);
+    Deviator mean = 0.5 * deviator_at(thermal_stress_, n, cell);
+    if (!state_.thermal_stress.empty())
+      mean = mean + 0.5 * deviator_at(state_.thermal_stress, n, cell);
+    work += contract(mean, deviator_at(state_.plastic_strain, n, cell) - active_.start(a));
+  }
+  return work * grid().cell_volume();
 }
 
 double Body::energy(const halfspace::SurfaceLoad& load) const
@@ -303,7 +355,8 @@ double Body::energy(const halfspace::SurfaceLoad& load) const
   double dissipation = 0.0;
   for (std::size_t a = 0; a < active_.size(); ++a)
     dissipation += active_.dissipation(a);
-  return dissipation * grid().cell_volume() + locked_in_energy(load);
+  const double of_heat = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
+  return dissipation * grid().cell_volume() + locked_in_energy(load) - of_heat;
 }
 
 void Body::commit(const halfspace::SurfaceLoad& load)
@@ -321,6 +374,8 @@ void Body::commit(const halfspace::SurfaceLoad& load)
           state_.backstress[(term * Deviator::size + static_cast<std::size_t>(c)) * n + active_.cell(a)] =
               active_.backstress(a)[term][c];
   }
+  state_.thermal_work += thermal_work_of_trial();
+  state_.thermal_stress = thermal_stress_;
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
   state_.residual_displacement_x = displacement_x_;

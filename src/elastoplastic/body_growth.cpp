@@ -37,6 +37,10 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   embed(history.equivalent, from, state_.equivalent, grid());
   embed(history.backstress, from, state_.backstress, grid());
   state_.dissipation = history.dissipation;
+  state_.thermal_work = history.thermal_work;
+  state_.thermal_stress.assign(history.thermal_stress.empty() ? 0 : Deviator::size * grid().size(), 0.0);
+  embed(history.thermal_stress, from, state_.thermal_stress, grid());
+  thermal_stress_ = state_.thermal_stress;
   prepare_trial();
   work_ = half_space_->make_work();
   find_displacement_x();
@@ -45,6 +49,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   loaded.displacement(displacements_found_at_once());
   loaded.stress(load, stress_);
   add_initial_stress(grid().nz, stress_);
+  add_thermal_stress(grid().nz, stress_);
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
   state_.residual_displacement_x = displacement_x_;

@@ -43,7 +43,17 @@ BodyState BodyView::state() const
           rows(solved.residual_displacement_x, -1.0),
           rows(solved.residual_displacement_y, 1.0),
           solved.dissipation,
-          solved.locked_in_energy};
+          solved.locked_in_energy,
+          deviators(&BodyState::thermal_stress),
+          solved.thermal_work};
+}
+
+void BodyView::turn(std::vector<double>& deviators, std::vector<double>& scalars) const
+{
+  if (!is_mirrored())
+    return;
+  reverse_deviators(deviators, grid().surface.nx, grid().size());
+  reverse_rows(scalars, grid().surface.nx, 1.0);
 }
 
 std::vector<double> BodyView::deviators(std::vector<double> BodyState::*fields) const

@@ -65,6 +65,10 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
   if (has_friction)
     interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
+  if (has_friction && sliding.heat && !sliding.sticks)
+    heating_ = std::make_unique<Heating>(
+        contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
+        *sliding.heat, twin);
   const auto half_space = operators(lower, lower_material.elastic);
   const halfspace::Displacements displacements = displacements_under(interface_.get());
   sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts, displacements), &Placement::lower});
@@ -112,18 +116,19 @@ void CoupledContact::set_softening(std::span<const double> lower, std::span<cons
 
 CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
 {
-  return stress(lower(), sides_.front().body, place, 1.0);
+  return stress(0, sides_.front().body, place);
 }
 
 CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
 {
-  return stress(upper(), sides_.back().body, place, -1.0);
+  return stress(1, sides_.back().body, place);
 }
 
 /// @param solved  whose buffers are used
-CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved, const Place& place,
-                                              double shear_sign) const
+CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place) const
 {
+  const BodyView view = side == 0 ? lower() : upper();
+  const double shear_sign = side == 0 ? 1.0 : -1.0;
   if (view.material().elastic.is_rigid())
     throw InputError("the body is rigid: it has no stress");
   const VolumeGrid& volume = view.grid();
@@ -135,6 +140,7 @@ CoupledContact::Stress CoupledContact::stress(const BodyView& view, Body& solved
   Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
   solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]},
                      view.deviators(&BodyState::plastic_strain), result.deviator, result.trace);
+  add_thermal_stress(side, view, result);
   return result;
 }
 
@@ -274,8 +280,9 @@ template <typename Sides>
 class Undo
 {
 public:
-  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, Interface* interface)
-      : pressure_(pressure), gap_(gap), sides_(sides), interface_(interface), old_pressure_(pressure), old_gap_(gap)
+  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, Interface* interface, Heating* heating)
+      : pressure_(pressure), gap_(gap), sides_(sides), interface_(interface), heating_(heating),
+        old_pressure_(pressure), old_gap_(gap)
   {
   }
   ~Undo()
@@ -288,6 +295,8 @@ public:
       side.body.restore();
     if (interface_ != nullptr)
       interface_->restore();
+    if (heating_ != nullptr)
+      heating_->restore();
   }
   Undo(const Undo&) = delete;
   Undo& operator=(const Undo&) = delete;
@@ -297,6 +306,7 @@ private:
   std::vector<double>&pressure_, &gap_;
   Sides& sides_;
   Interface* interface_; ///< nullptr: none
+  Heating* heating_;     ///< nullptr: none
   std::vector<double> old_pressure_, old_gap_;
   bool committed_ = false;
 };
@@ -416,9 +426,11 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   }
   if (interface_)
     begin_friction(placement, strategy, along);
-  Undo undo(pressure_, gap_, sides_, interface_.get());
+  Undo undo(pressure_, gap_, sides_, interface_.get(), heating_.get());
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
+  if (heating_)
+    begin_heating(placement, strategy);
   IncrementReport report = iterate(distance, drive, placement, strategy);
   if (!report.converged)
     return report;
@@ -437,6 +449,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     side.body.commit(side.load());
   if (interface_)
     settle_friction(placement);
+  if (heating_)
+    settle_heating(strategy);
   placement_ = placement;
   approach_ = report.approach;
   undo.commit();

@@ -158,8 +158,12 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
     std::copy(without_shear.begin(), without_shear.end(), distance_.begin());
     if (interface_->moves_gap())
       interface_->add_to_gap(distance_);
+    if (heating_)
+      heating_->add_to_gap(distance_);
     press(drive, strategy, report);
-    const Interface::Change change = follow(placement);
+    Interface::Change change = follow(placement);
+    if (heating_ && !strategy.watch_energy)
+      change.gap = larger(change.gap, follow_heat());
     report.overloaded = change.is_overloaded;
     report.contact_converged = report.contact_converged && change.is_solved;
     if (change.gap <= tolerance)
@@ -189,7 +193,9 @@ bool CoupledContact::renews_law(IncrementReport& report)
 {
   if (!interface_)
     return false;
-  const Interface::Change change = interface_->renew({.pressure = pressure_, .lower_x = {}, .upper_x = {}});
+  Interface::Change change = interface_->renew({.pressure = pressure_, .lower_x = {}, .upper_x = {}});
+  if (heating_)
+    change.gap = larger(change.gap, follow_heat());
   const contact::ConstAlongSurface shears = interface_->shears();
   double largest = 0.0;
   for (const std::span<const double>& shear : shears)

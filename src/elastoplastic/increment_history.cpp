@@ -43,12 +43,21 @@ void CoupledContact::exchange(Archive& archive)
   archive("gap", gap_);
   if (interface_)
     archive("sliding", *interface_);
+  if (heating_)
+    archive("heating", *heating_);
 }
 
 History CoupledContact::take_history() &&
 {
-  History history{grid(),     lower().grid(), upper().grid(),       {},
-                  placement_, approach_,      std::move(pressure_), std::move(interface_)};
+  History history{grid(),
+                  lower().grid(),
+                  upper().grid(),
+                  {},
+                  placement_,
+                  approach_,
+                  std::move(pressure_),
+                  std::move(interface_),
+                  std::move(heating_)};
   for (Side& side : sides_)
     history.solved.push_back(std::move(side.body).take_state());
   return history;
@@ -71,6 +80,11 @@ void CoupledContact::continue_from(History history)
   placement_.upper.column += columns_added(upper().grid().surface.nx, history.upper_grid.surface.nx) - columns;
   if (interface_)
     interface_->embed(*history.interface);
+  if (history.heating)
+  {
+    heating_ = std::move(history.heating); // its own grids stay
+    heating_->move_to(grid());
+  }
   spread(placement_);
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid, sides_[i].load());

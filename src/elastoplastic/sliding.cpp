@@ -23,10 +23,11 @@ double coupling_weight(const Elastic& elastic)
   return elastic.is_rigid() ? 0.0 : (1.0 - 2.0 * elastic.poisson_ratio) / (2.0 * elastic.shear_modulus());
 }
 
-/// Sum of the shear times the slope along x of a displacement, by central differences [Pa].
-double stretch(const SurfaceGrid& grid, std::span<const double> shear, std::span<const double> displacement)
+/// The shear times the slope along x of a displacement, by central differences [Pa].
+std::vector<double> stretch(const SurfaceGrid& grid, std::span<const double> shear,
+                            std::span<const double> displacement)
 {
-  double total = 0.0;
+  std::vector<double> result(grid.size());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {
@@ -37,9 +38,10 @@ double stretch(const SurfaceGrid& grid, std::span<const double> shear, std::span
       const int before = i > 0 ? i - 1 : (wraps ? grid.nx - 1 : i);
       const int after = i < grid.nx - 1 ? i + 1 : (wraps ? 0 : i);
       const double cells = wraps ? 2.0 : after - before;
-      total += q * (displacement[grid.index(after, j)] - displacement[grid.index(before, j)]) / (cells * grid.dx);
+      result[grid.index(i, j)] =
+          q * (displacement[grid.index(after, j)] - displacement[grid.index(before, j)]) / (cells * grid.dx);
     }
-  return total;
+  return result;
 }
 
 /// to + factor * field.
@@ -60,7 +62,8 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
   // Without coupling both bodies have the mean of their weights: no gap, and still a balance of energy.
   if (!friction.coupling)
     lower_weight_ = upper_weight_ = 0.5 * (lower_weight_ + upper_weight_);
-  for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.slip})
+  for (std::vector<double>* field :
+       {&state_.shear, &state_.depth, &state_.slip, &state_.lower_stretch, &state_.upper_stretch, &work_per_area_})
     field->assign(grid.size(), 0.0);
 }
 
@@ -157,12 +160,23 @@ void SlidingInterface::settle(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
   find_displacements(bodies);
-  double in_cells = 0.0;
+  const double along_lower = bodies.lower_columns * grid.dx, along_upper = bodies.upper_columns * grid.dx;
   for (std::size_t i = 0; i < grid.size(); ++i)
-    in_cells += 0.5 * (before_.shear[i] + state_.shear[i]) * (state_.slip[i] - before_.slip[i]);
-  const double on_lower = 0.5 * (before_.lower_stretch + state_.lower_stretch) * bodies.lower_columns * grid.dx;
-  const double on_upper = 0.5 * (before_.upper_stretch + state_.upper_stretch) * bodies.upper_columns * grid.dx;
-  state_.work = before_.work + (in_cells - on_lower + on_upper) * grid.cell_area();
+  {
+    const double in_cell = 0.5 * (before_.shear[i] + state_.shear[i]) * (state_.slip[i] - before_.slip[i]);
+    const double on_lower = 0.5 * (before_.lower_stretch[i] + state_.lower_stretch[i]) * along_lower;
+    const double on_upper = 0.5 * (before_.upper_stretch[i] + state_.upper_stretch[i]) * along_upper;
+    work_per_area_[i] = in_cell - on_lower + on_upper;
+  }
+  state_.work = before_.work + sum(work_per_area_) * grid.cell_area();
+}
+
+std::vector<double> SlidingInterface::heat_per_area(double slid) const
+{
+  std::vector<double> heat(state_.shear.size());
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    heat[i] = 0.5 * slid * std::abs(before_.shear[i] + state_.shear[i]) - work_per_area_[i];
+  return heat;
 }
 
 void SlidingInterface::add_depth(std::span<double> lower, std::span<double> upper) const

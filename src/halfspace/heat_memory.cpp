@@ -51,36 +51,39 @@ DepthFactors depth_factors(const DepthWaves& waves, double depth)
   return factors;
 }
 
-/// What the waves in depth add up to in one row, column by column; real and imaginary parts in turn.
+/// What the waves in depth add up to at one depth in one row, column by column; real and imaginary parts in turn.
+struct HeatMemory::Sums
+{
+  std::vector<double> temperature, potential, slope; ///< the potential without its factor k
+
+  explicit Sums(std::size_t parts) : temperature(parts), potential(parts), slope(parts) {}
+  /// One wave in depth.
+  /// @param heat, integrated  of the wave, and divided by k^2 + s^2
+  void add(const double* heat, const double* integrated, double of_temperature, double of_potential, double of_slope)
+  {
+#pragma omp simd
+    for (std::size_t n = 0; n < temperature.size(); ++n)
+    {
+      temperature[n] += of_temperature * heat[n];
+      potential[n] += of_potential * integrated[n];
+      slope[n] += of_slope * integrated[n];
+    }
+  }
+};
+
+/// One row of waves, and their sums at some depths.
 struct HeatMemory::Row
 {
   std::vector<SurfaceWave> waves;
-  std::vector<double> k2; ///< twice each
-  std::vector<double> temperature, potential, slope, at_surface;
+  std::vector<Sums> sums;
+  std::vector<double> at_surface; ///< potential without its factor k, the same for all depths
 
-  explicit Row(std::size_t columns)
-      : k2(2 * columns), temperature(2 * columns), potential(2 * columns), slope(2 * columns), at_surface(2 * columns)
-  {
-  }
-  /// One wave in depth: potentials without their factor k.
-  void add(const double* heat, double s2, double of_temperature, double of_potential, double of_slope,
-           double of_surface)
-  {
-#pragma omp simd
-    for (std::size_t n = 0; n < k2.size(); ++n)
-    {
-      const double integrated = heat[n] / (k2[n] + s2);
-      temperature[n] += of_temperature * heat[n];
-      potential[n] += of_potential * integrated;
-      slope[n] += of_slope * integrated;
-      at_surface[n] += of_surface * integrated;
-    }
-  }
-  [[nodiscard]] HeatAtDepth at(std::size_t i) const
+  [[nodiscard]] HeatAtDepth at(std::size_t depth, std::size_t i) const
   {
     const auto value = [i](const std::vector<double>& parts) { return Complex{parts[2 * i], parts[2 * i + 1]}; };
+    const Sums& all = sums[depth];
     const double k = waves[i].k;
-    return {value(temperature), k * value(potential), value(slope), k * value(at_surface)};
+    return {value(all.temperature), k * value(all.potential), value(all.slope), k * value(at_surface)};
   }
 };
 
@@ -138,28 +141,39 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
     temperature[n] += field[n];
 }
 
-HeatMemory::Row HeatMemory::gather(int row, double duration, const DepthFactors& factors) const
+HeatMemory::Row HeatMemory::gather(int row, double duration, std::span<const DepthFactors> depths) const
 {
   const auto columns = static_cast<std::size_t>(fft_.kx());
-  Row sums(columns);
+  Row result{{}, std::vector<Sums>(depths.size(), Sums(2 * columns)), std::vector<double>(2 * columns)};
+  std::vector<double> k2(2 * columns), integrated(2 * columns);
   for (std::size_t i = 0; i < columns; ++i)
   {
-    sums.waves.push_back(surface_wave(row, static_cast<int>(i)));
-    sums.k2[2 * i] = sums.k2[2 * i + 1] = std::pow(sums.waves[i].k, 2);
+    result.waves.push_back(surface_wave(row, static_cast<int>(i)));
+    k2[2 * i] = k2[2 * i + 1] = std::pow(result.waves[i].k, 2);
   }
   // Factors are those of all waves, of which this memory has the last ones.
-  const std::size_t skipped = factors.temperature.size() - waves_.waves.size(), slowest = waves_.waves.size() - 1;
+  const std::size_t skipped = depths.front().temperature.size() - waves_.waves.size();
+  const std::size_t slowest = waves_.waves.size() - 1;
   constexpr double nothing = 1e-20;
   for (std::size_t w = 0; w < slowest; ++w)
   {
     const double s2 = std::pow(waves_.waves[w].number, 2), left = std::exp(-diffusivity_ * s2 * duration);
+    if (left <= nothing)
+      continue;
+    const auto* heat = reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + index(row, 0));
     const std::size_t f = skipped + w;
-    if (left > nothing)
-      sums.add(reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + index(row, 0)), s2,
-               left * factors.temperature[f], left * factors.potential[f], left * factors.slope[f],
-               left * factors.at_surface[f]);
+    const double of_surface = left * depths.front().at_surface[f];
+#pragma omp simd
+    for (std::size_t n = 0; n < k2.size(); ++n)
+    {
+      integrated[n] = heat[n] / (k2[n] + s2);
+      result.at_surface[n] += of_surface * integrated[n];
+    }
+    for (std::size_t d = 0; d < depths.size(); ++d)
+      result.sums[d].add(heat, integrated.data(), left * depths[d].temperature[f], left * depths[d].potential[f],
+                         left * depths[d].slope[f]);
   }
-  return sums;
+  return result;
 }
 
 /// Waves that hardly turn in depth: cos(s z) = 1, s sin(s z) = s^2 z.
@@ -173,24 +187,29 @@ void HeatMemory::add_slowest(std::size_t at, double k, double depth, HeatAtDepth
   sum.potential_at_surface += share * heat;
 }
 
-void HeatMemory::add_fields(double duration, double factor, const DepthFactors& factors,
+void HeatMemory::add_fields(double duration, double factor, std::span<const DepthFactors> depths,
                             const FieldsOfHeat& fields_of_heat, std::vector<std::vector<double>>& fields) const
 {
+  const std::size_t count = fields.size() / depths.size();
   std::vector<AlignedVector<Complex>> spectra(fields.size(), AlignedVector<Complex>(fft_.plane()));
 #pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
   for (int row = 0; row < fft_.py(); ++row)
   {
-    const Row sums = gather(row, duration, factors);
-    std::vector<Complex> values(fields.size());
-    for (std::size_t i = 0; i < sums.waves.size(); ++i)
+    const Row gathered = gather(row, duration, depths);
+    std::vector<Complex> values(count);
+    for (std::size_t i = 0; i < gathered.waves.size(); ++i)
     {
-      const SurfaceWave& wave = sums.waves[i];
+      const SurfaceWave& wave = gathered.waves[i];
+      const std::size_t at = index(row, static_cast<int>(i));
       const double left = factor * std::exp(-diffusivity_ * wave.k * wave.k * duration);
-      HeatAtDepth heat = sums.at(i);
-      add_slowest(index(row, static_cast<int>(i)), wave.k, factors.depth, heat);
-      fields_of_heat(wave, heat, values);
-      for (std::size_t f = 0; f < values.size(); ++f)
-        spectra[f][index(row, static_cast<int>(i))] = left * values[f];
+      for (std::size_t d = 0; d < depths.size(); ++d)
+      {
+        HeatAtDepth heat = gathered.at(d, i);
+        add_slowest(at, wave.k, depths[d].depth, heat);
+        fields_of_heat(depths[d].depth, wave, heat, values);
+        for (std::size_t f = 0; f < count; ++f)
+          spectra[d * count + f][at] = left * values[f];
+      }
     }
   }
   AlignedVector<double> scratch(fft_.scratch_size());
@@ -203,7 +222,7 @@ void HeatMemory::add_fields(double duration, double factor, const DepthFactors& 
   }
 }
 
-void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion)
+void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, bool decays)
 {
   AlignedVector<Complex> spectrum(fft_.plane());
   AlignedVector<double> scratch(fft_.scratch_size());
@@ -230,8 +249,8 @@ void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion)
       for (std::size_t w = 0; w < waves_.waves.size(); ++w)
       {
         Complex& heat = heat_[w * fft_.plane() + at];
-        heat =
-            left * left_in_depth[w] * heat + mean_decay(rates[w] + in_plane_rate, left_in_depth[w] * left_moved) * in;
+        const double remains = decays ? left * left_in_depth[w] : 1.0;
+        heat = remains * heat + mean_decay(rates[w] + in_plane_rate, left_in_depth[w] * left_moved) * in;
       }
     }
 }

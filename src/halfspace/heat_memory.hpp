@@ -48,24 +48,32 @@ public:
   /// @param heated  those cells
   void add_remaining(double duration, double factor, const SurfaceGrid& heated, std::span<double> temperature) const;
 
-  /// The waves of some fields from that of the heat, one after the other.
-  using FieldsOfHeat = std::function<void(const SurfaceWave&, const HeatAtDepth&, std::span<Complex>)>;
+  /// The waves of some fields at one of several depths from that of the heat, one after the other.
+  using FieldsOfHeat = std::function<void(double depth, const SurfaceWave&, const HeatAtDepth&, std::span<Complex>)>;
   /// Adds `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
   /// For duration = 0 they are those at the end of the last step.
-  /// @param factors  of all waves; those of this memory are the last ones of them
-  void add_fields(double duration, double factor, const DepthFactors& factors, const FieldsOfHeat& fields_of_heat,
-                  std::vector<std::vector<double>>& fields) const;
+  /// @param depths  factors of all waves, of which those of this memory are the last ones; for each depth
+  /// @param fields  as many at each depth, [depth][field][cell]
+  void add_fields(double duration, double factor, std::span<const DepthFactors> depths,
+                  const FieldsOfHeat& fields_of_heat, std::vector<std::vector<double>>& fields) const;
 
   /// All decays over the motion, and its flux comes in.
-  void take_up(std::span<const double> flux, const HeatMotion& motion);
+  void take_up(std::span<const double> flux, const HeatMotion& motion) { take_up(flux, motion, true); }
+  /// More flux comes in over the last motion, which all has decayed over already.
+  void amend(std::span<const double> flux, const HeatMotion& motion) { take_up(flux, motion, false); }
+
+  [[nodiscard]] const AlignedVector<Complex>& heat() const { return heat_; }
+  [[nodiscard]] AlignedVector<Complex>& heat() { return heat_; }
 
 private:
   struct Row;
+  struct Sums;
   [[nodiscard]] std::size_t index(int row, int column) const;
   [[nodiscard]] double in_plane(int row, int column) const; ///< kappa k^2 [1/s]
   [[nodiscard]] SurfaceWave surface_wave(int row, int column) const;
-  [[nodiscard]] Row gather(int row, double duration, const DepthFactors& factors) const;
+  [[nodiscard]] Row gather(int row, double duration, std::span<const DepthFactors> depths) const;
 
+  void take_up(std::span<const double> flux, const HeatMotion& motion, bool decays);
   void add_slowest(std::size_t at, double k, double depth, HeatAtDepth& sum) const;
 
   PaddedFft fft_;

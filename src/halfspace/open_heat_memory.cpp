@@ -29,6 +29,16 @@ bool is_strip(const SurfaceGrid& grid)
   return grid.is_periodic_x() != grid.is_periodic_y();
 }
 
+/// Of the polynomial through the values at all nodes, the part of one of them.
+double lagrange(std::span<const DepthFactors> nodes, std::size_t of, double depth)
+{
+  double weight = 1.0;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (n != of)
+      weight *= (depth - nodes[n].depth) / (nodes[of].depth - nodes[n].depth);
+  return weight;
+}
+
 DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                          double deepest)
 {
@@ -50,6 +60,11 @@ OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const
 {
   if (!grid.is_periodic())
     plan_images(thermal, period(grid.nx, grid.is_periodic_x()), period(grid.ny, grid.is_periodic_y()));
+  // Images are at least as far away as the grid is wide. With layers to that depth, as many points leave 1e-4 of what they give.
+  constexpr int points = 7;
+  for (int n = 0; n < points && deepest > 0.0 && !farther_.empty(); ++n)
+    image_depths_.push_back(
+        depth_factors(waves_, 0.5 * deepest * (1.0 - std::cos(std::numbers::pi * (n + 0.5) / points))));
 }
 
 void OpenHeatMemory::plan_images(const Thermal& thermal, int px, int py)
@@ -90,7 +105,8 @@ void OpenHeatMemory::require_step(const char* function_name, double duration) co
                                  duration, time_, times_.shortest_step, times_.duration));
 }
 
-OpenHeatMemory::Fields OpenHeatMemory::sum(std::size_t count, double factor_of_farthest, const Add& add) const
+/// What takes off the images, on the cells of the grid.
+OpenHeatMemory::Fields OpenHeatMemory::sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const
 {
   // From the coarsest cells to the finest.
   Fields sums(count);
@@ -107,7 +123,6 @@ OpenHeatMemory::Fields OpenHeatMemory::sum(std::size_t count, double factor_of_f
   }
   for (std::vector<double>& field : sums)
     field.resize(grid().size());
-  add(near_, 1.0, sums);
   return sums;
 }
 
@@ -115,41 +130,129 @@ void OpenHeatMemory::remaining(const char* function_name, double duration, std::
 {
   require_size(fmt::format("{}: the temperature", function_name).c_str(), temperature, grid().size());
   require_step(function_name, duration);
-  const Fields result = sum(1, 1.0,
-                            [&](const HeatMemory& memory, double factor, Fields& sums)
-                            { memory.add_remaining(duration, factor, grid(), sums.front()); });
+  const auto add = [&](const HeatMemory& memory, double factor, Fields& sums)
+  { memory.add_remaining(duration, factor, grid(), sums.front()); };
+  Fields result = sum_of_images(1, 1.0, add);
+  add(near_, 1.0, result);
   std::copy(result.front().begin(), result.front().end(), temperature.begin());
 }
 
-void OpenHeatMemory::fields(const char* function_name, double duration, const DepthFactors& factors,
+void OpenHeatMemory::fields(const char* function_name, double duration, std::span<const DepthFactors> depths,
                             const HeatMemory::FieldsOfHeat& fields_of_heat,
                             const std::vector<std::span<double>>& out) const
 {
   if (duration != 0.0)
     require_step(function_name, duration);
+  const std::size_t count = out.size() / depths.size();
+  constexpr std::size_t most_at_once = 8; // so that their spectra stay small
+  for (std::size_t done = 0; done < depths.size(); done += most_at_once)
+  {
+    const auto some = depths.subspan(done, std::min(most_at_once, depths.size() - done));
+    Fields result(some.size() * count, std::vector<double>(grid().size()));
+    near_.add_fields(duration, 1.0, some, fields_of_heat, result);
+    for (std::size_t f = 0; f < result.size(); ++f)
+      std::copy(result[f].begin(), result[f].end(), out[done * count + f].begin());
+  }
+  if (!farther_.empty())
+    add_images(duration, depths, fields_of_heat, out);
+}
+
+/// What the images give varies slowly in depth, as they are far away: of many layers it is interpolated, by the polynomial
+/// through Chebyshev's points.
+void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> depths,
+                                const HeatMemory::FieldsOfHeat& fields_of_heat,
+                                const std::vector<std::span<double>>& out) const
+{
+  const bool each = image_depths_.empty() || depths.size() <= image_depths_.size();
+  const std::span<const DepthFactors> nodes = each ? depths : std::span(image_depths_);
+  const std::size_t count = out.size() / depths.size();
   // Displacements and stresses fall off with the third power of the distance, and in plane strain with the second: from
   // lattice to lattice by 8 and 4, and all that follow are a seventh and a third of the last one.
   const double farthest = is_strip(grid()) ? 4.0 / 3.0 : 8.0 / 7.0;
-  const Fields result = sum(out.size(), farthest,
-                            [&](const HeatMemory& memory, double factor, Fields& sums)
-                            { memory.add_fields(duration, factor, factors, fields_of_heat, sums); });
-  for (std::size_t f = 0; f < out.size(); ++f)
-    std::copy(result[f].begin(), result[f].end(), out[f].begin());
+  const Fields images = sum_of_images(nodes.size() * count, farthest,
+                                      [&](const HeatMemory& memory, double factor, Fields& sums)
+                                      { memory.add_fields(duration, factor, nodes, fields_of_heat, sums); });
+  for (std::size_t d = 0; d < depths.size(); ++d)
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+    {
+      const double weight = each ? (n == d ? 1.0 : 0.0) : lagrange(nodes, n, depths[d].depth);
+      for (std::size_t f = 0; f < count && weight != 0.0; ++f)
+      {
+        const std::vector<double>& image = images[n * count + f];
+        const std::span<double> field = out[d * count + f];
+        for (std::size_t i = 0; i < field.size(); ++i)
+          field[i] += weight * image[i];
+      }
+    }
+}
+
+/// Gives each lattice the flux on its own cells.
+template <typename Use>
+void OpenHeatMemory::with_coarser(std::span<const double> flux, const Use& use)
+{
+  use(near_, flux);
+  std::vector<double> coarse(flux.begin(), flux.end());
+  for (FartherImages& images : farther_)
+  {
+    coarse = images.cells.from_finer(coarse);
+    use(images.twice, coarse);
+    use(images.once, coarse);
+  }
 }
 
 void OpenHeatMemory::take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion)
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
   require_step(function_name, motion.duration);
-  near_.take_up(flux, motion);
-  std::vector<double> coarse(flux.begin(), flux.end());
-  for (FartherImages& images : farther_)
-  {
-    coarse = images.cells.from_finer(coarse);
-    images.twice.take_up(coarse, motion);
-    images.once.take_up(coarse, motion);
-  }
+  with_coarser(flux, [&](HeatMemory& memory, std::span<const double> given) { memory.take_up(given, motion); });
   time_ += motion.duration;
+}
+
+void OpenHeatMemory::amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion)
+{
+  require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
+  with_coarser(flux, [&](HeatMemory& memory, std::span<const double> given) { memory.amend(given, motion); });
+}
+
+std::vector<HeatMemory*> OpenHeatMemory::lattices()
+{
+  std::vector<HeatMemory*> all{&near_};
+  for (FartherImages& images : farther_)
+    for (HeatMemory* memory : {&images.twice, &images.once})
+      all.push_back(memory);
+  return all;
+}
+
+OpenHeatMemory::Heat OpenHeatMemory::heat() const
+{
+  Heat result{{near_.heat()}, time_};
+  for (const FartherImages& images : farther_)
+    for (const HeatMemory* memory : {&images.twice, &images.once})
+      result.lattices.push_back(memory->heat());
+  return result;
+}
+
+void OpenHeatMemory::set_heat(const Heat& heat)
+{
+  const std::vector<HeatMemory*> all = lattices();
+  for (std::size_t n = 0; n < all.size(); ++n)
+    all[n]->heat() = heat.lattices[n];
+  time_ = heat.time;
+}
+
+void OpenHeatMemory::exchange(Archive& archive)
+{
+  int n = 0;
+  for (HeatMemory* memory : lattices())
+  {
+    // A complex number is two real ones, one after the other.
+    auto* numbers = reinterpret_cast<double*>(memory->heat().data());
+    const std::size_t count = 2 * memory->heat().size();
+    std::vector<double> values(numbers, numbers + count);
+    archive(fmt::format("lattice{}", n++), values);
+    std::copy(values.begin(), values.end(), numbers);
+  }
+  archive("time", time_, 0.0, times_.duration);
 }
 
 } // namespace brinell::halfspace

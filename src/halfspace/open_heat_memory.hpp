@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/archive.hpp"
 #include "brinell/halfspace/surface_temperature.hpp"
 #include "coarser_surface.hpp"
 #include "heat_memory.hpp"
@@ -29,9 +30,21 @@ public:
   /// The temperature of the surface that remains after `duration`.
   void remaining(const char* function_name, double duration, std::span<double> temperature) const;
   /// Fields that remain after `duration`, or are there at once.
-  void fields(const char* function_name, double duration, const DepthFactors& factors,
+  /// @param out  as many at each depth, [depth][field]
+  void fields(const char* function_name, double duration, std::span<const DepthFactors> depths,
               const HeatMemory::FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out) const;
   void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
+  void amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
+
+  /// What it remembers: of every lattice, and the time.
+  struct Heat
+  {
+    std::vector<AlignedVector<Complex>> lattices;
+    double time = 0.0;
+  };
+  [[nodiscard]] Heat heat() const;
+  void set_heat(const Heat& heat);
+  void exchange(Archive& archive);
 
 private:
   /// What the images of one lattice give, less those that a lattice with twice the period has, too: on cells as coarse as
@@ -44,15 +57,21 @@ private:
   using Fields = std::vector<std::vector<double>>;
   using Add = std::function<void(const HeatMemory&, double factor, Fields&)>;
 
+  template <typename Use>
+  void with_coarser(std::span<const double> flux, const Use& use);
+  [[nodiscard]] std::vector<HeatMemory*> lattices();
+  void add_images(double duration, std::span<const DepthFactors> depths, const HeatMemory::FieldsOfHeat& fields_of_heat,
+                  const std::vector<std::span<double>>& out) const;
   void plan_images(const Thermal& thermal, int px, int py);
   void require_step(const char* function_name, double duration) const;
-  [[nodiscard]] Fields sum(std::size_t count, double factor_of_farthest, const Add& add) const;
+  [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;
 
   HeatTimes times_;
   double time_ = 0.0;
   DepthWaves waves_;
   HeatMemory near_;
   std::vector<FartherImages> farther_;
+  std::vector<DepthFactors> image_depths_; ///< between which what images give is interpolated; empty without fields
 };
 
 } // namespace brinell::halfspace

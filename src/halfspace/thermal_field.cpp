@@ -104,6 +104,31 @@ void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motio
   state_->memory.take_up("ThermalField::take_up", flux, motion);
 }
 
+void ThermalField::amend(std::span<const double> flux, const HeatMotion& motion)
+{
+  state_->memory.amend("ThermalField::amend", flux, motion);
+}
+
+struct ThermalField::Heat
+{
+  OpenHeatMemory::Heat of_memory;
+};
+
+Hidden<ThermalField::Heat> ThermalField::heat() const
+{
+  return make_hidden<Heat>(state_->memory.heat());
+}
+
+void ThermalField::go_back(const Hidden<Heat>& heat)
+{
+  state_->memory.set_heat(heat->of_memory);
+}
+
+void ThermalField::exchange(Archive& archive)
+{
+  state_->memory.exchange(archive);
+}
+
 void ThermalField::remaining_temperature(double duration, std::span<double> temperature) const
 {
   state_->memory.remaining("ThermalField::remaining_temperature", duration, temperature);
@@ -121,7 +146,7 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
   for (const std::span<double> part : {displacement.z, displacement.x, displacement.y})
     if (!part.empty())
       out.push_back(part);
-  const auto fields = [&](const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
+  const auto fields = [&](double, const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
   {
     const double inverse = wave.k > 0.0 ? 1.0 / wave.k : 0.0;
     auto value = values.begin();
@@ -132,15 +157,15 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
     if (!displacement.y.empty())
       *value++ = factor * inverse * wave.odd_y * imaginary * heat.potential_at_surface;
   };
-  state.memory.fields(name, duration, state.surface, fields, out);
+  state.memory.fields(name, duration, {&state.surface, 1}, fields, out);
 }
 
-void ThermalField::layer(std::size_t layer, const ThermalLayer& out, double duration) const
+namespace
 {
-  const State& state = *state_;
-  const std::size_t cells = grid().size();
-  if (layer >= state.layers.size())
-    throw InternalError(fmt::format("ThermalField::layer: layer {} of {}", layer, state.layers.size()));
+
+/// The parts of a layer that are wanted.
+std::vector<std::span<double>> wanted(const ThermalLayer& out, std::size_t cells)
+{
   require_part("ThermalField::layer", "temperature", out.temperature, cells);
   require_part("ThermalField::layer", "deviator", out.deviator, Deviator::size * cells);
   require_part("ThermalField::layer", "trace", out.trace, cells);
@@ -152,23 +177,47 @@ void ThermalField::layer(std::size_t layer, const ThermalLayer& out, double dura
   if (!out.deviator.empty())
     for (std::size_t c = 0; c < Deviator::size; ++c)
       fields.push_back(out.deviator.subspan(c * cells, cells));
+  return fields;
+}
 
+} // namespace
+
+void ThermalField::layer(std::size_t layer, const ThermalLayer& out, double duration) const
+{
+  layers(layer, {&out, 1}, duration);
+}
+
+void ThermalField::layers(std::size_t first, std::span<const ThermalLayer> out, double duration) const
+{
+  const State& state = *state_;
+  if (first + out.size() > state.layers.size())
+    throw InternalError(
+        fmt::format("ThermalField::layers: layer {} of {}", first + out.size() - 1, state.layers.size()));
   const double scale = 2.0 * state.elastic.shear_modulus() * state.strain;
-  const auto fields_of_heat = [&](const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
+  const bool has_temperature = !out.front().temperature.empty(), has_trace = !out.front().trace.empty(),
+             has_deviator = !out.front().deviator.empty();
+  const auto fields_of_heat =
+      [&](double depth, const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
   {
-    const StressWave stress = stress_wave(wave, heat, state.depths[layer], state.elastic.poisson_ratio);
+    const StressWave stress = stress_wave(wave, heat, depth, state.elastic.poisson_ratio);
     const Complex trace = scale * stress.trace(), mean = trace / 3.0;
     auto value = values.begin();
-    if (!out.temperature.empty())
+    if (has_temperature)
       *value++ = heat.temperature;
-    if (!out.trace.empty())
+    if (has_trace)
       *value++ = trace;
-    if (!out.deviator.empty())
+    if (has_deviator)
       for (const Complex& component : {scale * stress.xx - mean, scale * stress.yy - mean, scale * stress.yz,
                                        scale * stress.xz, scale * stress.xy})
         *value++ = component;
   };
-  state.memory.fields("ThermalField::layer", duration, state.layers[layer], fields_of_heat, fields);
+  std::vector<std::span<double>> fields;
+  for (const ThermalLayer& layer : out)
+    for (const std::span<double>& field : wanted(layer, grid().size()))
+      fields.push_back(field);
+  if (!fields.empty())
+    state.memory.fields("ThermalField::layer", duration, std::span(state.layers).subspan(first, out.size()),
+                        fields_of_heat, fields);
 }
 
 } // namespace brinell::halfspace

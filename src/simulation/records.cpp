@@ -12,9 +12,10 @@ void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
 {
   static_cast<RunningTotals&>(totals) = last;
   if (largest_work > 0.0)
-    totals.energy_balance_error = (last.work - last.dissipation_lower - last.dissipation_upper -
-                                   last.dissipation_friction - last.energy_residual - last.energy_elastic) /
-                                  largest_work;
+    totals.energy_balance_error =
+        (last.work + last.work_of_expansion - last.dissipation_lower - last.dissipation_upper -
+         last.dissipation_friction - last.energy_residual - last.energy_elastic) /
+        largest_work;
 }
 
 void Coverage::exchange(Archive& archive)

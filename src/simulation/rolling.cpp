@@ -7,6 +7,7 @@
 #include "footprint.hpp"
 #include "friction.hpp"
 #include "grid_layout.hpp"
+#include "heat.hpp"
 #include "judgement.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
@@ -37,7 +38,11 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(moment(0.0).x));
-    setup.sliding = {case_.friction, case_.slide_to_roll < 0.0 ? -1 : 1, case_.creepage.has_value()};
+    setup.sliding = {.friction = case_.friction,
+                     .direction = case_.slide_to_roll < 0.0 ? -1 : 1,
+                     .sticks = case_.creepage.has_value()};
+    if (is_heated(case_, case_.lower, case_.upper))
+      setup.sliding.heat = {case_.heat, heat_times()};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(at_.x); }
@@ -61,7 +66,11 @@ public:
     const auto path = [this, moves](double t)
     {
       const Moment m = moment(step_in_pass_ + t);
-      return Target{centre(m.x), drive(m.drive), moves, along(m.x)};
+      Target target{centre(m.x), drive(m.drive), moves, along(m.x)};
+      target.time = time(step_in_pass_ + t);
+      target.slid = slid(step_in_pass_ + t);
+      target.is_put_down = step_in_pass_ == 0;
+      return target;
     };
     const double cells = plan_.shift / plan_.contact.dx;
     const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
@@ -168,6 +177,29 @@ private:
         slip->pressed_cells() > 0 ? static_cast<double>(slip->sticking_cells()) / slip->pressed_cells() : 0.0;
     r.stick_area = r.stick_share * r.contact_area;
     r.slip_path = *std::max_element(slip->path().begin(), slip->path().end());
+  }
+  /// After some steps of a pass, since the start [s]; without a speed it stands still. The way back belongs to the last step,
+  /// in which the surfaces part.
+  [[nodiscard]] double time(double steps) const
+  {
+    if (!case_.speed)
+      return 0.0;
+    const double last = std::max(0.0, steps - (steps_per_pass() - 1.0));
+    return (pass_ * (steps_per_pass() + plan_.rolling_steps) + steps + last * plan_.rolling_steps) * plan_.shift /
+           *case_.speed;
+  }
+  /// Likewise the length by which the undeformed surfaces have slid on each other [m].
+  [[nodiscard]] double slid(double steps) const
+  {
+    const double rolled = std::clamp(steps - case_.load_steps, 0.0, static_cast<double>(plan_.rolling_steps));
+    return std::abs(1.0 - share_) * plan_.shift * (pass_ * static_cast<double>(plan_.rolling_steps) + rolled);
+  }
+  [[nodiscard]] halfspace::HeatTimes heat_times() const
+  {
+    const double step = plan_.shift / *case_.speed, passes = case_.passes;
+    constexpr double finest = 1.0 / 128; // of a step: half the shortest piece, while pressing
+    return {step * std::min(finest, 0.25 * plan_.contact.dx / plan_.shift),
+            step * passes * (steps_per_pass() + plan_.rolling_steps + 1.0)};
   }
   [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
   [[nodiscard]] Centre centre(double x) const { return {x, share_ * x}; }
@@ -327,6 +359,7 @@ RollingPlan plan(const RollingCase& rolling)
                        ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll, or "
                          "rolling.creepage"
                        : "");
+  require_heat(rolling, rolling.lower, rolling.upper, rolling.speed, "rolling.speed");
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
   const Footprint f =

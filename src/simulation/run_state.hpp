@@ -99,6 +99,11 @@ public:
     largest_work_ = std::max(largest_work_, std::abs(record.work));
     if constexpr (std::derived_from<Record, FrictionRecord>)
       largest_limited_share_ = std::max(largest_limited_share_, record.share_at_shear_limit);
+    if constexpr (std::derived_from<Record, HeatedRecord>)
+    {
+      hottest_[0] = std::max(hottest_[0], record.max_temperature_lower);
+      hottest_[1] = std::max(hottest_[1], record.max_temperature_upper);
+    }
     last_ = record;
     has_failed_ = false;
     return last_;
@@ -112,6 +117,7 @@ public:
     stepper_.fill(s);
     take_totals(last_, largest_work_, s);
     s.max_share_at_shear_limit = largest_limited_share_;
+    s.max_temperature = hottest_;
     s.last = last_;
     s.final_state = snapshot();
     motion_.summarise(s);
@@ -126,6 +132,8 @@ public:
     archive("last", last_);
     archive("largest_work", largest_work_);
     archive("largest_limited_share", largest_limited_share_, 0.0, 1.0);
+    archive("hottest.lower", hottest_[0]);
+    archive("hottest.upper", hottest_[1]);
     archive("evaluations", evaluations_, 0, std::numeric_limits<long>::max());
     archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
   }
@@ -165,6 +173,7 @@ private:
   Record last_;
   double largest_work_ = 0.0; ///< [J]
   double largest_limited_share_ = 0.0;
+  std::array<double, 2> hottest_{-273.15, -273.15}; ///< of the surfaces [deg C]; nothing is colder
   long evaluations_ = 0;
   int steps_ = 0;
   bool has_failed_ = false;

@@ -46,6 +46,21 @@ void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapsho
   snapshot.stress = six_fields(stress.deviator, stress.trace);
 }
 
+void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
+{
+  const elastoplastic::Heating* heating = pair.heating();
+  if (heating == nullptr)
+    return;
+  const auto copy = [](std::span<const double> field) { return std::vector<double>(field.begin(), field.end()); };
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    snapshot.temperature[side] = copy(heating->temperature(side));
+    snapshot.heat_flux[side] = copy(heating->flux(side));
+  }
+  snapshot.lower.temperature = pair.lower_temperature();
+  snapshot.upper.temperature = pair.upper_temperature();
+}
+
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
 {
   const auto copy = [](std::span<const double> field) { return std::vector<double>(field.begin(), field.end()); };

@@ -12,6 +12,8 @@ namespace brinell::simulation
 [[nodiscard]] BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x);
 /// Shear and slip of the contact.
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
+/// Temperatures and fluxes, where there is heat.
+void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// The stress.
 void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot);
 

@@ -145,6 +145,8 @@ void Stepper::exchange(Archive& archive)
   }
   archive("pair", *pair_);
   archive("split_increments", split_increments_, 0, std::numeric_limits<int>::max() - 1);
+  archive("time", time_);
+  archive("slid", slid_);
   archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
   archive.list("grid_changes", grid_changes_);
   archive("coverage", coverage_);
@@ -183,8 +185,17 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
   {
     const Frame frame = lattice_.frame(target.centre);
     place(frame);
-    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, strategy, target.along);
+    elastoplastic::Strategy in_time = strategy;
+    in_time.duration = target.time - time_;
+    in_time.slid = target.slid - slid_;
+    in_time.is_put_down = target.is_put_down;
+    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, in_time, target.along);
     evaluations_ += report.evaluations;
+    if (report.converged)
+    {
+      time_ = target.time;
+      slid_ = target.slid;
+    }
     if (!report.outgrown.any())
       return report;
     grow(report.outgrown);
@@ -338,6 +349,11 @@ const Stepper::Depths& Stepper::depths(const Centre& centre)
   std::fill(depths_.upper.begin(), depths_.upper.end(), 0.0);
   pair_->add_lower_depth(frame.placement.lower, depths_.lower);
   pair_->add_upper_depth(frame.placement.upper, depths_.upper);
+  if (const elastoplastic::Heating* heating = pair_->heating())
+  {
+    heating->add_depth(0, plan_.lower.surface, frame.placement.lower, depths_.lower);
+    heating->add_depth(1, plan_.upper.surface, frame.placement.upper, depths_.upper);
+  }
   return depths_;
 }
 
@@ -412,6 +428,23 @@ void Stepper::fill(FrictionRecord& r) const
   }
 }
 
+void Stepper::fill(HeatedRecord& r) const
+{
+  fill(static_cast<FrictionRecord&>(r));
+  r.max_temperature_lower = setup_.lower.temperature;
+  r.max_temperature_upper = setup_.upper.temperature;
+  const elastoplastic::Heating* heating = pair_->heating();
+  if (heating == nullptr)
+    return;
+  const auto hottest = [&](std::size_t side)
+  { return *std::max_element(heating->temperature(side).begin(), heating->temperature(side).end()); };
+  r.max_temperature_lower = hottest(0);
+  r.max_temperature_upper = hottest(1);
+  r.heat_lower = heating->heat(0);
+  r.heat_upper = heating->heat(1);
+  r.work_of_expansion = pair_->expansion_work();
+}
+
 Snapshot Stepper::snapshot(const Centre& centre) const
 {
   const Frame frame = lattice_.frame(centre);
@@ -428,6 +461,7 @@ Snapshot Stepper::snapshot(const Centre& centre) const
   s.upper = body_snapshot(pair_->upper(), lattice_.upper_origin(), centre.upper);
   if (!setup_.upper.elastic.is_rigid())
     set_stress(pair_->upper_stress(frame.placement.upper), s.upper);
+  set_heat(*pair_, s);
   return s;
 }
 

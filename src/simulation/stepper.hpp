@@ -23,6 +23,9 @@ struct Target
   contact::Drive drive;
   bool slides = true;               ///< the surfaces on each other; else there is no friction
   contact::TangentialDrive along{}; ///< see CoupledContact::advance
+  double time = 0.0;                ///< since the start [s]; where it stands still, nothing happens to heat
+  double slid = 0.0;                ///< by which the undeformed surfaces have slid on each other since the start [m]
+  bool is_put_down = false;         ///< the contact has not moved over the bodies to where it is
 };
 
 /// The contact grid at one moment of the motion.
@@ -96,6 +99,7 @@ public:
   /// What all scenarios record.
   void fill(StepRecord& record) const;
   void fill(FrictionRecord& record) const;
+  void fill(HeatedRecord& record) const;
   /// Depth of each surface under the contact grid [m].
   struct Depths
   {
@@ -144,6 +148,7 @@ private:
   int steps_ = 0; ///< finished
   int split_increments_ = 0;
   double shear_work_ = 0.0;
+  double time_ = 0.0, slid_ = 0.0; ///< of the present state, see Target
   std::vector<GridChange> grid_changes_;
   Coverage coverage_;
 };

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "heat.hpp"
 #include "judgement.hpp"
 #include "run_state.hpp"
 #include "tugging_peaks.hpp"
@@ -32,7 +33,9 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
-    setup.sliding = {case_.friction, 1};
+    setup.sliding = {.friction = case_.friction, .direction = 1};
+    if (is_heated(case_, case_.lower, case_.upper))
+      setup.sliding.heat = {case_.heat, heat_times()};
     if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair is one paraboloid: fewer roundings
       setup.distance = [curvature = 0.5 * (*relative_curvature(case_.lower.shape, case_.upper.shape))[0]](
                            double x, double y) { return curvature * (x * x + y * y); };
@@ -53,17 +56,25 @@ public:
     const auto path = [this, first, whole](double t)
     {
       const double columns = t * cells_;
-      return target(first || t == 1.0 ? to_ : passing_.within_step(position_, whole ? std::round(columns) : columns),
-                    step_in_pass_ - 1.0 + t);
+      const Position p =
+          first || t == 1.0 ? to_ : passing_.within_step(position_, whole ? std::round(columns) : columns);
+      Target there = target(p, step_in_pass_ - 1.0 + t);
+      const Moment moment = moment_at(p);
+      there.time = moment.time;
+      there.slid = moment.slid;
+      there.is_put_down = first;
+      return there;
     };
     return {path, first ? 1.0 : 1.0 / cells_, fmt::format("pass {}, X = {:g} m", pass_ + 1, to_.X)};
   }
 
   void read(Stepper& stepper, const TuggingRecord& before, TuggingRecord& r)
   {
+    moment_ = moment_at(to_);
     position_ = to_;
     r.pass = pass_ + 1;
     record(stepper, r);
+    interference_ = r.interference;
     r.work += work_between(before, r);
     r.dissipation_friction += friction_work_between(before, r) - stepper.shear_work();
     add(before, r, peaks_);
@@ -89,6 +100,9 @@ public:
     archive("step_in_pass", step_in_pass_, 0, most_steps);
     archive("steps_in_pass", steps_in_pass_, 0, most_steps);
     archive("extra_steps", extra_steps_, 0, most_steps);
+    archive("time", moment_.time);
+    archive("slid", moment_.slid);
+    archive("interference", interference_);
     if (archive.gives())
       require_on_bodies(position_);
   }
@@ -112,6 +126,32 @@ private:
     const double ramp = std::max(1.0, steps_in_pass_ / 8.0);
     const double share = std::clamp(std::min(steps, steps_in_pass_ - steps) / ramp, 0.0, 1.0);
     return {centre(p), {contact::Drive::Kind::load, share * *case_.load}};
+  }
+
+  /// Time [s], and by how much the undeformed surfaces have slid on each other [m], since the start.
+  struct Moment
+  {
+    double time = 0.0, slid = 0.0;
+  };
+  /// At the end of a step, or within it. Without a speed time stands still.
+  [[nodiscard]] Moment moment_at(const Position& p) const
+  {
+    if (!case_.speed)
+      return {};
+    const double second_per_column = plan_.contact.dx / *case_.speed;
+    if (step_in_pass_ == 0) // after the way back
+      return {moment_.time + (pass_ == 0 ? 0.0 : steps_in_pass_ * cells_ * second_per_column), moment_.slid};
+    const double interference = case_.load ? interference_ : 0.5 * (position_.interference + p.interference);
+    return {moment_.time + (p.columns - position_.columns) * second_per_column,
+            moment_.slid + (sum_ - interference) * (p.theta - position_.theta)};
+  }
+  /// With room for passes that last longer than those of rigid spheres.
+  [[nodiscard]] halfspace::HeatTimes heat_times() const
+  {
+    const double step = cells_ * plan_.contact.dx / *case_.speed;
+    constexpr double room = 4.0, more = 50.0;
+    return {step * std::min(1.0, 0.5 / cells_),
+            step * case_.passes * (room * (plan_.steps_per_pass + 2.0 * lead_) + more)};
   }
 
   /// Steps by which bodies with textures may touch before the smooth ones do, and part after them.
@@ -194,7 +234,9 @@ private:
   Position position_, to_; ///< of the last step, and where the present one goes
   int lead_;
   int pass_ = 0, step_in_pass_ = 0, steps_in_pass_ = 0;
-  int extra_steps_ = 0; ///< by which earlier passes lasted longer than that of rigid spheres
+  int extra_steps_ = 0;       ///< by which earlier passes lasted longer than that of rigid spheres
+  Moment moment_;             ///< of the last step
+  double interference_ = 0.0; ///< then, or the approach under a load [m]
 };
 
 // docs/verification.md (expected error)

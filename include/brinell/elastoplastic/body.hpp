@@ -27,7 +27,9 @@ struct BodyState
   std::vector<double> residual_displacement_y; ///< along y [m]; empty unless it bears shear along y, too
   double dissipation =
       0.0; ///< plastic work since the start [J]; with back stresses, a part of it stays in the material
-  double locked_in_energy = 0.0; ///< elastic energy of the residual stress [J]
+  double locked_in_energy = 0.0;        ///< elastic energy of the residual stress [J]
+  std::vector<double> thermal_stress{}; ///< its deviator at the end of the last increment [Pa]; empty without heat
+  double thermal_work = 0.0;            ///< of the thermal stress on the plastic strain since the start [J]
 
   void exchange(Archive& archive);
 };
@@ -75,6 +77,9 @@ public:
   /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. With 1 the plain fixed point descends from any start in the
   ///                         continuum (docs/theory/elastoplastic.md); a cell's own stiffness, near 0.6, converges faster.
   void begin(int shift, double stiffness_share);
+  /// Deviator of the thermal stress at the end of the increment, 5 values per cell [Pa]; after `begin`. Without it, that of the
+  /// last increment stays.
+  void set_thermal_stress(std::span<const double> deviator);
   /// From now on, until new cells become active, evaluations compute the stress in all layers. An increment may only be
   /// committed after an evaluation that has computed all layers and has found no new active cell.
   void compute_all_layers();
@@ -126,6 +131,9 @@ public:
 
 private:
   void add_initial_stress(int layers, std::span<double> stress) const;
+  void add_thermal_stress(int layers, std::span<double> stress) const;
+  [[nodiscard]] double work_of(std::span<const double> stress_deviator, std::span<const double> strain) const;
+  [[nodiscard]] double thermal_work_of_trial() const;
   void prepare_trial();
   void take_up_guess();
   void keep_active_layers();
@@ -163,6 +171,7 @@ private:
   BodyState state_;
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   std::vector<double> softening_;                     ///< of the cells; empty: none
+  std::vector<double> thermal_stress_;                ///< at the end of the increment at hand; empty without heat
   double stiffness_ = 0.0;                            ///< c [Pa]
   bool shortcuts_;
   int layers_; ///< layers whose stress is computed, from the surface

@@ -34,6 +34,9 @@ public:
   /// Whether the fields of this side are those of `solved` in reverse order.
   [[nodiscard]] bool is_mirrored() const { return twin_ == Twin::mirror_image; }
 
+  /// Turns fields of the solved body into those of this side: a deviator field of 5 values per cell, and a scalar one.
+  void turn(std::vector<double>& deviators, std::vector<double>& scalars) const;
+
   /// A copy of the history.
   [[nodiscard]] BodyState state() const;
   /// A copy of one of its deviator fields, such as &BodyState::plastic_strain.

@@ -3,6 +3,7 @@
 
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/elastoplastic/body_view.hpp"
+#include "brinell/elastoplastic/heating.hpp"
 #include "brinell/elastoplastic/partial_slip.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/elastoplastic/settings.hpp"
@@ -80,6 +81,9 @@ struct Strategy
   /// Whether the surfaces slide on each other in this increment: without it there is no friction.
   bool slides = true;
   std::function<bool()> wants_stop{}; ///< asked before each evaluation and while the contact is solved
+  double duration = 0.0;              ///< of the increment [s]; 0: nothing happens to the heat
+  double slid = 0.0;                  ///< by which the undeformed surfaces slide on each other in it [m], >= 0
+  bool is_put_down = false;           ///< the contact has not moved over the bodies to where it is: no heat on the way
 };
 
 /// What two bodies have been through, and the grids on which it is written.
@@ -92,7 +96,8 @@ struct History
   double approach = 0.0;
   std::vector<double> pressure;
   std::unique_ptr<Interface> interface {
-  }; ///< none without friction
+  };                                  ///< none without friction
+  std::unique_ptr<Heating> heating{}; ///< none without heat
 };
 
 /// Friction, and what the surfaces do along each other.
@@ -101,6 +106,8 @@ struct Sliding
   Friction friction{};
   int direction = 1;   ///< in which the upper body slides over the lower one: +1 towards +x, or -1
   bool sticks = false; ///< where friction can hold the surfaces they stick: there is no direction then
+  /// Of surfaces that slide everywhere: what becomes of the heat of friction; none: nothing.
+  std::optional<HeatedRun> heat{};
 };
 
 /// The coupled solver, with its buffers.
@@ -131,6 +138,10 @@ public:
   [[nodiscard]] const SlidingInterface* sliding() const;
   /// The same of surfaces that may stick; nullptr of others.
   [[nodiscard]] const PartialSlip* partial_slip() const;
+  /// The heat of friction in both bodies; nullptr where none is computed.
+  [[nodiscard]] const Heating* heating() const { return heating_.get(); }
+  /// What heat has done mechanically since the start, on the pressure and on the plastic strain [J].
+  [[nodiscard]] double expansion_work() const;
   /// Load per approach with which the bodies would begin to part or to approach further without yielding [N/m]:
   /// contact::stiffness.
   [[nodiscard]] double stiffness() const;
@@ -164,6 +175,9 @@ public:
   /// @throws InputError if the body is rigid
   [[nodiscard]] Stress lower_stress(const Place& place);
   [[nodiscard]] Stress upper_stress(const Place& place);
+  /// Temperature of all cells of a body [deg C]; empty without heat, or if the body is rigid.
+  [[nodiscard]] std::vector<double> lower_temperature() const { return temperature(0, lower()); }
+  [[nodiscard]] std::vector<double> upper_temperature() const { return temperature(1, upper()); }
   /// Whether pressure acts on the outermost cells of the contact grid.
   [[nodiscard]] bool reaches_edge() const;
   /// The history, to be continued on other grids; what is left of this object is not to be used.
@@ -210,6 +224,11 @@ private:
   void with_bodies(const Placement& placement, const Use& use) const;
   void begin_friction(const Placement& placement, const Strategy& strategy, const contact::TangentialDrive& along);
   [[nodiscard]] Interface::Change follow(const Placement& placement);
+  void begin_heating(const Placement& placement, const Strategy& strategy);
+  void settle_heating(const Strategy& strategy);
+  [[nodiscard]] double follow_heat();
+  [[nodiscard]] std::vector<double> temperature(std::size_t side, const BodyView& view) const;
+  void add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const;
   void settle_friction(const Placement& placement);
   void recall_friction();
   [[nodiscard]] bool carries_off(const Placement& placement) const;
@@ -218,7 +237,7 @@ private:
   void spread(const Placement& placement);
   void spread_shear(const Place& place, const SurfaceGrid& body, double sign,
                     std::array<std::vector<double>, 2>& out) const;
-  [[nodiscard]] Stress stress(const BodyView& view, Body& solved, const Place& place, double shear_sign) const;
+  [[nodiscard]] Stress stress(std::size_t side, Body& solved, const Place& place) const;
 
   halfspace::SurfaceCompliance compliance_;
   contact::ElasticContact contact_;
@@ -228,6 +247,7 @@ private:
   Settings settings_;
   Twin twin_;
   std::unique_ptr<Interface> interface_; ///< none without friction
+  std::unique_ptr<Heating> heating_;     ///< none without heat
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

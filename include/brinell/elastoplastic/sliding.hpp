@@ -44,6 +44,10 @@ public:
   /// Work that the shear has done on both bodies by their deformation since the start [J].
   [[nodiscard]] double work() const { return state_.work; }
 
+  /// Heat of friction in the last increment [J/m^2]: work of the shear, less what it has done by the deformation of the bodies.
+  /// @param slid  by which the undeformed surfaces have slid in it [m]
+  [[nodiscard]] std::vector<double> heat_per_area(double slid) const;
+
   void exchange(Archive& archive) override { state_.exchange(archive); }
   void embed(const Interface& smaller) override;
   /// What the shear and the pressure displace.
@@ -57,8 +61,8 @@ private:
     /// Depth of the surface of a body with unit coupling weight under the shear [m].
     std::vector<double> depth;
     std::vector<double> slip; ///< displacement along x of the lower surface less that of the upper one [m]
-    double lower_stretch = 0.0,
-           upper_stretch = 0.0; ///< sums of the shear times the slope of the displacement along x [Pa]
+    /// The shear times the slope of the displacement along x, of each body [Pa].
+    std::vector<double> lower_stretch, upper_stretch;
     double work = 0.0;
     double limited_share = 0.0;
 
@@ -75,7 +79,8 @@ private:
   double lower_weight_, upper_weight_;
   bool slides_ = false, is_held_ = false;
   std::vector<double> limit_;
-  State state_, before_; ///< now, and before the increment
+  State state_, before_;              ///< now, and before the increment
+  std::vector<double> work_per_area_; ///< of the shear on the deformation in the last increment [J/m^2]
 };
 
 } // namespace brinell::elastoplastic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/archive.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 #include "brinell/halfspace/surface_temperature.hpp"
@@ -41,12 +42,24 @@ public:
   /// Takes up a step: `SurfaceTemperature::take_up`.
   void take_up(std::span<const double> flux, const HeatMotion& motion);
 
+  /// More flux of the last step, whose motion has to be the same: as if it had been taken up with the sum of both.
+  void amend(std::span<const double> flux, const HeatMotion& motion);
+
+  /// What it remembers, to go back to it.
+  struct Heat;
+  [[nodiscard]] Hidden<Heat> heat() const;
+  void go_back(const Hidden<Heat>& heat);
+  /// Everything that later steps depend on.
+  void exchange(Archive& archive);
+
   /// What is there at the end of the last step, for the duration 0; or what remains of all steps some time later, without what
   /// enters meanwhile.
   /// @param duration  [s], 0 or >= HeatTimes::shortest_step
   void displacement(const SurfaceDisplacement& displacement, double duration = 0.0) const;
   /// @param layer  number of the depth
   void layer(std::size_t layer, const ThermalLayer& out, double duration = 0.0) const;
+  /// The layers from the first one on, at less cost than one by one. The same parts of all of them.
+  void layers(std::size_t first, std::span<const ThermalLayer> out, double duration = 0.0) const;
   /// Of the surface, after a step or more: `SurfaceTemperature::remaining`.
   void remaining_temperature(double duration, std::span<double> temperature) const;
 

@@ -60,6 +60,20 @@ inline constexpr Column<FrictionRecord> share_at_shear_limit{
     "share_at_shear_limit", "1", &FrictionRecord::share_at_shear_limit,
     "share of the contact whose shear is at the limit of the surface"};
 
+/// Of the scenarios in which friction may heat.
+inline constexpr std::array<Column<HeatedRecord>, 5> heated{{
+    {"max_temperature_lower", "degC", &HeatedRecord::max_temperature_lower,
+     "largest temperature of the lower surface in and around the contact; without heat that of the bulk"},
+    {"max_temperature_upper", "degC", &HeatedRecord::max_temperature_upper,
+     "largest temperature of the upper surface in and around the contact; without heat that of the bulk"},
+    {"heat_lower", "J", &HeatedRecord::heat_lower,
+     "heat of friction that has come into the lower body since the start"},
+    {"heat_upper", "J", &HeatedRecord::heat_upper,
+     "heat of friction that has come into the upper body since the start"},
+    {"work_of_expansion", "J", &HeatedRecord::work_of_expansion,
+     "work that the bodies have done since the start as heat made them swell"},
+}};
+
 /// They end each row.
 inline constexpr std::array<Row, 10> ending{{
     {"work", "J", &StepRecord::work, "work of the drive since the start"},

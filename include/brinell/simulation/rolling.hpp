@@ -45,6 +45,9 @@ struct RollingCase : Numerics
   std::optional<Creepage> creepage;
   int passes = 1;
   int load_steps = 6; ///< in which the drive comes up before a pass and goes down after it
+  /// Of the contact over the lower body [m/s], > 0; needed where friction heats. Each step of pressing on and lifting off takes as
+  /// long as one of rolling, and the way back as long as the way.
+  std::optional<double> speed;
 };
 
 /// Distance that the contact moves on the upper body per distance on the lower one.
@@ -58,7 +61,7 @@ struct RollingPlan : Plan
 };
 
 /// One row of the history.
-struct RollingRecord : FrictionRecord
+struct RollingRecord : HeatedRecord
 {
   double x = 0.0;              ///< of the contact's centre on the lower body [m]
   double approach = 0.0;       ///< [m]
@@ -151,6 +154,11 @@ inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
      "longest way that a place under the contact has slipped since it came there; 0 without creepage"},
     common::contact_area,
     common::max_pressure,
+    common::heated[0],
+    common::heated[1],
+    common::heated[2],
+    common::heated[3],
+    common::heated[4],
 });
 
 template <>

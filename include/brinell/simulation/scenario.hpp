@@ -88,6 +88,7 @@ private:
 struct Numerics
 {
   elastoplastic::Friction friction; ///< where the surfaces slide on each other
+  elastoplastic::HeatSettings heat; ///< what becomes of its heat, in bodies that have thermal constants
   Domain domain;
   std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
   double resolution = 8.0;                      ///< cells per contact radius along x if no spacing is given
@@ -122,6 +123,7 @@ struct RunningTotals
   double work = 0.0;                                       ///< of the drive since the start [J]
   double dissipation_lower = 0.0, dissipation_upper = 0.0; ///< plastic work since the start [J]
   double dissipation_friction = 0.0; ///< heat of friction between the surfaces since the start [J]
+  double work_of_expansion = 0.0;    ///< that the bodies have done as heat made them swell, since the start [J]
   double energy_residual = 0.0;      ///< elastic energy locked in by the plastic strain of both bodies [J]
   double energy_elastic = 0.0;       ///< recoverable energy of pressure and shear [J]
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
@@ -145,6 +147,14 @@ struct FrictionRecord : StepRecord
 {
   double F_friction = 0.0;           ///< sum of the shear between the surfaces [N], >= 0: it resists the sliding
   double share_at_shear_limit = 0.0; ///< of the contact: there the surface carries no more shear
+};
+
+/// What the rows of scenarios tell in which the heat of friction may warm both bodies.
+struct HeatedRecord : FrictionRecord
+{
+  /// Of each surface under the contact grid, at the end of the step [deg C]; without heat that of the bulk.
+  double max_temperature_lower = 0.0, max_temperature_upper = 0.0;
+  double heat_lower = 0.0, heat_upper = 0.0; ///< that has come into each body since the start [J]
 };
 
 /// A grid was enlarged, because pressure or plastic strain had reached its edge.
@@ -179,10 +189,11 @@ struct BodySnapshot
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) in the body's surface coordinates [m]
   double contact_x = 0.0;    ///< where the contact centre is now [m]
   std::array<std::vector<double>, 6>
-      stress; ///< xx yy zz yz xz xy, of contact, plastic strain and before the first load [Pa]; empty if rigid
+      stress; ///< xx yy zz yz xz xy, of contact, plastic strain, heat and before the first load [Pa]; empty if rigid
   std::array<std::vector<double>, 6> plastic_strain; ///< xx yy zz yz xz xy [-]
   std::vector<double> equivalent_plastic_strain;     ///< [-]
   std::vector<double> residual_displacement;         ///< surface, into the body positive [m]
+  std::vector<double> temperature;                   ///< [deg C]; empty without heat
 };
 
 /// Fields of one step.
@@ -198,6 +209,9 @@ struct Snapshot
   std::array<std::vector<double>, 2> slip; ///< of the upper surface over the lower one, along x and y [m]
   std::vector<double> slip_path;           ///< length of the way slipped [m]
   std::vector<double> friction_heat;       ///< [J/m^2]
+  /// Of the lower and the upper surface; empty without heat.
+  std::array<std::vector<double>, 2> temperature; ///< [deg C]
+  std::array<std::vector<double>, 2> heat_flux;   ///< into the body, in the last step [W/m^2]
   BodySnapshot lower, upper;
 };
 
@@ -206,12 +220,13 @@ struct RunTotals : RunningTotals
 {
   int steps = 0;
   long evaluations = 0;
-  int split_increments = 0;              ///< steps that did not converge whole: split, or solved by plain descent
-  double max_share_at_shear_limit = 0.0; ///< largest `FrictionRecord::share_at_shear_limit` of the run
-  double energy_balance_error = 0.0;     ///< (work - dissipation - stored energy) / largest work reached
-  std::vector<GridChange> grid_changes;  ///< in the course of the run
-  double memory_bytes = 0.0;             ///< of the grids at the end, estimate
-  Snapshot final_state;                  ///< has the grids of the end
+  int split_increments = 0;                ///< steps that did not converge whole: split, or solved by plain descent
+  double max_share_at_shear_limit = 0.0;   ///< largest `FrictionRecord::share_at_shear_limit` of the run
+  std::array<double, 2> max_temperature{}; ///< largest of the lower and of the upper surface in the run [deg C]
+  double energy_balance_error = 0.0; ///< (work - dissipation - stored energy) / largest work reached; of expansion, too
+  std::vector<GridChange> grid_changes; ///< in the course of the run
+  double memory_bytes = 0.0;            ///< of the grids at the end, estimate
+  Snapshot final_state;                 ///< has the grids of the end
 };
 
 /// The messages to a caller, and the questions, in the midst of a step. Empty functions are skipped.

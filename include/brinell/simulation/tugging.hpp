@@ -37,6 +37,9 @@ struct TuggingCase : Numerics
   std::optional<double> shift; ///< arc moved on each body per step (mean of both) [m]; default: one cell dx
   Kinematics kinematics = Kinematics::exact;
   int passes = 1;
+  /// At which the contact moves over both bodies together [m/s], > 0: that of the upper surface over the lower one, but for the
+  /// interference beside the radii. The way back from pass to pass takes as long as a pass. Needed where friction heats.
+  std::optional<double> speed;
 };
 
 struct TuggingPlan : Plan
@@ -50,7 +53,7 @@ struct TuggingPlan : Plan
 };
 
 /// One row of the history. Its work is the integral of F_X dX - F_Z d height, without the way back from pass to pass.
-struct TuggingRecord : FrictionRecord
+struct TuggingRecord : HeatedRecord
 {
   double X = 0.0, theta = 0.0, interference = 0.0;
   double height = 0.0;                     ///< of the upper centre above the lower one [m]
@@ -116,6 +119,11 @@ inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
     {"F_Z_macro", "N", &TuggingRecord::F_Z_macro, "F_Z without the slope of the residual surfaces"},
     common::F_friction,
     common::share_at_shear_limit,
+    common::heated[0],
+    common::heated[1],
+    common::heated[2],
+    common::heated[3],
+    common::heated[4],
 });
 
 } // namespace brinell::simulation

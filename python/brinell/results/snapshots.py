@@ -35,9 +35,10 @@ COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 """Components of a symmetric tensor, in order."""
 
 _OF_FRICTION = ("shear_x", "shear_y", "slip_x", "slip_y", "slip_path", "friction_heat")
-CONTACT_FIELDS = ("pressure", "gap", *_OF_FRICTION)
+_OF_HEAT = ("temperature_lower", "temperature_upper", "heat_flux_lower", "heat_flux_upper")
+CONTACT_FIELDS = ("pressure", "gap", *_OF_FRICTION, *_OF_HEAT)
 """Fields of the contact, which lie on the surface of the lower body; those after the gap only where surfaces stick and
-slip."""
+slip, or friction heats."""
 
 TENSORS = ("plastic_strain", "stress")
 """Fields of six components."""
@@ -109,6 +110,14 @@ class ContactFields:
     """Length of the way slipped since the start [m]."""
     friction_heat: FloatArray | None = None
     """Heat of friction since the start [J/m^2]."""
+    temperature_lower: FloatArray | None = None
+    """Of the lower surface [deg C]."""
+    temperature_upper: FloatArray | None = None
+    """Of the upper surface [deg C]."""
+    heat_flux_lower: FloatArray | None = None
+    """Into the lower body, in this step [W/m^2]."""
+    heat_flux_upper: FloatArray | None = None
+    """Into the upper body, in this step [W/m^2]."""
 
     def __repr__(self) -> str:
         return f"<ContactFields {cells(self.pressure.shape)}>"
@@ -244,7 +253,7 @@ def _contact(group: h5py.Group) -> ContactFields:
         y=_axis(origin[1], spacing[1], ny),
         pressure=pressure,
         gap=np.asarray(group["gap"][()], dtype=np.float64),
-        **{name: np.asarray(group[name][()], dtype=np.float64) for name in _OF_FRICTION if name in group},
+        **{name: np.asarray(group[name][()], dtype=np.float64) for name in (*_OF_FRICTION, *_OF_HEAT) if name in group},
     )
 
 

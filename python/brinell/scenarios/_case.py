@@ -12,7 +12,7 @@ import tomli_w
 from brinell.bodies import Body
 from brinell.case import Case, HeightMaps, in_arguments, plain
 from brinell.errors import InputError
-from brinell.settings import Grid, Interface, Output, Solver
+from brinell.settings import Grid, Heating, Interface, Output, Solver
 
 __all__ = ["ScenarioCase"]
 
@@ -33,12 +33,14 @@ class ScenarioCase(Case):
         solver: Solver | Mapping[str, Any] | None,
         output: Output | Mapping[str, Any] | None,
         interface: Interface | Mapping[str, Any] | None = None,
+        thermal: Heating | Mapping[str, Any] | None = None,
     ):
         for name, body in (("lower", lower), ("upper", upper)):
             if not isinstance(body, Body):
                 raise InputError(f"{name} = {body!r}; allowed: a brinell.Body")
         parts = (
             ("interface", interface, Interface),
+            ("thermal", thermal, Heating),
             ("grid", grid, Grid),
             ("solver", solver, Solver),
             ("output", output, Output),
@@ -53,6 +55,7 @@ class ScenarioCase(Case):
             "upper": upper.parts(),
             self._table: table,
             "interface": interface,
+            "thermal": thermal,
             "grid": grid,
             "solver": solver,
             "output": output,

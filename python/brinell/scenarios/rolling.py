@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from brinell.bodies import Body, Quantity
 from brinell.scenarios._case import ScenarioCase
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Interface, Output, Solver
+from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import FloatArray, RunSummary
 
 if TYPE_CHECKING:
@@ -42,7 +42,9 @@ class Rolling(ScenarioCase):
         spin: Quantity | None = None,
         shift: Quantity | None = None,
         load_steps: int | None = None,
+        speed: Quantity | None = None,
         interface: Interface | Mapping[str, Any] | None = None,
+        thermal: Heating | Mapping[str, Any] | None = None,
         title: str | None = None,
         grid: Grid | Mapping[str, Any] | None = None,
         solver: Solver | Mapping[str, Any] | None = None,
@@ -66,7 +68,9 @@ class Rolling(ScenarioCase):
                 rad/m or with a unit, "0.5 rad/mm"; likewise with stick and slip.
             shift: by which the contact moves on the lower body per step.
             load_steps: in which the upper body is pressed on before a pass and lifted off after it.
+            speed: of the contact over the lower body, such as "1 m/s"; needed where friction heats.
             interface: friction, `brinell.Interface` or a dictionary.
+            thermal: what its heat does, `brinell.Heating` or a dictionary.
             title: copied into the results.
             grid: its cells, `brinell.Grid` or a dictionary.
             solver: `brinell.Solver` or a dictionary.
@@ -86,8 +90,19 @@ class Rolling(ScenarioCase):
             "spin": spin,
             "shift": shift,
             "load_steps": load_steps,
+            "speed": speed,
         }
-        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output, interface=interface)
+        super().__init__(
+            lower,
+            upper,
+            table,
+            title=title,
+            grid=grid,
+            solver=solver,
+            output=output,
+            interface=interface,
+            thermal=thermal,
+        )
 
 
 @dataclass(frozen=True)

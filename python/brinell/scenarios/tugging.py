@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from brinell.bodies import Body, Quantity
 from brinell.scenarios._case import ScenarioCase
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Interface, Output, Solver
+from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
@@ -35,7 +35,9 @@ class Tugging(ScenarioCase):
         passes: int | None = None,
         shift: Quantity | None = None,
         kinematics: str | None = None,
+        speed: Quantity | None = None,
         interface: Interface | Mapping[str, Any] | None = None,
+        thermal: Heating | Mapping[str, Any] | None = None,
         title: str | None = None,
         grid: Grid | Mapping[str, Any] | None = None,
         solver: Solver | Mapping[str, Any] | None = None,
@@ -53,7 +55,9 @@ class Tugging(ScenarioCase):
             passes: how often the upper body passes.
             shift: arc by which the contact moves on each body per step.
             kinematics: "exact" or "paper".
+            speed: of the upper surface over the lower one, such as "1 m/s"; needed where friction heats.
             interface: friction, `brinell.Interface` or a dictionary.
+            thermal: what its heat does, `brinell.Heating` or a dictionary.
             title: copied into the results.
             grid: its cells, `brinell.Grid` or a dictionary.
             solver: `brinell.Solver` or a dictionary.
@@ -69,8 +73,19 @@ class Tugging(ScenarioCase):
             "passes": passes,
             "shift": shift,
             "kinematics": kinematics,
+            "speed": speed,
         }
-        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output, interface=interface)
+        super().__init__(
+            lower,
+            upper,
+            table,
+            title=title,
+            grid=grid,
+            solver=solver,
+            output=output,
+            interface=interface,
+            thermal=thermal,
+        )
 
 
 class TuggingResult(RunSummary):

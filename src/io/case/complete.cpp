@@ -162,6 +162,29 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
         reader.add(fmt::format("{}.shift", io.name), *reason);
 }
 
+/// Keys that something else is missing for.
+template <typename ScenarioCase>
+void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
+{
+  constexpr bool can_heat = std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>;
+  const bool has_friction = scenario.friction.coefficient > 0.0;
+  for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
+    if (body->material.thermal && !(can_heat && has_friction))
+      c.warnings.push_back({"no_heat", fmt::format("{}.material.thermal has no effect: {}", name,
+                                                   can_heat ? "without interface.friction nothing heats"
+                                                            : "no heat is computed in this scenario")});
+  if constexpr (can_heat)
+    if (!(has_friction && (scenario.lower.material.thermal || scenario.upper.material.thermal)))
+      for (const std::string& key :
+           {fmt::format("{}.speed", io_of(scenario).name), std::string("thermal.partition"),
+            std::string("thermal.displacement"), std::string("thermal.stress"), std::string("interface.heat_fraction")})
+        if (reader.raw.find(key) != nullptr)
+          c.warnings.push_back(
+              {"no_heat", fmt::format("{} has no effect: heat takes interface.friction and the thermal "
+                                      "constants of a body",
+                                      key)});
+}
+
 template <typename ScenarioCase>
 void complete_scenario(const CaseReader& reader, Case& c, ScenarioCase& scenario)
 {
@@ -169,6 +192,7 @@ void complete_scenario(const CaseReader& reader, Case& c, ScenarioCase& scenario
   read_domain(reader, scenario.domain, !io.moves);
   read_pair(reader, c, scenario.lower, scenario.upper, scenario.domain, io.against_shape);
   const std::string key = io.read(reader, c, scenario);
+  warn_of_heat(reader, c, scenario);
   if (reader.problems.empty())
     at_its_key(reader, c, key, [&] { check_plan(reader, c, scenario); });
 }

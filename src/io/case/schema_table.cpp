@@ -144,6 +144,39 @@ std::vector<Entry> interface_entries()
   };
 }
 
+/// The heat of friction, in scenarios whose rows tell of it.
+std::vector<Entry> heat_entries()
+{
+  using elastoplastic::HeatSettings;
+  const auto warms = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
+  { return std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>; };
+  const Condition heated{"scenario", scenarios_with(warms)};
+  const auto entry = [&](Entry given, auto member)
+  {
+    given.when = heated;
+    return bound(std::move(given), &simulation::Numerics::heat, member);
+  };
+  return {
+      entry({.key = "interface.heat_fraction",
+             .range = between(0.0, 1.0),
+             .text = "Share of the friction power that warms the two bodies, where they have thermal constants."},
+            &HeatSettings::fraction),
+      entry({.key = "thermal.partition",
+             .range = between(0.0, 1.0),
+             .unset = "both surfaces have one temperature where they touch",
+             .text = "Share of the lower body in the heat of friction, everywhere in the contact. Between two bodies "
+                     "that conduct."},
+            &HeatSettings::partition),
+      entry({.key = "thermal.displacement",
+             .text = "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion "
+                     "there."},
+            &HeatSettings::displacement),
+      entry({.key = "thermal.stress",
+             .text = "Whether thermal stress counts when the material yields. false: as if it had no expansion there."},
+            &HeatSettings::stress),
+  };
+}
+
 std::vector<Entry> solver_entries()
 {
   using elastoplastic::Settings;
@@ -233,7 +266,7 @@ std::vector<Entry> build_schema()
 {
   std::vector<Entry> schema;
   for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(),
-                    interface_entries(), grid_entries(), solver_entries(), output_entries()})
+                    interface_entries(), heat_entries(), grid_entries(), solver_entries(), output_entries()})
     schema.insert(schema.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return schema;
 }

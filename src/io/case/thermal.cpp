@@ -90,7 +90,6 @@ void warn_of_thermal(const CaseReader& reader, const std::string& body, const co
     c.warnings.push_back(
         {"hot_bulk",
          fmt::format("{0}.temperature is {1:.5g} degC; if {1:.5g} K is meant, write \"{1:.5g} K\"", table, t)});
-  c.warnings.push_back({"no_heat", fmt::format("{} has no effect: no heat is computed in this case", table)});
 }
 
 } // namespace brinell::io

@@ -102,6 +102,10 @@ void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapsho
   write("slip_y", snapshot.slip[1], "m", "slip of the upper surface over the lower one since the start, along y");
   write("slip_path", snapshot.slip_path, "m", "length of the way slipped since the start");
   write("friction_heat", snapshot.friction_heat, "J/m^2", "heat of friction since the start");
+  write("temperature_lower", snapshot.temperature[0], "degC", "temperature of the lower surface");
+  write("temperature_upper", snapshot.temperature[1], "degC", "temperature of the upper surface");
+  write("heat_flux_lower", snapshot.heat_flux[0], "W/m^2", "heat of friction into the lower body");
+  write("heat_flux_upper", snapshot.heat_flux[1], "W/m^2", "heat of friction into the upper body");
 }
 
 void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body, Place place)
@@ -123,9 +127,11 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
   if (is_stored(body.equivalent_plastic_strain))
     h5::write_dataset(group, "equivalent_plastic_strain", body.equivalent_plastic_strain, volume, "1",
                       "accumulated equivalent plastic strain", deflated);
+  if (is_stored(body.temperature))
+    h5::write_dataset(group, "temperature", body.temperature, volume, "degC", "temperature", deflated);
   write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain", deflated);
   write_tensor(group, "stress", body.stress, volume, "Pa",
-               "stress of contact, plastic strain and before the first load, tension positive", plain);
+               "stress of contact, plastic strain, heat and before the first load, tension positive", plain);
   if (is_stored(body.stress))
     h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress", plain);
 }

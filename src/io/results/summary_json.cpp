@@ -203,6 +203,18 @@ Json energy_json(const simulation::RunTotals& s)
           {"balance_error", s.energy_balance_error}};
 }
 
+Json heat_json(double fraction, const simulation::RunTotals& s, const simulation::HeatedRecord& last,
+               const std::array<double, 2>& max_temperature)
+{
+  const double given = fraction * s.dissipation_friction;
+  return {{"max_temperature_lower_degC", max_temperature[0]},
+          {"max_temperature_upper_degC", max_temperature[1]},
+          {"lower_J", last.heat_lower},
+          {"upper_J", last.heat_upper},
+          {"work_of_expansion_J", s.work_of_expansion},
+          {"balance_error", given > 0.0 ? (given - last.heat_lower - last.heat_upper) / given : 0.0}};
+}
+
 Json residual_json(const simulation::RunTotals& s)
 {
   return {{"max_lower_m", s.max_residual_lower},

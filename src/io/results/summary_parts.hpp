@@ -4,6 +4,7 @@
 #include "brinell/io/case_file.hpp"
 #include "brinell/simulation/columns.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json geometry_json(const Case& c);
 [[nodiscard]] Json energy_json(const simulation::RunTotals& s);
+/// @param fraction         of the heat of friction that warms the bodies
+/// @param max_temperature  of both surfaces in the run [deg C]
+[[nodiscard]] Json heat_json(double fraction, const simulation::RunTotals& s, const simulation::HeatedRecord& last,
+                             const std::array<double, 2>& max_temperature);
 [[nodiscard]] Json residual_json(const simulation::RunTotals& s);
 
 /// "hardness_Pa", "loading_stiffness_N_per_m": a name and, unless the number is pure, its unit.

@@ -107,6 +107,15 @@ std::vector<Entry> motion_keys()
              .range = between(1, 100000),
              .text = "Steps in which the upper body is pressed on before a pass and lifted off after it."},
             &RollingCase::load_steps),
+      bound({.key = "rolling.speed",
+             .dimension = dimension::velocity,
+             .range = above(0.0),
+             .unset = "none; needed where friction heats",
+             .text =
+                 "Speed of the contact over the lower body, on which the heat of friction depends; with slide_to_roll "
+                 "it makes the speed at which the surfaces slide. A step of pressing on or lifting off takes as "
+                 "long as one of rolling, the way back from pass to pass as long as the way."},
+            &RollingCase::speed),
   };
 }
 
@@ -238,6 +247,8 @@ void summarise(Json& json, const Case& c, const RollingCase& r, const RollingPla
                      {"residual_yy_Pa", s.profile.residual_yy},
                      {"equivalent_plastic_strain", s.profile.equivalent_plastic_strain}};
   json["energy"] = energy_json(s);
+  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0)
+    json["heat"] = heat_json(r.heat.fraction, s, s.last, s.max_temperature);
   json["residual"] = residual_json(s);
   json["grid"]["shift_m"] = plan.shift;
 }

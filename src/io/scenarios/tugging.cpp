@@ -67,6 +67,14 @@ std::vector<Entry> keys()
            .range = between(1, 10000),
            .text = "How often the upper body passes; after each pass it returns to the start, and both meet deformed."},
           &TuggingCase::passes),
+      bound({.key = "tugging.speed",
+             .dimension = dimension::velocity,
+             .range = above(0.0),
+             .unset = "none; needed where friction heats",
+             .text = "Speed of the upper surface over the lower one: that at which the contact moves over both bodies "
+                     "together. The heat of friction depends on it. The way back from pass to pass takes as long as a "
+                     "pass."},
+            &TuggingCase::speed),
   };
 }
 
@@ -219,6 +227,8 @@ void summarise(Json& json, const Case& c, const TuggingCase& t, const TuggingPla
   json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
   json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
   json["forces"] = forces_json(s);
+  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0)
+    json["heat"] = heat_json(t.heat.fraction, s, s.last, s.max_temperature);
   json["energy"] = energy_json(s);
   json["energy"]["work_to_alignment_J"] = s.work_to_alignment;
   json["residual"] = residual_json(s);
@@ -258,7 +268,7 @@ struct DescriptionOf<TuggingCase>
         .place = place,
         .results = results,
         .summarise = summarise,
-        .result_parts = {"load_ratio", "forces"},
+        .result_parts = {"load_ratio", "forces", "heat"},
         .key_numbers = [](const TuggingCase&) -> std::vector<std::string> {
           return {"forces.peak_F_X_N", "forces.peak_F_Z_N", "energy.net_J", "residual.max_lower_m",
                   "residual.max_upper_m"};

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/heating.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "foundation/sharing.hpp"
+#include "heat_partition.hpp"
+#include "heated_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::elastoplastic
+{
+
+struct Heating::State
+{
+  SurfaceGrid contact;
+  HeatSettings settings;
+  std::array<HeatedSide, 2> sides;
+  double twins; ///< bodies for which one that is solved stands
+  // Of the increment at hand
+  double duration = 0.0, slid = 0.0;
+  std::vector<double> shear_before{};
+  // Since the start [J]
+  double heat_of_friction = 0.0, work_on_pressure = 0.0;
+
+  [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure);
+  [[nodiscard]] std::vector<double> flux_of_one_temperature(const std::vector<double>& heat,
+                                                            std::span<const double> pressure);
+};
+
+namespace
+{
+
+using constitutive::Material;
+
+void require_conductors(const std::array<Heating::Partner, 2>& bodies)
+{
+  if (!bodies[0].material.thermal && !bodies[1].material.thermal)
+    throw InputError("Heating: neither body has thermal constants");
+  for (const Heating::Partner& body : bodies)
+    if (!body.material.thermal && !body.material.elastic.is_rigid())
+      throw InputError("Heating: a body that deforms has no thermal constants");
+}
+
+std::shared_ptr<BodyHeat> heat_of(const Heating::Partner& body, const HeatedRun& run)
+{
+  return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, run) : nullptr;
+}
+
+std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const std::array<Heating::Partner, 2>& bodies,
+                                   const HeatedRun& run, Twin twin)
+{
+  const std::shared_ptr<BodyHeat> lower = heat_of(bodies[0], run);
+  const bool is_twin = twin != Twin::none;
+  return {HeatedSide(contact, bodies[0].material, lower, false),
+          HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1], run), is_twin)};
+}
+
+} // namespace
+
+Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodies, const HeatedRun& run, Twin twin)
+{
+  require_conductors(bodies);
+  if (twin == Twin::alike)
+    throw InternalError("Heating: bodies that are alike do not slide on each other");
+  if (twin != Twin::none && run.settings.partition && *run.settings.partition != 0.5)
+    throw InternalError("Heating: twins have equal shares in the heat");
+  state_ =
+      make_hidden<State>(contact, run.settings, sides_of(contact, bodies, run, twin), twin == Twin::none ? 1.0 : 2.0);
+}
+
+void Heating::begin(const Start& start)
+{
+  State& s = *state_;
+  s.duration = start.duration;
+  s.slid = start.slid;
+  s.shear_before.assign(start.shear_before.begin(), start.shear_before.end());
+  for (std::size_t side = 0; side < 2 && s.duration > 0.0; ++side)
+    s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration);
+}
+
+/// The flux into the lower body with which both surfaces have one temperature where they touch:
+///   T_lower + R_lower q_lower = T_upper + R_upper (q - q_lower).
+std::vector<double> Heating::State::flux_of_one_temperature(const std::vector<double>& heat,
+                                                            std::span<const double> pressure)
+{
+  auto& [lower, upper] = sides;
+  std::vector<double> rhs(heat.size()), other(heat.size());
+  std::vector<bool> pressed(heat.size());
+  upper.warm(heat, rhs);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < rhs.size(); ++i)
+  {
+    rhs[i] += upper.remaining()[i] - lower.remaining()[i];
+    pressed[i] = pressure[i] > 0.0 || heat[i] != 0.0; // or they have touched at the beginning of the increment
+    if (pressed[i])
+      largest = std::max(largest, std::abs(rhs[i]));
+  }
+  const FieldOperator both = [&](std::span<const double> in, std::span<double> out)
+  {
+    lower.warm(in, out);
+    upper.warm(in, other);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] += other[i];
+  };
+  constexpr double tolerance = 1e-6; // of the difference that the shares make up for
+  std::vector<double> flux = lower.flux();
+  if (!solve_in_cells(both, rhs, pressed, tolerance * largest, flux))
+    throw ConvergenceError("the surfaces have not come to one temperature where they touch");
+  return flux;
+}
+
+/// Shares the heat, a flux [W/m^2]. @returns the largest change of the displacement [m]
+double Heating::State::share_flux(const std::vector<double>& heat, std::span<const double> pressure)
+{
+  auto& [lower, upper] = sides;
+  std::vector<double> into_lower(heat.size());
+  if (!upper.conducts())
+    into_lower = heat;
+  else if (settings.partition && lower.conducts())
+    std::transform(heat.begin(), heat.end(), into_lower.begin(), [&](double q) { return *settings.partition * q; });
+  else if (lower.conducts())
+    into_lower = flux_of_one_temperature(heat, pressure);
+  std::vector<double> into_upper(heat.size());
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    into_upper[i] = heat[i] - into_lower[i];
+  return lower.set_flux(into_lower) + upper.set_flux(into_upper);
+}
+
+double Heating::follow(std::span<const double> pressure, std::span<const double> shear)
+{
+  State& s = *state_;
+  if (s.duration == 0.0)
+    return 0.0;
+  // The mean of the shear at the beginning and at the end: second order in the step.
+  const double factor = 0.5 * s.settings.fraction * s.slid / s.duration;
+  std::vector<double> heat(pressure.size());
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    heat[i] = factor * std::abs(s.shear_before[i] + shear[i]);
+  return s.share_flux(heat, pressure);
+}
+
+void Heating::add_to_gap(std::span<double> gap) const
+{
+  for (const HeatedSide& side : state_->sides)
+    side.add_displacement(gap);
+}
+
+void Heating::settle(std::span<const double> pressure, std::span<const double> heat_per_area)
+{
+  State& s = *state_;
+  if (s.duration == 0.0)
+    return;
+  std::vector<double> heat(heat_per_area.size());
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    heat[i] = s.settings.fraction * heat_per_area[i] / s.duration;
+  static_cast<void>(s.share_flux(heat, pressure));
+  s.heat_of_friction += sum(heat) * s.duration * s.contact.cell_area();
+  for (HeatedSide& side : s.sides)
+    side.settle();
+  for (HeatedSide& side : s.sides)
+    if (side.conducts() && !side.is_mirrored())
+      s.work_on_pressure += s.twins * side.heat().work_against(side.on_body(pressure, "pressure"));
+}
+
+void Heating::restore()
+{
+  for (HeatedSide& side : state_->sides)
+    side.restore();
+}
+
+std::span<const double> Heating::stress(std::size_t side) const
+{
+  const HeatedSide& s = state_->sides.at(side);
+  if (!s.conducts() || s.is_mirrored())
+    return {};
+  return s.heat().stress();
+}
+
+std::span<const double> Heating::temperature(std::size_t side) const
+{
+  return state_->sides.at(side).temperature();
+}
+
+std::span<const double> Heating::flux(std::size_t side) const
+{
+  return state_->sides.at(side).flux();
+}
+
+double Heating::heat(std::size_t side) const
+{
+  return state_->sides.at(side).total();
+}
+
+double Heating::heat_of_friction() const
+{
+  return state_->heat_of_friction;
+}
+
+double Heating::work_on_pressure() const
+{
+  return state_->work_on_pressure;
+}
+
+void Heating::add_depth(std::size_t side, const SurfaceGrid& body, const Place& place, std::span<double> out) const
+{
+  state_->sides.at(side).add_depth(body, place, out);
+}
+
+void Heating::layers(std::size_t side, const VolumeGrid& body, const Layers& out) const
+{
+  const HeatedSide& s = state_->sides.at(side);
+  if (s.conducts())
+    s.heat().layers(body, out);
+}
+
+void Heating::exchange(Archive& archive)
+{
+  State& s = *state_;
+  archive("lower", s.sides[0]);
+  archive("upper", s.sides[1]);
+  archive("heat_of_friction", s.heat_of_friction);
+  archive("work_on_pressure", s.work_on_pressure);
+}
+
+void Heating::move_to(const SurfaceGrid& contact)
+{
+  for (HeatedSide& side : state_->sides)
+    side.move_to(contact);
+  state_->contact = contact;
+}
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+
+#include <vector>
+
+/// What heat adds to an increment: docs/theory/heat.md (heat-of-friction).
+namespace brinell::elastoplastic
+{
+
+void CoupledContact::begin_heating(const Placement& placement, const Strategy& strategy)
+{
+  const auto moved = [&](const Place& now, const Place& before)
+  { return strategy.is_put_down ? 0.0 : (now.column - before.column) + (now.fraction - before.fraction); };
+  heating_->begin({.grids = {lower().grid(), upper().grid()},
+                   .places = {placement.lower, placement.upper},
+                   .columns = {moved(placement.lower, placement_.lower), moved(placement.upper, placement_.upper)},
+                   .duration = strategy.duration,
+                   .slid = strategy.slid,
+                   .shear_before = interface_->shears()[0]});
+  for (std::size_t side = 0; side < sides_.size() && strategy.duration > 0.0; ++side)
+    sides_[side].body.set_thermal_stress(heating_->stress(side));
+}
+
+/// The fluxes that belong to the pressure of the trial. @returns by how much they change the gap [m]
+double CoupledContact::follow_heat()
+{
+  return heating_->follow(pressure_, interface_->shears()[0]);
+}
+
+void CoupledContact::settle_heating(const Strategy& strategy)
+{
+  heating_->settle(pressure_, sliding()->heat_per_area(strategy.slid));
+}
+
+double CoupledContact::expansion_work() const
+{
+  if (!heating_)
+    return 0.0;
+  double on_strain = 0.0;
+  for (const Side& side : sides_)
+    on_strain += side.body.state().thermal_work;
+  return heating_->work_on_pressure() + (twin_ == Twin::none ? 1.0 : 2.0) * on_strain;
+}
+
+/// Of both bodies alike: the fields of a twin are in reverse order.
+void CoupledContact::add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const
+{
+  if (!heating_)
+    return;
+  std::vector<double> deviator(stress.deviator.size()), trace(stress.trace.size());
+  heating_->layers(side, view.grid(), {.temperature = {}, .deviator = deviator, .trace = trace});
+  view.turn(deviator, trace);
+  for (std::size_t i = 0; i < deviator.size(); ++i)
+    stress.deviator[i] += deviator[i];
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    stress.trace[i] += trace[i];
+}
+
+std::vector<double> CoupledContact::temperature(std::size_t side, const BodyView& view) const
+{
+  if (!heating_ || view.material().elastic.is_rigid())
+    return {};
+  std::vector<double> result(view.grid().size()), none;
+  heating_->layers(side, view.grid(), {.temperature = result, .deviator = {}, .trace = {}});
+  view.turn(none, result);
+  for (double& t : result)
+    t += view.material().temperature;
+  return result;
+}
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/scenario.hpp"
+
+#include <optional>
+#include <string>
+
+namespace brinell::simulation
+{
+
+/// Whether the heat of friction warms the bodies: there is friction, and one of them at least has thermal constants.
+[[nodiscard]] bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
+
+/// Heat needs a speed, and both bodies that deform their constants.
+/// @param speed_key  of the speed, which is [m/s]
+/// @throws KeyError
+void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
+                  const std::optional<double>& speed, const std::string& speed_key);
+
+/// Whether bodies that are alike also share the heat alike.
+[[nodiscard]] bool shares_alike(const Numerics& numerics);
+
+} // namespace brinell::simulation
