@@ -32,6 +32,7 @@ SurfaceGrid heat_grid(const SurfaceGrid& body)
 std::vector<double> depths_of(const VolumeGrid& volume)
 {
   std::vector<double> depths;
+  depths.reserve(2 * static_cast<std::size_t>(volume.nz));
   for (int k = 0; k < 2 * volume.nz; ++k)
     depths.push_back((k + 0.5) * volume.dz);
   return depths;
@@ -154,6 +155,7 @@ void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out) const
                        : std::span(all).subspan(layer * fields * grid_.size(), fields * grid_.size());
   };
   std::vector<halfspace::ThermalLayer> found;
+  found.reserve(count);
   for (std::size_t k = 0; k < count; ++k)
     found.push_back({part(temperature, k, 1), part(deviator, k, Deviator::size), part(trace, k, 1)});
   field_.layers(0, found);

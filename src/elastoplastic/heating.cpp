@@ -86,7 +86,7 @@ void Heating::begin(const Start& start)
 std::vector<double> Heating::State::flux_of_one_temperature(const std::vector<double>& heat,
                                                             std::span<const double> pressure)
 {
-  auto& [lower, upper] = sides;
+  HeatedSide &lower = sides[0], &upper = sides[1];
   std::vector<double> rhs(heat.size()), other(heat.size());
   std::vector<bool> pressed(heat.size());
   upper.warm(heat, rhs);

@@ -61,6 +61,17 @@ double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic, i
   return kernels + field_bytes(grid, state + trial + accelerator) + spectra_bytes(grid, 5);
 }
 
+/// The heat of a body, on a grid a third longer and wider than its own: some sixty waves in depth, on lattices that take
+/// together three and a half times the first one; all of it twice, for when an increment fails; and stress, now and before.
+double heat_bytes(const VolumeGrid& grid)
+{
+  constexpr double waves = 60.0, lattices = 3.5, copies = 2.0, wider = 4.0 / 3.0;
+  SurfaceGrid surface = grid.surface;
+  surface.nx = static_cast<int>(surface.is_periodic_x() ? surface.nx : wider * surface.nx);
+  surface.ny = static_cast<int>(surface.is_periodic_y() ? surface.ny : wider * surface.ny);
+  return waves * lattices * copies * padded_bytes({surface, 1, grid.dz}) + field_bytes(grid, 15.0);
+}
+
 /// The final state always is stored: tensors and equivalents of both bodies, the last of which come to be while the others are
 /// there; or all of it as a file in memory, and as that file's image. The stress of a body that stays elastic takes spectra
 /// for the time being.
@@ -201,11 +212,14 @@ int step_count(double steps, const std::string& key)
   return static_cast<int>(steps);
 }
 
-double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth, int shears)
+double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth, int shears,
+                    bool lower_is_heated, bool upper_is_heated)
 {
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
   const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic, shears);
-  return body_bytes(plan.lower, anderson_depth, lower_is_plastic, shears) + upper +
+  const double heat =
+      (lower_is_heated ? heat_bytes(plan.lower) : 0.0) + (upper_is_heated && !has_twin ? heat_bytes(plan.upper) : 0.0);
+  return body_bytes(plan.lower, anderson_depth, lower_is_plastic, shears) + upper + heat +
          std::max(snapshot_bytes(plan.lower, plan.upper),
                   checkpoint_bytes(plan.lower, lower_is_plastic) +
                       checkpoint_bytes(plan.upper, upper_is_plastic && !has_twin));

@@ -382,9 +382,11 @@ RollingPlan plan(const RollingCase& rolling)
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
                           "rolling.passes");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
-  plan.memory_bytes =
-      memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
-                   rolling.solver.anderson_depth, rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0);
+  const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
+  const int shears = rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0;
+  plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
+                                   rolling.solver.anderson_depth, shears,
+                                   heats && rolling.lower.material.thermal, heats && rolling.upper.material.thermal);
   return plan;
 }
 

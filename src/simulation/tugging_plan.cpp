@@ -221,8 +221,10 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.scales = {std::max(pair.first_yield, 1e-2 * tugging.interference), tugging.interference};
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
+  const bool heats = is_heated(tugging, tugging.lower, tugging.upper);
   plan.memory_bytes = memory_bytes(plan, tugging.lower.material.is_plastic(), tugging.upper.material.is_plastic(),
-                                   tugging.solver.anderson_depth, tugging.friction.coefficient > 0.0 ? 1 : 0);
+                                   tugging.solver.anderson_depth, tugging.friction.coefficient > 0.0 ? 1 : 0,
+                                   heats && tugging.lower.material.thermal, heats && tugging.upper.material.thermal);
   return plan;
 }
 

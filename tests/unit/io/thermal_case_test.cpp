@@ -102,9 +102,42 @@ TEST(ThermalCase, WarnsOfWhatIsSeldomMeant)
   EXPECT_FALSE(warns(with(steel + ", temperature = 120"), "hot_bulk"));
 }
 
-// No scenario computes heat yet.
+TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
+{
+  const std::string lower = "lower.material.thermal={" + steel + "}", upper = "upper.material.thermal={" + steel + "}";
+  const std::string friction = "interface.friction=0.1", speed = "tugging.speed=\"3 m/s\"";
+  const Case c = sample::parsed({lower, upper, friction, speed, "interface.heat_fraction=0.9", "thermal.partition=0.3",
+                                 "thermal.displacement=false", "thermal.stress=false"});
+  const simulation::TuggingCase& t = sample::tugging(c);
+  EXPECT_EQ(t.speed, 3.0);
+  EXPECT_EQ(t.heat, (elastoplastic::HeatSettings{0.9, 0.3, false, false}));
+  EXPECT_FALSE(warns(c, "no_heat"));
+  EXPECT_EQ(sample::tugging(sample::parsed({})).heat, elastoplastic::HeatSettings{});
+
+  const auto refused = [](const std::vector<std::string>& overrides, const std::string& part)
+  {
+    std::string message = "not refused";
+    try
+    {
+      (void)sample::parsed(overrides);
+    }
+    catch (const InputError& error)
+    {
+      message = error.what();
+    }
+    EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+  };
+  refused({lower, upper, friction}, "tugging.speed is missing");
+  refused({lower, friction, speed}, "upper.material.thermal is missing");
+  refused({lower, upper, friction, "tugging.speed=0"}, "tugging.speed = 0 is out of range");
+  refused({lower, upper, friction, speed, "thermal.partition=1.5"}, "thermal.partition = 1.5 is out of range");
+  refused({lower, upper, friction, speed, "interface.heat_fraction=-1"},
+          "interface.heat_fraction = -1 is out of range");
+}
+
 TEST(ThermalCase, WarnsOfConstantsThatNothingUses)
 {
+  EXPECT_TRUE(warns(sample::parsed({"tugging.speed=1"}), "no_heat"));
   EXPECT_TRUE(warns(with(steel), "no_heat"));
   EXPECT_TRUE(warns(with(steel, "upper"), "no_heat"));
   EXPECT_FALSE(warns(sample::parsed({}), "no_heat"));

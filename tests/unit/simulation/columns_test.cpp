@@ -35,13 +35,15 @@ consteval std::size_t arity()
     return sizeof...(Values);
 }
 
-/// Members of what a row derives from: those of the totals without the coverage, and its own beside this base.
-constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 1) + (arity<StepRecord>() - 1);
+/// Members of what a row derives from: those of the totals without the coverage and the work of expansion, which is nothing where
+/// nothing heats, and its own beside this base.
+constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 2) + (arity<StepRecord>() - 1);
 
-/// Some rows derive from those of sliding surfaces.
+/// Some rows derive from those of sliding surfaces, and of them some from those that friction heats, with the work of expansion.
 template <typename Row>
 constexpr std::size_t members_of_row = members_of_all_rows +
                                        (std::derived_from<Row, FrictionRecord> ? arity<FrictionRecord>() - 1 : 0) +
+                                       (std::derived_from<Row, HeatedRecord> ? arity<HeatedRecord>() : 0) +
                                        (arity<Row>() - 1);
 
 template <typename Record>
