@@ -33,8 +33,6 @@ struct Heating::State
 namespace
 {
 
-using constitutive::Material;
-
 void require_conductors(const std::array<Heating::Partner, 2>& bodies)
 {
   if (!bodies[0].material.thermal && !bodies[1].material.thermal)
