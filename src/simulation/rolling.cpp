@@ -360,6 +360,9 @@ RollingPlan plan(const RollingCase& rolling)
                          "rolling.creepage"
                        : "");
   require_heat(rolling, rolling.lower, rolling.upper, rolling.speed, "rolling.speed");
+  if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
+    throw KeyError("rolling.creepage", "heat of surfaces that stick in places is not computed; with thermal constants "
+                                       "allowed: rolling.slide_to_roll in place of rolling.creepage and spin");
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
   const Footprint f =
@@ -385,8 +388,8 @@ RollingPlan plan(const RollingCase& rolling)
   const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
   const int shears = rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
-                                   rolling.solver.anderson_depth, shears,
-                                   heats && rolling.lower.material.thermal, heats && rolling.upper.material.thermal);
+                                   rolling.solver.anderson_depth, shears, heats && rolling.lower.material.thermal,
+                                   heats && rolling.upper.material.thermal);
   return plan;
 }
 
