@@ -71,9 +71,10 @@ Place on_heat(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& pla
 } // namespace
 
 BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& material, const HeatedRun& run)
-    : grid_(heat_grid(volume.surface)), thermal_(material.thermal.value()),
+    : grid_(heat_grid(volume.surface)), thermal_(material.thermal.value()), bulk_(material.temperature),
       swells_(run.settings.displacement && thermal_.expansion != 0.0),
       is_stressed_(run.settings.stress && thermal_.expansion != 0.0 && material.is_plastic()),
+      softening_law_(material.is_plastic() ? material.softening : std::nullopt),
       field_(grid_, thermal_, material.elastic, run.times,
              material.elastic.is_rigid() ? std::vector<double>{} : depths_of(volume))
 {
@@ -93,12 +94,12 @@ void BodyHeat::begin(std::span<const double> expected, const halfspace::HeatMoti
     if (swells_)
       field_.displacement({remaining_displacement_, {}, {}}, motion.duration);
   }
-  if (!is_stressed_)
+  if (!acts_in_layers())
     return;
   expected_.assign(expected.begin(), expected.end());
   before_ = field_.heat();
   field_.take_up(expected_, motion);
-  find_stress(body);
+  find_layers(body);
 }
 
 void BodyHeat::settle(std::span<const double> flux)
@@ -133,10 +134,16 @@ void BodyHeat::require_layers(const VolumeGrid& body) const
                     "allowed: a larger grid.extent");
 }
 
-void BodyHeat::find_stress(const VolumeGrid& body)
+/// What counts in the layers of the body.
+void BodyHeat::find_layers(const VolumeGrid& body)
 {
-  stress_.assign(Deviator::size * body.size(), 0.0);
-  layers(body, {.temperature = {}, .deviator = stress_, .trace = {}});
+  if (is_stressed_)
+    stress_.assign(Deviator::size * body.size(), 0.0);
+  if (is_softened())
+    softening_.assign(body.size(), 0.0);
+  layers(body, {.temperature = softening_, .deviator = stress_, .trace = {}});
+  for (double& value : softening_) // so far the rise of the temperature
+    value = constitutive::softening_factor(*softening_law_, bulk_ + value);
 }
 
 void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out) const
@@ -279,7 +286,8 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
   place_ = on_heat(heat_->grid(), body.surface, place);
   plan(motion);
   if (!is_mirrored_)
-    heat_->begin(heat_->is_stressed() ? on_body(expected_flux(duration), "heat") : std::vector<double>{}, motion, body);
+    heat_->begin(heat_->acts_in_layers() ? on_body(expected_flux(duration), "heat") : std::vector<double>{}, motion,
+                 body);
   remaining_ = seen(heat_->remaining_temperature(), place_);
   for (double& t : remaining_)
     t += material_.temperature;

@@ -24,10 +24,13 @@ public:
 
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] bool swells() const { return swells_; }
-  /// Whether its thermal stress counts when it yields.
-  [[nodiscard]] bool is_stressed() const { return is_stressed_; }
 
-  /// Begins a step with a flux that is expected in it, and finds the stress at its end, if it is wanted.
+  /// Whether its temperature takes part of its yield stress.
+  [[nodiscard]] bool is_softened() const { return softening_law_.has_value(); }
+  /// Whether what the heat does in the layers counts.
+  [[nodiscard]] bool acts_in_layers() const { return is_stressed_ || is_softened(); }
+
+  /// Begins a step with a flux that is expected in it, and finds stress and softening at its end, if they are wanted.
   void begin(std::span<const double> expected, const halfspace::HeatMotion& motion, const VolumeGrid& body);
   /// Ends it with the flux that has come in.
   void settle(std::span<const double> flux);
@@ -41,6 +44,8 @@ public:
   [[nodiscard]] const std::vector<double>& displacement() const { return displacement_; }
   /// On the body, at the end of the step at hand [Pa]; empty if it is not wanted.
   [[nodiscard]] const std::vector<double>& stress() const { return stress_; }
+  /// Factors on the yield stress of the body's cells, likewise.
+  [[nodiscard]] const std::vector<double>& softening() const { return softening_; }
   /// In all layers of a body that may have grown, as of the last step.
   void layers(const VolumeGrid& body, const Heating::Layers& out) const;
   /// Work of the displacement in the last step against a pressure on the grid of the heat [J].
@@ -49,17 +54,19 @@ public:
   void exchange(Archive& archive);
 
 private:
-  void find_stress(const VolumeGrid& body);
+  void find_layers(const VolumeGrid& body);
   void require_layers(const VolumeGrid& body) const;
 
   SurfaceGrid grid_;
   Thermal thermal_;
-  bool swells_, is_stressed_;
+  double bulk_;               ///< temperature far from the contact [deg C]
+  bool swells_, is_stressed_; ///< whether its displacement counts in the gap, its thermal stress when it yields
+  std::optional<constitutive::SofteningLaw> softening_law_; ///< none: it does not count
   halfspace::ThermalField field_;
   Hidden<halfspace::ThermalField::Heat> before_{}; ///< the step at hand, if its expected flux is taken up
   halfspace::HeatMotion motion_{};
   std::vector<double> expected_;
-  std::vector<double> remaining_temperature_, remaining_displacement_, stress_;
+  std::vector<double> remaining_temperature_, remaining_displacement_, stress_, softening_;
   std::vector<double> displacement_, displacement_before_, pressure_; ///< at the end of the last step
 };
 

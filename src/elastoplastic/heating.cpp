@@ -177,6 +177,14 @@ std::span<const double> Heating::stress(std::size_t side) const
   return s.heat().stress();
 }
 
+std::span<const double> Heating::softening(std::size_t side) const
+{
+  const HeatedSide& s = state_->sides.at(side);
+  if (!s.conducts() || s.is_mirrored())
+    return {};
+  return s.heat().softening();
+}
+
 std::span<const double> Heating::temperature(std::size_t side) const
 {
   return state_->sides.at(side).temperature();

@@ -18,7 +18,10 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
                    .slid = strategy.slid,
                    .shear_before = interface_->shears()[0]});
   for (std::size_t side = 0; side < sides_.size() && strategy.duration > 0.0; ++side)
+  {
     sides_[side].body.set_thermal_stress(heating_->stress(side));
+    sides_[side].body.set_softening(heating_->softening(side));
+  }
 }
 
 /// The fluxes that belong to the pressure of the trial. @returns by how much they change the gap [m]

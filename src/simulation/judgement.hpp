@@ -35,6 +35,7 @@ struct Facts
   bool is_patchy = false; ///< the contact may lie anywhere in a period, so that its extent says nothing of its patches
   std::optional<double> cells_per_wave; ///< the shortest one, of rough flats over a period
   std::array<const Texture*, 2> textures{nullptr, nullptr};
+  std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
   elastoplastic::Settings solver;
 };
 

@@ -168,6 +168,26 @@ public:
                       length_text(f_.approach)));
   }
 
+  /// A body that has become hotter than its softening is known for.
+  void of_heat(const RunTotals& totals)
+  {
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      const constitutive::Material& material = *f_.materials[side];
+      const double hottest = totals.max_temperature[side];
+      if (!material.softening || !(hottest > material.temperature)) // nothing has heated it
+        continue;
+      const char* name = side == 0 ? "lower" : "upper";
+      if (const auto melting = constitutive::melting_temperature(*material.softening); melting && hottest >= *melting)
+        add("melting", fmt::format("the {} surface reaches {:.0f} degC and melts at {:.0f} degC: what melts is counted "
+                                   "as a solid that keeps {} of its yield stress",
+                                   name, hottest, *melting, percent_text(constitutive::least_softening_factor)));
+      else if (!constitutive::covers(*material.softening, hottest))
+        add("softening_range", fmt::format("the {} surface reaches {:.0f} degC, beyond the table of its softening, "
+                                           "whose last value is taken",
+                                           name, hottest));
+    }
+  }
   void of_course(const RunTotals& totals)
   {
     if (f_.can_yield && totals.max_equivalent_plastic_strain == 0.0)
@@ -268,6 +288,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.is_patchy = numerics.domain.is_periodic();
   f.cells_per_wave = cells_per_wave(lower, upper, numerics.domain, f.cell[0], f.cell[1]);
   f.textures = {&lower.texture, &upper.texture};
+  f.materials = {&lower.material, &upper.material};
   return f;
 }
 
@@ -297,6 +318,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   judge.of_step();
   judge.of_size();
   judge.of_course(totals);
+  judge.of_heat(totals);
   if (of_course)
     judge.add(std::move(*of_course));
   judge.of_tolerances();

@@ -23,7 +23,8 @@ TEST_P(New, CaseIsAcceptedAndRuns)
   const Outcome check = run({"check", "first.toml"});
   EXPECT_EQ(check.exit_code, 0);
   EXPECT_EQ(check.err, "");
-  std::vector<std::string> coarse{"run", "first.toml", "-q", "-o", "out", "--set", "grid.resolution=3"};
+  std::vector<std::string> coarse{"run", "first.toml", "-q", "-o", "out", "--set"};
+  coarse.emplace_back(GetParam() == "sliding" ? "grid.spacing=[\"10 um\", \"10 um\", \"5 um\"]" : "grid.resolution=3");
   if (GetParam() == "rolling")
     coarse.insert(coarse.end(), {"--set", "rolling.distance=0.2 mm"});
   const Outcome outcome = run(coarse);

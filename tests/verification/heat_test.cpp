@@ -273,5 +273,60 @@ TEST(Heat, ConvergesWithTheStep)
   }
 }
 
+TEST(Heat, AWarmBulkSoftensByItsFactor)
+{
+  // So slow that nothing heats, and with a thermal expansion of zero: the bodies are those whose law of hardening is multiplied with
+  // the factor at the temperature of the bulk.
+  constexpr double temperature = 320.0, melting = 1520.0, reference = 20.0;
+  const double factor = 1.0 - (temperature - reference) / (melting - reference);
+  constitutive::Material soft = elastic_material();
+  soft.hardening = constitutive::LinearHardening{1e9, 20e9};
+  constitutive::Material weak = soft;
+  weak.hardening = constitutive::LinearHardening{factor * 1e9, factor * 20e9};
+  TuggingCase warm = warm_spheres(soft, 4.0, 1e-9, 4.0);
+  for (simulation::ShapedBody* body : {&warm.lower, &warm.upper})
+  {
+    body->material.softening = constitutive::LinearSoftening{reference, melting};
+    body->material.temperature = temperature;
+    body->material.thermal->expansion = 0.0;
+  }
+  TuggingCase cold = warm;
+  for (simulation::ShapedBody* body : {&cold.lower, &cold.upper})
+  {
+    body->material = weak;
+    body->material.thermal.reset();
+  }
+  cold.speed.reset();
+  const simulation::TuggingPlan same_cells = simulation::plan(warm);
+  cold.spacing = warm.spacing = {same_cells.contact.dx, same_cells.contact.dy, same_cells.lower.dz};
+  const TuggingRun of_warm = computed(warm), of_cold = computed(cold);
+  EXPECT_GT(of_cold.summary.dissipation_lower, 0.0);
+  // The plans do not know the softening: grids and tolerances differ.
+  EXPECT_NEAR(of_warm.summary.dissipation_lower / of_cold.summary.dissipation_lower, 1.0, 1e-3);
+  EXPECT_NEAR(of_warm.summary.max_residual_lower / of_cold.summary.max_residual_lower, 1.0, 1e-3);
+}
+
+TEST(Heat, HotterBodiesYieldMoreAndMeltingIsTold)
+{
+  // At 1 m/s both surfaces reach some 200 degC.
+  std::vector<double> plastic;
+  for (const double melting : {1520.0, 620.0, 120.0})
+  {
+    TuggingCase t = warm_spheres(perfect_material(), 4.0, 1.0, 4.0);
+    for (simulation::ShapedBody* body : {&t.lower, &t.upper})
+    {
+      body->material.hardening = constitutive::LinearHardening{1e9, 20e9};
+      body->material.softening = constitutive::JohnsonCookSoftening{20.0, melting, 1.0};
+    }
+    const TuggingRun run = computed(t);
+    plastic.push_back(run.summary.dissipation_lower);
+    const auto warnings = simulation::quality(t, simulation::plan(t), run.summary).warnings;
+    EXPECT_EQ(std::any_of(warnings.begin(), warnings.end(), [](const auto& w) { return w.key == "melting"; }),
+              melting < 200.0);
+  }
+  EXPECT_GT(plastic[1], 1.05 * plastic[0]);
+  EXPECT_GT(plastic[2], plastic[1]);
+}
+
 } // namespace
 } // namespace brinell::verification

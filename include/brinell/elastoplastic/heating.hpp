@@ -79,6 +79,8 @@ public:
   /// flux that is expected in it. Empty where there is none.
   /// @param side  0: lower, 1: upper, unless it is a twin
   [[nodiscard]] std::span<const double> stress(std::size_t side) const;
+  /// Factors on the yield stress at the same temperature, one per cell; empty where nothing softens.
+  [[nodiscard]] std::span<const double> softening(std::size_t side) const;
 
   /// What the end of the last increment shows on the contact grid. A body that does not conduct has its bulk temperature.
   [[nodiscard]] std::span<const double> temperature(std::size_t side) const; ///< of the surface [deg C]

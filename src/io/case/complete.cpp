@@ -173,6 +173,10 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
       c.warnings.push_back({"no_heat", fmt::format("{}.material.thermal has no effect: {}", name,
                                                    can_heat ? "without interface.friction nothing heats"
                                                             : "no heat is computed in this scenario")});
+  for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
+    if (body->material.softening && !(can_heat && has_friction && body->material.thermal))
+      c.warnings.push_back(
+          {"no_heat", fmt::format("{}.material.softening has no effect: no heat is computed in this case", name)});
   if constexpr (can_heat)
     if (!(has_friction && (scenario.lower.material.thermal || scenario.upper.material.thermal)))
       for (const std::string& key :

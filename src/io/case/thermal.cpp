@@ -70,9 +70,6 @@ constexpr Usual usual[] = {
 
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material, Case& c)
 {
-  if (material.softening)
-    c.warnings.push_back(
-        {"no_heat", fmt::format("{}.material.softening has no effect: no heat is computed in this case", body)});
   if (!material.thermal)
     return;
   const std::string table = body + ".material.thermal";

@@ -131,7 +131,8 @@ std::string field(const Reference& reference, const std::string& name)
 
 TEST(References, AreComplete)
 {
-  const std::set<std::string> kinds{"article", "book", "incollection", "inproceedings", "misc", "techreport"};
+  const std::set<std::string> kinds{"article", "book",      "incollection", "inproceedings",
+                                    "misc",    "phdthesis", "techreport"};
   std::set<std::string> seen;
   ASSERT_GT(all_references().size(), 20u);
   for (const Reference& r : all_references())
