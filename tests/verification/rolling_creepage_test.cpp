@@ -166,7 +166,8 @@ TEST(RollingCreepage, LargeCreepageFollowsCoulomb)
   for (const Creepage& creepage : {Creepage{2.0 * full, 0.0, 0.0}, Creepage{1.6 * full, -1.2 * full, 0.0}})
   {
     const RollingCase c = balls.rolling(16.0, creepage, 6.0);
-    const RollingRecord& r = at_the_end(c, computed(c));
+    const RollingRun run = computed(c);
+    const RollingRecord& r = at_the_end(c, run);
     const double limit = PairOfBalls::f * balls.load_of_contact();
     const double size = std::hypot(creepage.longitudinal, creepage.lateral);
     EXPECT_EQ(r.stick_share, 0.0);

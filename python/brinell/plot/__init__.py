@@ -3,11 +3,11 @@
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of
-any scenario), `slip` (stick and slip in one state), `history` and `energy` (one run step by step), `animation` (one
-pass as a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them:
-`style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name),
-`planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which
-bodies), `cells` (cell values as pictures).
+any scenario), `slip` (stick and slip in one state), `history`, `energy` and `temperature` (one run step by step),
+`animation` (one pass as a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell
+plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the
+fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which
+state and which bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -37,6 +37,7 @@ from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
+from brinell.plot.temperature import surface_temperatures
 
 __all__ = [
     "QUANTITIES",
@@ -79,5 +80,6 @@ __all__ = [
     "stress_over_depth",
     "stroke_by_stroke",
     "surface",
+    "surface_temperatures",
     "track_profile",
 ]

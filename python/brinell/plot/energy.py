@@ -45,11 +45,19 @@ def sinks_of(history: History) -> tuple[Sink, ...]:
     return tuple(sink for sink in SINKS if sink.column in history)
 
 
+def supplied(history: History) -> FloatArray:
+    """Work of the drive, and of bodies that swell as they grow warm, since the start [J]."""
+    expansion = history.get("work_of_expansion", 0.0)
+    return np.asarray(history["work"] + expansion, dtype=np.float64)
+
+
 def balance_error(history: History) -> FloatArray:
     """Work that is unaccounted for at each step, over the largest work reached in the run [-]."""
     absorbed = np.sum([history[sink.column] for sink in sinks_of(history)], axis=0)
     most = float(np.max(np.abs(history["work"])))
-    return np.asarray((history["work"] - absorbed) / most if most > 0.0 else np.zeros(history.steps), dtype=np.float64)
+    return np.asarray(
+        (supplied(history) - absorbed) / most if most > 0.0 else np.zeros(history.steps), dtype=np.float64
+    )
 
 
 @style.figure
@@ -71,6 +79,9 @@ def energy_balance(run: Run) -> Figure:
             linewidth=0.0,
         )
     top.plot(step, history["work"] / energy.size, color="black", label="work of the drive")
+    if np.any(supplied(history) != history["work"]):
+        look = {"color": "black", "linestyle": ":", "label": "and of the swelling bodies"}
+        top.plot(step, supplied(history) / energy.size, **look)
     top.set_ylabel(energy.label("energy", "U"))
     twin_axis(top, "y", energy, Scales(run).energy(0.0), "U")
     top.margins(x=0.0)

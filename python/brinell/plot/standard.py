@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from matplotlib.figure import Figure
 
-from brinell.plot import depth, energy, fields, history
+from brinell.plot import depth, energy, fields, history, temperature
 from brinell.results import Run, Snapshot
 from brinell.scenarios import SCENARIOS
 
@@ -44,6 +44,11 @@ def standard_figures(run: Run) -> Iterator[Named]:
         yield from _of_final_state(run, run.snapshot("final", tensors=True))
     caption = "Forces, energies, permanent deformation and cost, step by step."
     yield Named("history", caption, "course", history.run_history(run))
+    if (warm := temperature.surface_temperatures(run)) is not None:
+        caption = (
+            "Step by step: temperature of the hottest place of each surface, and the heat that each body has taken."
+        )
+        yield Named("surface-temperatures", caption, "course", warm)
     caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
     yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
 

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Heat of friction in Python: keys, columns, fields, figures, softening."""
+
+from __future__ import annotations
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import brinell
+from brinell import InputError
+from brinell.plot.energy import balance_error
+from brinell.results import Run
+
+THERMAL = brinell.Thermal.carbon_steel()
+
+
+def tugging(**arguments: object) -> brinell.Tugging:
+    given: dict = {"speed": "1 m/s", "interface": {"friction": 0.1}, "grid": {"resolution": 4}, "normalised": False}
+    plastic = brinell.Linear("900 MPa", "20 GPa")
+    material = arguments.pop("material", brinell.Material("200 GPa", 0.3, plastic, thermal=THERMAL))
+    ball = brinell.Body(brinell.Sphere("10 mm"), material)
+    return brinell.Tugging(ball, ball, "10 um", **(given | arguments))
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    return tugging().run(in_memory=True)
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_equal_bodies_take_half_of_the_heat_each(run: Run) -> None:
+    history = run.history
+    assert history["max_temperature_lower"].max() > 60.0  # from 20 degC
+    assert history["heat_lower"] == pytest.approx(history["heat_upper"], rel=1e-6, abs=1e-12)
+    heat = history["heat_lower"][-1] + history["heat_upper"][-1]
+    assert heat == pytest.approx(history["dissipation_friction"][-1], rel=5e-3)
+    assert abs(balance_error(history)[-1]) < 0.02
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_fields(run: Run) -> None:
+    contact = run.snapshot("aligned").contact
+    assert contact.temperature_lower is not None
+    assert contact.heat_flux_lower is not None
+    assert contact.temperature_lower.shape == contact.pressure.shape
+    hot = np.unravel_index(np.argmax(contact.temperature_lower), contact.pressure.shape)
+    assert contact.pressure[hot] > 0.0
+    touching = contact.pressure > 0.05 * contact.pressure.max()
+    both = contact.temperature_lower[touching], contact.temperature_upper[touching]
+    np.testing.assert_allclose(*both, rtol=1e-3)
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_figures(run: Run) -> None:
+    fig = brinell.plot.surface_temperatures(run)
+    assert fig is not None
+    lines = fig.axes[0].lines
+    assert [line.get_label() for line in lines] == ["lower", "upper"]
+    assert lines[0].get_ydata() == pytest.approx(run.history["max_temperature_lower"])
+    names = [named.name for named in brinell.plot.standard_figures(run)]
+    assert "surface-temperatures" in names
+    plt.close("all")
+    cold = tugging(interface={"friction": 0.1}, speed=None, material=brinell.Material("200 GPa", 0.3))
+    assert brinell.plot.surface_temperatures(cold.run(in_memory=True)) is None
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_hot_bodies_are_softer(run: Run) -> None:
+    softening = brinell.JohnsonCook(melting_temperature="600 degC", exponent=1.0)
+    plastic = brinell.Linear("900 MPa", "20 GPa")
+    material = brinell.Material("200 GPa", 0.3, plastic, thermal=THERMAL, softening=softening)
+    soft = tugging(material=material).run(in_memory=True)
+    assert soft.history["dissipation_lower"][-1] > 1.05 * run.history["dissipation_lower"][-1]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"speed": None}, "tugging.speed is missing|speed"),
+        ({"speed": 0}, "speed"),
+        ({"thermal": brinell.Heating(partition=1.5)}, "partition"),
+    ],
+)
+def test_what_cannot_be_is_refused(arguments: dict[str, object], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        tugging(**arguments).run(in_memory=True)
