@@ -227,7 +227,7 @@ def test_with_values_keeps_the_class() -> None:
 @pytest.mark.parametrize("scenario", [getattr(brinell, name) for name in scenarios.__all__])
 def test_a_scenario_has_all_keys_of_its_table(scenario: type) -> None:
     arguments = set(inspect.signature(scenario.__init__).parameters)
-    shared = {"self", "lower", "upper", "title", "interface", "grid", "solver", "output"}
+    shared = {"self", "lower", "upper", "title", "interface", "thermal", "grid", "solver", "output"}
     assert arguments - shared == keys_of(scenario.__name__.lower())
 
 

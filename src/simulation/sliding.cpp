@@ -166,8 +166,8 @@ private:
   /// The middle of the track is that of the lower grid. A period has no middle.
   [[nodiscard]] Centre centre(double slid) const
   {
-    const double start =
-        case_.domain.x.is_periodic() ? 0.0 : -(plan_.sliding_steps / 2) * plan_.shift; // whole cells, if the shift is
+    const int half = plan_.sliding_steps / 2; // whole cells, if the shift is
+    const double start = case_.domain.x.is_periodic() ? 0.0 : -half * plan_.shift;
     return {start + slid, 0.0};
   }
 

@@ -64,6 +64,8 @@ UNITS: Mapping[str, str] = {
     "load": "N",
     "direction": "°",
     "half_angle": "°",
+    "spin": "rad/m",
+    "speed": "m/s",
     "conductivity": "W/(m K)",
     "density": "kg/m³",
     "specific_heat": "J/(kg K)",

@@ -162,6 +162,26 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
         reader.add(fmt::format("{}.shift", io.name), *reason);
 }
 
+/// Keys that say something of the heat where none is computed; defaults say nothing.
+void warn_of_keys_without_heat(const CaseReader& reader, Case& c, const std::string& speed)
+{
+  const auto differs = [&](const std::string& key)
+  {
+    const std::optional<Value>& fallback = find_entry(key)->fallback;
+    if (!reader.has(key) || !fallback)
+      return reader.has(key);
+    if (std::holds_alternative<bool>(*fallback))
+      return reader.get<bool>(key) != std::get<bool>(*fallback);
+    return reader.get<double>(key) != std::get<double>(*fallback);
+  };
+  for (const std::string& key : {speed, std::string("thermal.partition"), std::string("thermal.displacement"),
+                                 std::string("thermal.stress"), std::string("interface.heat_fraction")})
+    if (differs(key))
+      c.warnings.push_back(
+          {"no_heat",
+           fmt::format("{} has no effect: heat takes interface.friction and the thermal constants of a body", key)});
+}
+
 /// Keys that something else is missing for.
 template <typename ScenarioCase>
 void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
@@ -179,14 +199,7 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
           {"no_heat", fmt::format("{}.material.softening has no effect: no heat is computed in this case", name)});
   if constexpr (can_heat)
     if (!(has_friction && (scenario.lower.material.thermal || scenario.upper.material.thermal)))
-      for (const std::string& key :
-           {fmt::format("{}.speed", io_of(scenario).name), std::string("thermal.partition"),
-            std::string("thermal.displacement"), std::string("thermal.stress"), std::string("interface.heat_fraction")})
-        if (reader.raw.find(key) != nullptr)
-          c.warnings.push_back(
-              {"no_heat", fmt::format("{} has no effect: heat takes interface.friction and the thermal "
-                                      "constants of a body",
-                                      key)});
+      warn_of_keys_without_heat(reader, c, fmt::format("{}.speed", io_of(scenario).name));
 }
 
 template <typename ScenarioCase>
