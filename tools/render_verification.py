@@ -26,8 +26,8 @@ def in_source(suite: str, test: str) -> tuple[str, str]:
     return suite.split("/")[-1], test.split("/")[0]
 
 
-PEOPLE = {"Carter", "Cattaneo", "Coulomb", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Johnson", "Kalker",
-          "Mindlin", "Persson", "Vermeulen"}
+PEOPLE = {"Blok", "Carter", "Cattaneo", "Coulomb", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Johnson",
+          "Kalker", "Mindlin", "Persson", "Vermeulen", "Westergaard"}
 
 
 def words(name: str) -> str:

@@ -205,7 +205,7 @@ double largest_rise(double peclet, std::optional<double> partition, double* shar
   return rise;
 }
 
-TEST(Heat, SharesBetweenBloksLimits)
+TEST(Heat, SharesLieBetweenTheLimitsOfBlok)
 {
   // A slow contact heats both half spaces alike. A fast one leaves ever new cold places of the lower body, which takes most of
   // the heat; Blok's rule makes the largest temperatures of both bodies equal, 1/T = 1/T_lower + 1/T_upper of all heat in one of
