@@ -9,6 +9,7 @@
 #include "indent.hpp"
 #include "judgement.hpp"
 #include "period.hpp"
+#include "pressing.hpp"
 #include "run_state.hpp"
 
 #include <algorithm>
@@ -16,7 +17,6 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace brinell::simulation
 {
@@ -75,7 +75,7 @@ public:
     if (in_entry == 0)
       begin_entry(in_indent, touch);
     if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
-      to_ = std::min(to_, lifted(touch));
+      to_ = std::min(to_, without_contact(kind(), touch));
     const auto path = [this, here, in_entry](double t) {
       return Target{here, {kind(), imposed((in_entry + t) / case_.steps)}};
     };
@@ -93,7 +93,12 @@ public:
     r.approach = stepper.pair().approach();
     r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
     r.mean_pressure = r.contact_area > 0.0 ? r.F_n / r.contact_area : 0.0;
-    read_period(stepper.pair(), r);
+    const elastoplastic::CoupledContact& pair = stepper.pair();
+    r.contact_cells = static_cast<int>(
+        std::count_if(pair.pressure().begin(), pair.pressure().end(), [](double p) { return p > 0.0; }));
+    read_period(pair, r);
+    r.contact_stiffness =
+        pair.grid().is_periodic() ? pair.stiffness() / (case_.domain.x.size * case_.domain.y.size) : nan;
     const auto [highest, deepest] = stepper.residual_range(here);
     r.residual_depth = deepest;
     r.pile_up = -highest;
@@ -130,38 +135,6 @@ private:
     return case_.places[static_cast<std::size_t>(step / steps_per_indent() / case_.cycles)];
   }
 
-  /// What only bodies without ends have.
-  static void read_period(const elastoplastic::CoupledContact& pair, IndentationRecord& r)
-  {
-    const SurfaceGrid& grid = pair.grid();
-    r.contact_cells = static_cast<int>(
-        std::count_if(pair.pressure().begin(), pair.pressure().end(), [](double p) { return p > 0.0; }));
-    r.nominal_pressure = r.contact_fraction = r.mean_gap = r.contact_stiffness = nan;
-    if (!grid.is_periodic())
-      return;
-    const auto cells = static_cast<double>(grid.size());
-    const double area = cells * grid.cell_area();
-    r.nominal_pressure = r.F_n / area;
-    r.contact_fraction = r.contact_area / area;
-    r.mean_gap = std::max(0.0, std::accumulate(pair.gap().begin(), pair.gap().end(), 0.0) / cells);
-    r.contact_stiffness = pair.stiffness() / area;
-  }
-
-  /// An imposed approach of zero means no contact, dents and bumps included; mean gaps begin where the surfaces touch.
-  [[nodiscard]] double lifted(const Stepper::Distances& touch) const
-  {
-    switch (kind())
-    {
-    case Drive::Kind::load:
-      return 0.0;
-    case Drive::Kind::approach:
-      return std::min(0.0, touch.smallest);
-    case Drive::Kind::mean_gap:
-      return touch.mean - touch.smallest;
-    }
-    throw InternalError("a drive of no kind");
-  }
-
   /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the approach grows evenly: the
   /// first step in load would be the longest by far.
   [[nodiscard]] double imposed(double share) const
@@ -175,8 +148,8 @@ private:
   void begin_entry(int in_indent, const Stepper::Distances& touch)
   {
     const double entry = case_.sequence[static_cast<std::size_t>(in_indent / case_.steps)].value;
-    from_ = in_indent == 0 ? lifted(touch) : to_;
-    to_ = entry == 0.0 ? lifted(touch) : entry;
+    from_ = in_indent == 0 ? without_contact(kind(), touch) : to_;
+    to_ = entry == 0.0 ? without_contact(kind(), touch) : entry;
   }
 
   [[nodiscard]] Drive::Kind kind() const { return case_.sequence.front().kind; }

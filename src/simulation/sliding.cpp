@@ -9,6 +9,7 @@
 #include "grid_layout.hpp"
 #include "judgement.hpp"
 #include "period.hpp"
+#include "pressing.hpp"
 #include "run_state.hpp"
 #include "stroke.hpp"
 
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
 
 namespace brinell::simulation
 {
@@ -60,7 +60,7 @@ public:
     if (done_ == 0 || done_ == last() || done_ + 1 == plan_.steps) // what has yielded on the way counts
     {
       const Stepper::Distances touch = stepper.distances(centre());
-      lifted_ = lifted(touch);
+      lifted_ = without_contact(case_.press.kind, touch);
       if (done_ == 0)
         at_.approach = touch.smallest;
     }
@@ -171,20 +171,6 @@ private:
     return {start + slid, 0.0};
   }
 
-  /// What no contact is for the drive, dents and bumps included.
-  [[nodiscard]] double lifted(const Stepper::Distances& touch) const
-  {
-    switch (case_.press.kind)
-    {
-    case Drive::Kind::load:
-      return 0.0;
-    case Drive::Kind::approach:
-      return std::min(0.0, touch.smallest);
-    case Drive::Kind::mean_gap:
-      return touch.mean - touch.smallest;
-    }
-    throw InternalError("a drive of no kind");
-  }
   /// The drive after some steps. Loads go by their power 2/3, so that the approach grows evenly.
   [[nodiscard]] double pressed(double steps) const
   {
@@ -209,20 +195,6 @@ private:
       for (int i = 0; i < grid.nx; ++i)
         upper[grid.index(i, j)] += height(case_.upper.shape, x0 + i * grid.dx, grid.y(j));
     return 0.5 * rolling_resistance(grid, stepper.pair().pressure(), depths.lower, upper, -1.0);
-  }
-
-  /// What only bodies without ends have.
-  static void read_period(const elastoplastic::CoupledContact& pair, SlidingRecord& r)
-  {
-    const SurfaceGrid& grid = pair.grid();
-    r.nominal_pressure = r.contact_fraction = r.mean_gap = nan;
-    if (!grid.is_periodic())
-      return;
-    const auto cells = static_cast<double>(grid.size());
-    const double area = cells * grid.cell_area();
-    r.nominal_pressure = r.F_n / area;
-    r.contact_fraction = r.contact_area / area;
-    r.mean_gap = std::max(0.0, std::accumulate(pair.gap().begin(), pair.gap().end(), 0.0) / cells);
   }
 
   const SlidingCase& case_;
