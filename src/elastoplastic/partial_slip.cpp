@@ -340,7 +340,7 @@ void PartialSlip::settle(const Bodies& bodies)
     state_.work += 0.5 * (before + force[axis]) * (state_.shift[axis] - before_.shift[axis]);
   }
   state_.turned = start_.along.spin;
-  state_.work += 0.5 * (moment_of(shear_before_) + moment()) * (state_.turned - before_.turned);
+  state_.work += 0.5 * (moment_of(shear_before_) + moment_of(state_.shear)) * (state_.turned - before_.turned);
 }
 
 /// Points that leave the contact in the increment slip until their shear is gone.
@@ -377,11 +377,6 @@ void PartialSlip::add_parting_heat()
         state_.heat[i] += heat;
         state_.total_heat += heat * grid.cell_area();
       }
-}
-
-double PartialSlip::moment() const
-{
-  return moment_of(state_.shear);
 }
 
 double PartialSlip::moment_of(const Pair& shear) const

@@ -46,8 +46,6 @@ public:
   [[nodiscard]] std::span<const double> heat_per_area() const { return state_.heat; }
   /// Heat of friction since the start, with that of points which have left the grid [J].
   [[nodiscard]] double heat() const { return state_.total_heat; }
-  /// Of the shear on the lower body about z through the middle of the grid, from x to y [N m].
-  [[nodiscard]] double moment() const;
   /// By which distant points of the upper body have been moved past those of the lower one since the start [m].
   [[nodiscard]] std::array<double, 2> shift() const { return state_.shift; }
   /// Work of the forces along the surface, and of their moment on the spin, since the start [J].

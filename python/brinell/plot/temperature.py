@@ -12,12 +12,12 @@ from brinell.plot.overlay import zero_line
 from brinell.plot.scales import si
 from brinell.results import Run
 
-__all__ = ["is_heated", "surface_temperatures"]
+__all__ = ["surface_temperatures"]
 
 _SIDES = (("lower", style.LOWER, "-"), ("upper", style.UPPER, (0, (4, 2))))  # often equal: both must show
 
 
-def is_heated(run: Run) -> bool:
+def _is_heated(run: Run) -> bool:
     """Whether heat of friction was computed."""
     return any(np.any(run.history[name]) for name in ("heat_lower", "heat_upper") if name in run.history)
 
@@ -29,7 +29,7 @@ def surface_temperatures(run: Run) -> Figure | None:
     Returns:
         None if no heat was computed.
     """
-    if not is_heated(run):
+    if not _is_heated(run):
         return None
     history = run.history
     heat = si(max(float(np.abs(history[f"heat_{side}"]).max()) for side, _, _ in _SIDES), "J")

@@ -106,7 +106,7 @@ Press press_of(Drive::Kind kind)
   case Drive::Kind::mean_gap:
     return {"mean_gap", "m"};
   }
-  return {};
+  throw InternalError("a drive of no kind");
 }
 
 std::string strokes_text(int strokes)
