@@ -2,7 +2,7 @@
 #   make build   compile with CMake (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
-# Further: setup, format, check, tidy, sanitize, sanitize-fast, docs, package, bench, clean. All of them may be repeated; what is done is
+# Further: setup, format, check, tidy, sanitize, sanitize-fast, docs, package, count, bench, clean. All of them may be repeated; what is done is
 # not redone.
 
 SHELL := /bin/bash
@@ -14,12 +14,13 @@ ALPHAS ?= 1 2 4 6 9#   maximum interferences of `make run`, in critical interfer
 CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=ON
 PYTHONS ?=#            of the wheels of `make package`, e.g. PYTHONS="python3.11 python3.12"; that of .venv by default
 BENCH_ARGS ?=#         more options for the benchmarks, e.g. BENCH_ARGS=--benchmark_repetitions=3
+COUNT_ARGS ?=#         --record makes the instructions that `make count` counts the new measure
 
 python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test run setup format check tidy sanitize sanitize-fast package bench docs clean force
+.PHONY: build test run setup format check tidy sanitize sanitize-fast package count bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done
@@ -94,6 +95,15 @@ sanitize-fast: build/sanitize/build.ninja
 
 package: build/.setup-packages .venv/.setup-done
 	PYTHONS="$(PYTHONS)" tools/package.sh
+
+# Whether the engine works more than it did: instructions of small runs, in the wheel that `make package` has made for every
+# processor. COUNT_ARGS=--record makes the counts the new measure.
+count: build/.setup-packages
+	tools/setup.sh count
+	@ls dist/*-1baseline-*.whl >/dev/null 2>&1 || { echo "make count: no wheel in dist; say 'make package PROCESSORS=x86-64' first" >&2; exit 1; }
+	python3 -m venv --clear build/count
+	build/count/bin/pip install --quiet --disable-pip-version-check dist/*-1baseline-*.whl
+	python3 bench/instructions.py build/count/bin/python $(COUNT_ARGS)
 
 # One thread, unless OMP_NUM_THREADS says otherwise. bench/record.py appends what is measured to bench/results.csv.
 bench: export OMP_NUM_THREADS ?= 1

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy|ccache|list
+# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy|ccache|count|list
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -40,8 +40,19 @@ make_venv() {
   # The tools of the build stay in .venv, so that CMake finds them at the same place the next time and builds only what changed.
   "${pip[@]}" 'scikit-build-core>=0.11' 'nanobind>=2.7' 'ninja>=1.11' || fail "pip could not install the build tools. $mirror"
   echo "setup: compiling the engine and its Python package into .venv, which takes some minutes the first time"
-  "${pip[@]}" --no-build-isolation --config-settings=build-dir=build/python --config-settings=editable.mode=redirect \
-    -e ".[test,lint]" || fail "pip could not install the package into .venv (see above). $mirror"
+  mkdir -p build
+  local log=build/setup-python.log
+  .venv/bin/pip install --verbose --disable-pip-version-check --no-build-isolation \
+    --config-settings=build-dir=build/python --config-settings=editable.mode=redirect -e ".[test,lint]" 2>&1 |
+    tee "$log" | show_progress || fail "the package could not be compiled or installed into .venv; the end of $log:
+$(tail -n 40 "$log")"
+}
+
+# Of what ninja says the files done so far, in one line; nothing where nobody looks.
+show_progress() {
+  if [[ ! -t 1 ]]; then cat >/dev/null; return; fi
+  stdbuf -oL grep -oE '\[[0-9]+/[0-9]+\]' | while read -r done; do printf '\rsetup: %s ' "$done"; done || true
+  printf '\r%20s\r' ''
 }
 
 case "${1:-}" in
@@ -50,6 +61,7 @@ case "${1:-}" in
   test) install_packages "${test_packages[@]}" ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
   ccache) install_packages ccache ;;
+  count) install_packages valgrind binutils ;;
   list) echo "${engine_packages[*]}" ;;
-  *) fail "usage: tools/setup.sh packages|python|test|tidy|ccache|list" ;;
+  *) fail "usage: tools/setup.sh packages|python|test|tidy|ccache|count|list" ;;
 esac

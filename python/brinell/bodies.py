@@ -68,7 +68,10 @@ class Sphere(Shape):
 
 @dataclass(frozen=True)
 class Ellipsoid(Shape):
-    """Two radii of curvature at the apex, in the planes x z and y z."""
+    """Two radii of curvature at the apex, in the planes x z and y z; below 0 for a hollow, as the groove of a raceway.
+
+    Both bodies together must be convex.
+    """
 
     type: ClassVar[str] = "ellipsoid"
     radius_x: Quantity

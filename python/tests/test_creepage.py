@@ -57,7 +57,7 @@ def test_it_is_that_of_the_case_file() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"creepage": [0.001]}, "needs two numbers"),
+        ({"creepage": [0.001, 0.0, 0.0]}, "has more than two numbers"),
         ({"creepage": [0.5, 0.0]}, "creepage"),
         ({"creepage": [float("nan"), 0.0]}, "creepage"),
         ({"interface": None}, "interface.friction = 0: nothing holds the surfaces"),

@@ -252,6 +252,17 @@ bool are_flat(const ShapedBody& lower, const ShapedBody& upper)
   return k && (*k)[0] == 0.0 && (*k)[1] == 0.0;
 }
 
+/// Beyond its radius of curvature no body is a half space, nor its surface a paraboloid.
+void require_within_radius(const Footprint& f, const Shape& lower, const Shape& upper)
+{
+  const auto curvature = relative_curvature(lower, upper);
+  for (const auto& [half, axis] : {std::pair{f.half_x, 0}, std::pair{f.half_y, 1}})
+    if (curvature && half * (*curvature)[static_cast<std::size_t>(axis)] > 1.0)
+      throw InputError(fmt::format("the contact would reach {:.3g} m from its middle along {}, more than the radius of "
+                                   "curvature there, {:.3g} m; allowed: a smaller load or approach, or larger bodies",
+                                   half, axis == 0 ? "x" : "y", 1.0 / (*curvature)[static_cast<std::size_t>(axis)]));
+}
+
 } // namespace
 
 void require_within_reference(double half_x, double half_y, const ShapedBody& lower, const ShapedBody& upper,
@@ -271,9 +282,15 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain,
                            double friction)
 {
+  for (const ShapedBody* body : {&lower, &upper})
+    if (const auto* p = std::get_if<Paraboloid>(&body->shape); p && (p->radius_x == 0.0 || p->radius_y == 0.0))
+      throw InputError("a paraboloid of radius 0; allowed: any other");
+  if (!std::isfinite(drive.value))
+    throw InputError(fmt::format("a contact under {:g}; allowed: a finite load or approach", drive.value));
   if (const auto reason = reason_against_contact(lower, upper, domain))
     throw InputError("the bodies " + *reason);
   Footprint f = of_shapes(pair_of(lower, upper, domain, friction), lower.shape, upper.shape, drive, domain);
+  require_within_radius(f, lower.shape, upper.shape);
   require_within_reference(f.half_x, f.half_y, lower, upper, domain);
   const double half_y = f.endless_y ? std::numeric_limits<double>::infinity() : f.half_y;
   f.depth = std::max(stressed_depth(f.half_x, half_y), 1.3 * f.plastic_reach);

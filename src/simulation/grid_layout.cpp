@@ -149,6 +149,13 @@ void require_ends_at_cells(const Domain& domain, double length, double dy)
 
 std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect)
 {
+  if (!(numerics.resolution > 0.0))
+    throw KeyError("grid.resolution", fmt::format("grid.resolution = {:g}; allowed: > 0", numerics.resolution));
+  if (!(numerics.extent > 0.0))
+    throw KeyError("grid.extent", fmt::format("grid.extent = {:g}; allowed: > 0", numerics.extent));
+  if (numerics.spacing &&
+      !std::all_of(numerics.spacing->begin(), numerics.spacing->end(), [](double d) { return d > 0.0; }))
+    throw KeyError("grid.spacing", "grid.spacing must be three lengths > 0");
   const double dx = contact.half_x / numerics.resolution;
   double dy = aspect * dx * std::clamp(contact.half_y / contact.half_x, 0.25, 4.0);
   if (contact.straight_y) // the length is a whole number of cells, one of them in the middle
@@ -207,8 +214,8 @@ int grown(int cells)
 int step_count(double steps, const std::string& key)
 {
   constexpr double most = 1e9;
-  if (!(steps <= most))
-    throw KeyError(key, fmt::format("{} makes {:.1e} steps; allowed: up to {:.0e}", key, steps, most));
+  if (!(steps >= 1.0 && steps <= most))
+    throw KeyError(key, fmt::format("{} makes {:.1e} steps; allowed: from 1 to {:.0e}", key, steps, most));
   return static_cast<int>(steps);
 }
 

@@ -185,6 +185,18 @@ void require_contact(const IndentationCase& indentation, double touching_gap)
 }
 
 /// Where an approach is imposed, the largest one must not press all of a period together.
+/// Those of the case file are checked there, too; these are of a program.
+void require_drives(const IndentationCase& indentation)
+{
+  if (indentation.sequence.empty() || indentation.places.empty())
+    throw InputError("an indentation needs one drive and one place at least");
+  for (const Drive& drive : indentation.sequence)
+    if (!std::isfinite(drive.value) || (drive.kind == Drive::Kind::load && drive.value < 0.0))
+      throw InputError(fmt::format("indentation by {} = {:g} {}; allowed: {}", text_of(drive.kind).name, drive.value,
+                                   text_of(drive.kind).unit,
+                                   drive.kind == Drive::Kind::load ? "finite, >= 0" : "finite"));
+}
+
 void require_approach(const IndentationCase& indentation, const contact::Drive& largest)
 {
   if (indentation.sequence.front().kind != Drive::Kind::approach)
@@ -206,6 +218,7 @@ Facts facts(const IndentationCase& c, const IndentationPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
   f.documented = documented;
+  f.forgets_if_elastic = true;
   return f;
 }
 
@@ -222,6 +235,7 @@ IndentationPlan plan(const IndentationCase& indentation)
 {
   require_friction(indentation, indentation.lower, indentation.upper,
                    "nothing slides in an indentation; allowed: 0, or another scenario");
+  require_drives(indentation);
   const contact::Drive largest = largest_drive(indentation);
   require_approach(indentation, largest);
   const Footprint f = footprint(indentation.lower, indentation.upper, largest, indentation.domain);

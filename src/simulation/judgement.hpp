@@ -18,12 +18,14 @@ struct Documented
 {
   const char* quantity;
   double error, cells, order;
+  bool elastic = false; ///< also where nothing yields
 };
 
 /// What the judgement needs of any scenario.
 struct Facts
 {
   std::span<const Documented> documented;
+  bool forgets_if_elastic = false; ///< without plastic strain a step does not depend on those before: no friction
   std::array<double, 3> cell{};
   double half_x = 0.0, half_y = 0.0; ///< of the contact, estimate [m]
   bool moves = false;                ///< along x

@@ -67,11 +67,12 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
   }
   Resolution r{cells_x, cells_y, std::min(cells_x, cells_y), layers, {}};
   const bool yields = layers ? *layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
-  if (!yields || std::isnan(r.cells))
+  if (std::isnan(r.cells))
     return r;
   for (const Documented& d : f.documented)
-    r.expected_errors.push_back(
-        {d.quantity, std::min(1.0, d.error * std::pow(d.cells / deciding_cells(f, r), d.order))});
+    if (yields || d.elastic)
+      r.expected_errors.push_back(
+          {d.quantity, std::min(1.0, d.error * std::pow(d.cells / deciding_cells(f, r), d.order))});
   return r;
 }
 
@@ -198,8 +199,11 @@ public:
                       "estimate",
                       percent_text(totals.max_equivalent_plastic_strain), percent_text(largest_strain)));
     if (!(std::abs(totals.energy_balance_error) <= largest_imbalance))
-      add("energy_balance", fmt::format("the energies are off by {} of the largest work: take smaller steps or cells",
-                                        percent_text(totals.energy_balance_error)));
+      add("energy_balance", fmt::format("the energies are off by {} of the largest work: take smaller steps or cells{}",
+                                        percent_text(totals.energy_balance_error),
+                                        f_.forgets_if_elastic && totals.max_equivalent_plastic_strain == 0.0
+                                            ? ". Nothing has yielded: all but the work is as it would be in any steps"
+                                            : ""));
     if (totals.split_increments > 0)
       add("split_increments", fmt::format("{} increments did not converge in one piece and were split; the result has "
                                           "converged, but smaller steps would be faster and more accurate",
@@ -230,6 +234,8 @@ private:
                       "each cell takes the mean height over it, and roughness finer than that is lost",
                       name, length_text(map.dx), length_text(map.dy), length_text(f_.cell[0]),
                       length_text(f_.cell[1])));
+    else if (const auto [wave_x, wave_y] = shortest_waves(map); rms_slope(map) > 0.0)
+      of_waves(name, "measured heights with waves down to about", wave_x, wave_y);
   }
 
   void of_texture(const std::string& name, const Sinusoid& s)

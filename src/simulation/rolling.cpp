@@ -253,11 +253,15 @@ bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
 // docs/verification.md (expected error)
 constexpr Documented documented[] = {
     {"rut", 0.05, 4.0, 1.5}, {"resistance", 0.08, 4.0, 1.5}, {"dissipation", 0.07, 4.0, 1.5}};
+constexpr Documented documented_with_creepage[] = {
+    {"creep force", 0.05, 8.0, 1.0, true}, documented[0], documented[1], documented[2]};
 
 Facts facts(const RollingCase& c, const RollingPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
   f.documented = documented;
+  if (c.creepage)
+    f.documented = documented_with_creepage;
   f.moves = true;
   // Of the faster surface: with much sliding it moves many cells where the other one moves one.
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)

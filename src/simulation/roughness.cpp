@@ -19,7 +19,7 @@ struct ShortestWave
 {
   bool along_x;
   double operator()(const Dent& dent) const { return 2.0 * dent.radius; }
-  double operator()(const HeightMap& map) const { return 2.0 * (along_x ? map.dx : map.dy); }
+  double operator()(const HeightMap& map) const { return shortest_waves(map)[along_x ? 0 : 1]; }
   double operator()(const Sinusoid& waves) const { return along_x ? waves.wavelength_x : waves.wavelength_y; }
   double operator()(const RandomSurface& surface) const { return surface.parameters().cutoff; }
 };

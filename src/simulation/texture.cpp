@@ -30,9 +30,17 @@ std::optional<int> index_in(int index, int count, bool periodic)
   return rest < 0 ? rest + count : rest;
 }
 
+/// Points before the one that lies at the centre of the map, along x. Columns lie at whole cells from x = 0, however many there
+/// are, rows about y = 0 as many on one side as on the other: an even number of points over a period follows them, so that the
+/// cells of an equal grid lie on the points instead of between them, where heights are means of two.
+double points_before_centre(const HeightMap& map)
+{
+  return map.periodic && map.nx % 2 == 0 ? 0.5 * map.nx : 0.5 * (map.nx - 1);
+}
+
 double depth_of(const HeightMap& map, double x, double y)
 {
-  double u = (x - map.x) / map.dx + 0.5 * (map.nx - 1);
+  double u = (x - map.x) / map.dx + points_before_centre(map);
   double v = (y - map.y) / map.dy + 0.5 * (map.ny - 1);
   if (map.periodic)
   {
@@ -254,6 +262,25 @@ double rms_slope(const HeightMap& map)
         add(j * nx + i, j * nx + i + nx, map.dy);
     }
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
+std::array<double, 2> shortest_waves(const HeightMap& map)
+{
+  const auto along = [&](int count, std::ptrdiff_t stride, int lines, std::ptrdiff_t next_line, double spacing)
+  {
+    double first = 0.0, second = 0.0; // squares of the differences
+    for (int line = 0; line < lines; ++line)
+      for (int i = 0; i + 2 < count; ++i)
+      {
+        const double* h = map.heights.data() + line * next_line + i * stride;
+        first += 0.5 * (std::pow(h[stride] - h[0], 2) + std::pow(h[2 * stride] - h[stride], 2));
+        second += std::pow(h[2 * stride] - 2.0 * h[stride] + h[0], 2);
+      }
+    if (!(second > 0.0))
+      return std::numeric_limits<double>::infinity();
+    return std::numbers::pi * spacing / std::asin(std::min(1.0, 0.5 * std::sqrt(second / first)));
+  };
+  return {along(map.nx, 1, map.ny, map.nx, map.dx), along(map.ny, map.nx, map.nx, 1, map.dy)};
 }
 
 double depth(const Texture& texture, double x, double y)

@@ -59,6 +59,7 @@ struct Range
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool min_allowed = true, max_allowed = true;
+  bool zero_allowed = true;
 
   /// Also false for NaN and infinities.
   [[nodiscard]] bool contains(double x) const;

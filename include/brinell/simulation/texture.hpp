@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -41,6 +42,10 @@ struct HeightMap
 
 /// Root mean square of the slopes between neighbouring points; 0 without neighbours.
 [[nodiscard]] double rms_slope(const HeightMap& map);
+
+/// Wavelengths along x and y that the height's second differences have over its first ones [m]: that of waves of one length, and
+/// near the shortest of a roughness; two points at least. Infinite where the map is straight.
+[[nodiscard]] std::array<double, 2> shortest_waves(const HeightMap& map);
 
 /// Waves on the whole surface: the height amplitude * cos(2 pi (X - x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at (X, Y).
 /// Along an axis of infinite wavelength there are none, and its cosine is 1.

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Normalize, TwoSlopeNorm
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
@@ -235,7 +235,8 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         ax.set_ylabel(length.label("", "y", value=False))
         ax.text(0.01, 0.95, side.name, transform=ax.transAxes, ha="left", va="top")
     axes[-1].set_xlabel(length.label("along the surface", "x"))
-    bar = fig.colorbar(image, ax=axes[1:], label=depth.label("height", "-u^r"), pad=0.02)
+    name = depth.label("height", "-u^r") + _enlargement(norm)
+    bar = fig.colorbar(image, ax=axes[1:], label=name, pad=0.02, format=FuncFormatter(lambda t, _: f"{t:.3g}"))
     bar.set_ticks(_height_ticks(lowest / depth.size, highest / depth.size))
     return fig
 
@@ -248,7 +249,7 @@ def _draw_profile(ax: Axes, deformed: Sequence[Side], length: float, depth: Scal
         ax.plot(side.body.x / length, line, color=side.colour, linestyle=side.dash, label=side.name)
     ax.set_ylabel(depth.label("height", "-u^r", value=False))
     if len(deformed) > 1:  # else the map below names it
-        ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, ncol=2)
+        ax.legend(loc="lower right")
     ax.margins(y=0.08)
 
 
@@ -258,6 +259,16 @@ def _height_norm(lowest: float, highest: float) -> Normalize:
         return Normalize(-1.0, 1.0)
     small = _NEGLIGIBLE * max(-lowest, highest)
     return TwoSlopeNorm(0.0, min(lowest, -small), max(highest, small))
+
+
+def _enlargement(norm: Normalize) -> str:
+    """Says that pile-up has more colours for its height than the groove."""
+    if not isinstance(norm, TwoSlopeNorm) or norm.vmin is None or norm.vmax is None:
+        return ""
+    ratio = -norm.vmin / norm.vmax
+    if 0.5 < ratio < 2.0:
+        return ""
+    return f",  above 0 enlarged {ratio:.2g} times" if ratio > 1.0 else f",  below 0 enlarged {1 / ratio:.2g} times"
 
 
 def _height_ticks(lowest: float, highest: float) -> list[float]:

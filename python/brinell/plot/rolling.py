@@ -97,9 +97,14 @@ def _draw_by_pass(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: s
 
 
 @style.figure
-def depth_profiles(runs: Sequence[Run]) -> Figure:
-    """Residual stresses xx and yy and equivalent plastic strain over the depth under the middle of the track."""
+def depth_profiles(runs: Sequence[Run]) -> Figure | None:
+    """Residual stresses xx and yy and equivalent plastic strain over the depth under the middle of the track.
+
+    None if no lower body has yielded.
+    """
     shown = entries(runs, "rolling")
+    if not any(np.any(entry.run.profile.equivalent_plastic_strain) for entry in shown):
+        return None
     depth = si(largest(e.run.profile.depth for e in shown), "m")
     stress = si(largest(s for e in shown for s in (e.run.profile.residual_xx, e.run.profile.residual_yy)), "Pa")
     fig = style.new_figure(11.0, 3.3)

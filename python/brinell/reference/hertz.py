@@ -58,6 +58,9 @@ def point_contact(
         load: [N], >= 0.
         approach: instead of the load [m], >= 0.
 
+    Returns:
+        Radius, approach, load and pressures of the contact.
+
     Raises:
         InputError: a value is out of range, or not one of load and approach is given.
     """

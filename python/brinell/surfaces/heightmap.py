@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import InitVar, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -52,6 +52,7 @@ class HeightMap:
         y: the same along y [m].
         periodic: whether the map covers the surface, again and again, with the periods nx dx and ny dy, instead of
             being zero outside.
+        unit: in which the heights are given here, as "um".
     """
 
     heights: FloatArray
@@ -59,10 +60,11 @@ class HeightMap:
     x: float = 0.0
     y: float = 0.0
     periodic: bool = False
+    unit: InitVar[str] = "m"
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, unit: str) -> None:
         require_unmasked(self.heights, "the height map")
-        heights = np.array(self.heights, dtype=np.float64)
+        heights = np.array(self.heights, dtype=np.float64) * metres(unit)
         if heights.ndim != 2 or heights.size == 0:
             raise InputError(f"heights have the shape {heights.shape}; allowed: [ny, nx] with one point or more")
         if (gaps := told_gaps(heights)) is not None:

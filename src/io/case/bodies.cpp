@@ -29,7 +29,8 @@ constitutive::HardeningLaw hardening_law(const CaseReader& reader, const std::st
   }
   catch (const InputError& error)
   {
-    if (std::is_sorted(stress.begin(), stress.end()))
+    const auto& strain = reader.get<std::vector<double>>(table + "plastic_strain");
+    if (std::is_sorted(stress.begin(), stress.end()) || !std::is_sorted(strain.begin(), strain.end()))
       throw;
     throw InputError(fmt::format("{}; of a measurement that scatters, monotone = true takes the largest stress so far",
                                  error.what()));

@@ -116,6 +116,8 @@ std::int64_t integer(const Raw& raw, const Entry& entry)
 std::vector<double> numbers(const Raw& raw, const Entry& entry, bool pure)
 {
   const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
+  if (!items && entry.type == Type::numbers)
+    return {number(raw, entry, pure)};
   if (!items)
     throw wrong_type(raw, entry, pure);
   std::vector<double> result;

@@ -81,6 +81,18 @@ bool begins_like_a_number(const std::string& line)
   return first != text.npos && text[first] >= '0' && text[first] <= '9';
 }
 
+/// What a line may be, 930 MPa at 0.2 %.
+std::string example(std::string_view strain_unit, std::string_view stress_unit)
+{
+  const double strain = strain_unit == "%" ? 0.2 : 0.002;
+  const double stress = 930e6 / quantity(fmt::format("1 {}", stress_unit)).value;
+  const std::string with_point = fmt::format("{:g}", strain);
+  std::string with_comma = with_point;
+  std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+  return fmt::format("plastic strain{} and stress in {}, as in \"{}, {:g}\" or, with decimal commas, \"{}; {:g}\"",
+                     strain_unit == "%" ? " in %" : "", stress_unit, with_point, stress, with_comma, stress);
+}
+
 } // namespace
 
 std::vector<TextLine> text_lines(const std::filesystem::path& file)
@@ -107,13 +119,15 @@ Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit
     const auto stress = columns.size() == 2 ? number_of(columns[1], stress_unit) : std::nullopt;
     if (!strain || !stress)
       throw InputError(
-          fmt::format("has in line {} \"{}\"; allowed: plastic strain and stress{}, as in \"0.002, 930e6\" "
-                      "or, with decimal commas, \"0,002; 930e6\"",
-                      line.number, trimmed(line.text).substr(0, 40),
-                      stress_unit == "Pa" ? " in Pa" : fmt::format(" in {}", stress_unit)));
+          fmt::format("has in line {} \"{}\"{}; allowed: {}", line.number, trimmed(line.text).substr(0, 40),
+                      columns.size() != 2 ? fmt::format(", {} columns", columns.size())
+                                          : fmt::format(", where {} is no number", columns[strain ? 1 : 0]),
+                      example(strain_unit, stress_unit)));
     curve.plastic_strain.push_back(*strain);
     curve.stress.push_back(*stress);
   }
+  if (curve.stress.empty())
+    throw InputError("has no line of numbers; allowed: text, " + example(strain_unit, stress_unit));
   return curve;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <regex>
 #include <toml++/toml.h>
 
 namespace brinell::io
@@ -62,7 +63,13 @@ struct Target
   RawCase& raw_case;
   Problems& problems;
   std::string override_place; ///< empty for the file itself
+  std::string scenario{};     ///< as the file has it, right or not
   std::vector<GivenByOldName> by_old_names{};
+
+  [[nodiscard]] std::string suggestion_for(const std::string& unknown_key) const
+  {
+    return suggestion(unknown_key, scenario);
+  }
 
   [[nodiscard]] std::string place(const toml::source_region& region) const
   {
@@ -104,7 +111,7 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
     const std::string path = prefix + std::string(key.str());
     const std::string place = target.place(key.source());
     if (key.str().find('[') != key.str().npos) // in quotes: the number of a table is not for a file to write
-      target.problems.add(place, fmt::format("unknown key {}; {}", path, suggestion(path)));
+      target.problems.add(place, fmt::format("unknown key {}; {}", path, target.suggestion_for(path)));
     else if (const OldName* old = find_old_name(path))
       target.by_old_names.push_back({old, {raw_value(node), place, !target.override_place.empty()}});
     else if (find_entry(path))
@@ -121,10 +128,10 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
                                              shown(raw_value(node)), type_name(raw_value(node)), known_keys(path),
                                              key_of_word(path, raw_value(node))));
     else if (node.is_table())
-      target.problems.add(place, fmt::format("unknown table {}; {}", path, suggestion(path)));
+      target.problems.add(place, fmt::format("unknown table {}; {}", path, target.suggestion_for(path)));
     else
-      target.problems.add(place,
-                          fmt::format("unknown key {} = {}; {}", path, shown(raw_value(node)), suggestion(path)));
+      target.problems.add(
+          place, fmt::format("unknown key {} = {}; {}", path, shown(raw_value(node)), target.suggestion_for(path)));
   }
 }
 
@@ -223,11 +230,11 @@ bool has_other_bytes(const std::string& text, Problems& problems)
   return good < text.size();
 }
 
-void apply_override(const std::string& text, RawCase& raw_case, Problems& problems)
+void apply_override(const std::string& text, const std::string& scenario, RawCase& raw_case, Problems& problems)
 {
   if (has_other_bytes(text, problems))
     return;
-  Target target{raw_case, problems, "--set " + text};
+  Target target{raw_case, problems, "--set " + text, scenario};
   const auto equals = text.find('=');
   const std::string key = trimmed(std::string_view(text).substr(0, equals));
   if (equals == text.npos || key.empty())
@@ -264,13 +271,19 @@ void apply_override(const std::string& text, RawCase& raw_case, Problems& proble
   take_old_names(target.by_old_names, raw_case, problems);
 }
 
-/// Whether a line, counted from 1, has a string that does not end there.
-bool has_odd_quotes(std::string_view text, std::size_t number)
+/// What is often meant by a line, counted from 1, that is no TOML.
+std::string remedy(std::string_view text, std::size_t number)
 {
   for (; number > 1 && !text.empty(); --number)
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-  const std::string_view line = text.substr(0, text.find('\n'));
-  return std::count(line.begin(), line.end(), '"') % 2 == 1;
+  const std::string line(text.substr(0, text.find('\n')));
+  if (std::count(line.begin(), line.end(), '"') % 2 == 1)
+    return "; is a quote missing at the end of the line?";
+  if (line.find('\\') != line.npos)
+    return "; between \" a backslash is written twice: for a path take '...', or / as in \"data/curve.csv\"";
+  if (std::regex_search(line, std::regex(R"(=\s*[-+]?\d+,\d)")))
+    return "; is a decimal comma meant? Numbers have a point, as in 0.3";
+  return "";
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file)
@@ -284,9 +297,8 @@ toml::table parse_toml(std::string_view text, const std::string& file)
   catch (const toml::parse_error& error)
   {
     const auto& position = error.source().begin;
-    throw InputError(
-        fmt::format("{}:{}:{}: not valid TOML: {}{}", file, position.line, position.column, error.description(),
-                    has_odd_quotes(text, position.line) ? "; is a quote missing at the end of the line?" : ""));
+    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}{}", file, position.line, position.column,
+                                 error.description(), remedy(text, position.line)));
   }
 }
 
@@ -379,11 +391,12 @@ RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
   RawCase raw_case;
   raw_case.file = places == Places::lines ? file.string() : "";
   raw_case.folder = file.parent_path();
-  Target target{raw_case, problems, ""};
-  flatten(parse_toml(text, file.string()), "", target);
+  const toml::table tree = parse_toml(text, file.string());
+  Target target{raw_case, problems, "", tree["scenario"].value_or(std::string())};
+  flatten(tree, "", target);
   take_old_names(target.by_old_names, raw_case, problems);
   for (const std::string& item : overrides)
-    apply_override(item, raw_case, problems);
+    apply_override(item, target.scenario, raw_case, problems);
   check_lists(raw_case, problems);
   check_old_lists(raw_case, problems);
   return raw_case;

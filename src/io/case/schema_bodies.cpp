@@ -37,6 +37,11 @@ Entries shape_entries(const std::string& table)
     return parameter(type, shape_options(),
                      {.key = key, .dimension = dimension::length, .range = above(0.0), .text = text});
   };
+  const auto radius = [&](const char* key, const char* text)
+  {
+    return parameter(type, shape_options(),
+                     {.key = key, .dimension = dimension::length, .range = nonzero(), .text = text});
+  };
   return in_table(
       table, {},
       {
@@ -49,8 +54,12 @@ Entries shape_entries(const std::string& table)
                    "degrees to the axis, one of them facing x. Tugging takes those that can pass each other: sphere, "
                    "ellipsoid, cylinder."},
           length("radius", "Radius of the sphere or cylinder."),
-          length("radius_x", "Radius of curvature at the apex in the plane x z."),
-          length("radius_y", "Radius of curvature at the apex in the plane y z."),
+          radius("radius_x",
+                 "Radius of curvature at the apex in the plane x z; below 0 for a hollow, as that of a raceway "
+                 "along its track. Both bodies together must be convex."),
+          radius("radius_y",
+                 "Radius of curvature at the apex in the plane y z; below 0 for a hollow, as the groove of a "
+                 "ball bearing."),
           parameter(type, shape_options(),
                     {.key = "length",
                      .dimension = dimension::length,

@@ -19,6 +19,8 @@ using Json = nlohmann::ordered_json;
 Json number_schema(const Entry& entry, const char* type)
 {
   Json number{{"type", type}};
+  if (!entry.range.zero_allowed)
+    number["not"] = {{"const", 0}};
   if (std::isfinite(entry.range.min))
     number[entry.range.min_allowed ? "minimum" : "exclusiveMinimum"] = entry.range.min;
   if (std::isfinite(entry.range.max))
@@ -45,7 +47,10 @@ Json value_schema(const Entry& entry)
   case Type::vector3:
     return {{"type", "array"}, {"items", number_schema(entry, "number")}, {"minItems", 3}, {"maxItems", 3}};
   case Type::numbers:
-    return {{"type", "array"}, {"items", number_schema(entry, "number")}, {"minItems", 1}};
+  {
+    const Json one = number_schema(entry, "number");
+    return {{"anyOf", Json::array({one, {{"type", "array"}, {"items", one}, {"minItems", 1}}})}};
+  }
   case Type::snapshots:
     return {{"anyOf", Json::array({{{"type", "string"}, {"pattern", "^(none|aligned|all|every [1-9][0-9]*)$"}},
                                    {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 0}}}}})}};

@@ -110,6 +110,10 @@ inline Range inside(double min, double max)
 {
   return {.min = min, .max = max, .min_allowed = false, .max_allowed = false};
 }
+inline Range nonzero()
+{
+  return {.zero_allowed = false};
+}
 /// More than `min`, up to `max`.
 inline Range up_to(double min, double max)
 {

@@ -127,6 +127,8 @@ Where it excludes a key of the file (`grid.resolution` for `grid.spacing`) or ma
 std::string Range::text() const
 {
   const bool low = std::isfinite(min), high = std::isfinite(max);
+  if (!zero_allowed)
+    return "other than 0"; // none of those has bounds
   if (low && high)
     return fmt::format("in {}{}, {}{}", min_allowed ? '[' : '(', min, max, max_allowed ? ']' : ')');
   if (low)
@@ -136,7 +138,7 @@ std::string Range::text() const
 
 bool Range::contains(double x) const
 {
-  if (!std::isfinite(x))
+  if (!std::isfinite(x) || (x == 0.0 && !zero_allowed))
     return false;
   return (min_allowed ? x >= min : x > min) && (max_allowed ? x <= max : x < max);
 }
@@ -165,7 +167,8 @@ std::string allowed_values(const Entry& entry)
   case Type::vector3:
     return with_range(fmt::format("three {}s", what), entry.range) + unit_note(entry.dimension);
   case Type::numbers:
-    return with_range(fmt::format("list of {}s", what), entry.range) + unit_note(entry.dimension) + temperature_note;
+    return with_range(fmt::format("{0}, or list of {0}s", what), entry.range) + unit_note(entry.dimension) +
+           temperature_note;
   case Type::snapshots:
     return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";
   }

@@ -40,6 +40,7 @@ std::vector<std::string> children(std::string_view parent)
 constexpr std::pair<std::string_view, std::string_view> symbols[] = {
     {"E", "young_modulus"}, {"nu", "poisson_ratio"},     {"R", "radius"}, {"S_y", "yield_stress"},
     {"Sy", "yield_stress"}, {"sigma_y", "yield_stress"}, {"P", "load"},   {"F", "load"},
+    {"force", "load"},      {"depth", "approach"},
 };
 
 /// The word that is near enough to be what was meant.
@@ -65,19 +66,20 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
-/// A key of that name in some other table, as close to the root of the unknown one as there is.
-std::string misplaced(std::string_view key)
+/// A key of that name in some other table: in one beneath that of the unknown key if there is one, else in the scenario's.
+std::string misplaced(std::string_view key, std::string_view scenario)
 {
   const auto name = split(key).second;
+  const auto top = [](std::string_view whole) { return whole.substr(0, whole.find('.')); };
   std::string found;
+  int best = -1;
   for (const Entry& entry : case_schema())
   {
-    const bool same_top = entry.key.substr(0, entry.key.find('.')) == key.substr(0, key.find('.'));
-    if (split(entry.key).second == name && (found.empty() || same_top))
+    const int likely = top(entry.key) == top(key) ? 2 : top(entry.key) == scenario ? 1 : 0;
+    if (split(entry.key).second == name && likely > best)
     {
       found = entry.key;
-      if (same_top)
-        break;
+      best = likely;
     }
   }
   return found;
@@ -109,15 +111,15 @@ std::string known_keys(std::string_view parent)
   return fmt::format("{}", fmt::join(children(parent), ", "));
 }
 
-std::string suggestion(std::string_view unknown_key)
+std::string suggestion(std::string_view unknown_key, std::string_view scenario)
 {
   const auto [parent, name] = split(unknown_key);
   if (!parent.empty() && !is_table(parent)) // the mistake is further up
-    return suggestion(parent);
+    return suggestion(parent, scenario);
   const std::string near = nearest(name, children(parent));
   if (!near.empty())
     return fmt::format("did you mean {}{}{}?", parent, parent.empty() ? "" : ".", near);
-  if (const std::string elsewhere = misplaced(unknown_key); !elsewhere.empty())
+  if (const std::string elsewhere = misplaced(unknown_key, scenario); !elsewhere.empty())
     return fmt::format("did you mean {}?", elsewhere);
   return fmt::format("allowed {}: {}", parent.empty() ? "here" : fmt::format("in {}", parent), known_keys(parent));
 }

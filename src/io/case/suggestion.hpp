@@ -12,7 +12,8 @@ namespace brinell::io
 
 /// "did you mean lower.shape.radius?" for a key or table that the schema does not have; the keys that may stand in that
 /// place if none is near.
-[[nodiscard]] std::string suggestion(std::string_view unknown_key);
+/// @param scenario  whose keys are preferred to those of others; empty if it is not known
+[[nodiscard]] std::string suggestion(std::string_view unknown_key, std::string_view scenario = "");
 
 /// Keys and tables that may stand in the table `parent` ("" is the root), separated by commas.
 [[nodiscard]] std::string known_keys(std::string_view parent);

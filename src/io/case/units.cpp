@@ -246,6 +246,8 @@ Quantity quantity(std::string_view text)
   const auto number = take_number(text);
   if (!number)
     throw InputError("is not a number with a unit, such as \"3.85 mm\"");
+  if (text.size() > 1 && text[0] == ',' && text[1] >= '0' && text[1] <= '9')
+    throw InputError("has a comma in its number; allowed: a decimal point, as in \"3.85 mm\"");
   skip_spaces(text);
   while (text.ends_with(' ') || text.ends_with('\t'))
     text.remove_suffix(1);

@@ -35,9 +35,11 @@ std::vector<Entry> creep_keys()
       Entry{.key = "rolling.creepage",
             .type = Type::numbers,
             .range = between(-largest_creepage, largest_creepage),
+            .percent = true,
             .unset = "no stick: the surfaces slide everywhere, as slide_to_roll says",
             .text =
-                "Creepages [longitudinal, lateral]: speeds of the surface of the upper body relative to that of the "
+                "Creepages [longitudinal, lateral], or the first of them: speeds of the surface of the upper body "
+                "relative to that of the "
                 "lower one, towards +x and +y, over the mean speed at which the surfaces pass the contact. With it "
                 "the surfaces stick in places and slip in others, from rest to steady rolling. Needs "
                 "interface.friction; slide_to_roll, the first of them for surfaces that slide everywhere, is 0 then.",
@@ -47,7 +49,7 @@ std::vector<Entry> creep_keys()
               const auto& list = std::get<std::vector<double>>(value);
               Creepage& creepage = creepage_of(c);
               creepage.longitudinal = list.front();
-              creepage.lateral = list.back();
+              creepage.lateral = list.size() > 1 ? list[1] : 0.0;
             }},
       Entry{.key = "rolling.spin",
             .type = Type::number,
@@ -158,8 +160,8 @@ std::string read(const CaseReader& reader, Case& c, RollingCase& r)
                                     given.size() > 1 ? "are given" : "is given"));
   else if (given.front() == "rolling.hertz_pressure")
     r.drive.value = load_of_hertz_pressure(reader, c, r);
-  if (reader.has("rolling.creepage") && reader.get<std::vector<double>>("rolling.creepage").size() != 2)
-    reader.add("rolling.creepage", "needs two numbers, [longitudinal, lateral]");
+  if (reader.has("rolling.creepage") && reader.get<std::vector<double>>("rolling.creepage").size() > 2)
+    reader.add("rolling.creepage", "has more than two numbers; allowed: [longitudinal, lateral], or the first of them");
   return "rolling.distance";
 }
 

@@ -245,6 +245,10 @@ TEST(CaseErrors, SyntaxNamesLineAndColumn)
   EXPECT_EQ(text.rfind("cases/bad.toml:10:16: not valid TOML", 0), 0u) << text;
   EXPECT_NE(message(with("interference = 9", "interference = 9\ninterference = 8")).find("not valid TOML"),
             std::string::npos);
+  const std::string comma = message(with("interference = 9", "interference = 9,5"));
+  EXPECT_NE(comma.find("is a decimal comma meant?"), std::string::npos) << comma;
+  const std::string path = message(with("interference = 9", "interference = 9\ntitle = \"C:\\data\""));
+  EXPECT_NE(path.find("a backslash is written twice"), std::string::npos) << path;
 }
 
 TEST(CaseErrors, AreAllReportedInTheOrderOfTheFile)

@@ -179,6 +179,24 @@ TEST_F(HardeningFile, UnitsCommasAndTitlesAreThoseOfTheFile)
   }
 }
 
+TEST_F(HardeningFile, ExamplesAreInTheUnitsOfTheFile)
+{
+  write("0;930\n0,2;nan\n");
+  try
+  {
+    (void)parsed(R"("table", file="curve.csv", strain_unit="%", stress_unit="MPa")");
+    FAIL() << "a stress that is no number";
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what())
+                  .find("where nan is no number; allowed: plastic strain in % and stress in MPa, as in \"0.2, 930\" "
+                        "or, with decimal commas, \"0,2; 930\""),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(HardeningFile, ScatterIsLiftedIfAsked)
 {
   write("0, 2e9\n0.01, 2.7434e9\n0.02, 2.7394e9\n0.03, 2.76e9\n");
@@ -224,11 +242,15 @@ TEST_F(HardeningFile, ErrorsNameFileLineAndContent)
   write("0,002,930,5\n");
   EXPECT_NE(message().find("line 1 \"0,002,930,5\""), std::string::npos) << message();
   write("0, 900e6\n0.01, many\n");
-  EXPECT_NE(message().find("line 2 \"0.01, many\""), std::string::npos) << message();
+  EXPECT_NE(message().find("line 2 \"0.01, many\", where many is no number"), std::string::npos) << message();
   write("0.1, 900e6\n");
   EXPECT_NE(message().find("must begin at plastic strain 0"), std::string::npos) << message();
   write("");
-  EXPECT_NE(message().find("0 strains and 0 stresses"), std::string::npos) << message();
+  EXPECT_NE(message().find("curve.csv\" has no line of numbers"), std::string::npos) << message();
+  write("0, 900e6\n0.02, 1e9\n0.01, 1.1e9\n0.03, 1e9\n");
+  EXPECT_NE(message().find("must ascend"), std::string::npos) << message();
+  EXPECT_EQ(message().find("monotone"), std::string::npos)
+      << "strains out of order are not mended by it: " << message();
   write("0, 900e6\n");
   EXPECT_THROW((void)parsed(R"("table", file="curve.csv", stress=[1e9])"), InputError);
 }

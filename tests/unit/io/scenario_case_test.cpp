@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "brinell/reference/hertz.hpp"
 #include "sample.hpp"
 
 #include <gtest/gtest.h>
@@ -69,6 +70,39 @@ TEST(ScenarioCase, IndentationByLoadAndByApproach)
   EXPECT_EQ(c.upper.shape, simulation::Shape(simulation::Paraboloid{2e-3, 2e-3}));
   const auto d = read<IndentationCase>(indentation("approach = [\"3 um\"]\n"));
   EXPECT_EQ(d.sequence[0], (contact::Drive{contact::Drive::Kind::approach, 3e-6}));
+}
+
+TEST(ScenarioCase, OneValueIsAListOfOne)
+{
+  EXPECT_EQ(read<IndentationCase>(indentation("load = \"3 N\"\n")).sequence,
+            (std::vector<contact::Drive>{{contact::Drive::Kind::load, 3.0}}));
+  EXPECT_NE(refusal(indentation("load = \"3 mm\"\n")).find("is a length; allowed: force, or list of forces"),
+            std::string::npos);
+}
+
+// The groove of a ball bearing: 52 % of the ball's diameter as radius, hollow.
+TEST(ScenarioCase, ABallMayLieInAGroove)
+{
+  const std::string groove = "lower.shape={type=\"ellipsoid\", radius_x=\"20 mm\", radius_y=\"-2.08 mm\"}";
+  const auto c = std::get<IndentationCase>(parse_case(indentation("load = 20\n"), "sample.toml", {groove}).scenario);
+  const simulation::IndentationPlan p = simulation::plan(c);
+  const auto hertz =
+      reference::elliptical_contact_at_load(1.0 / (1.0 / 20e-3 + 1.0 / 2e-3), 1.0 / (1.0 / 2e-3 - 1.0 / 2.08e-3),
+                                            contact_modulus(c.lower.material.elastic, c.upper.material.elastic), 20.0);
+  EXPECT_NEAR(p.contact_radius_y / hertz.semi_axis_y, 1.0, 0.05);
+  EXPECT_GT(p.contact_radius_y, 5.0 * p.contact_radius);
+  EXPECT_NE(refusal(indentation("load = 20\n"), {"lower.shape={type=\"ellipsoid\", radius_x=1, radius_y=0}"})
+                .find("is out of range; allowed: length other than 0"),
+            std::string::npos);
+  EXPECT_NE(refusal(indentation("load = 20\n"), {"lower.shape={type=\"ellipsoid\", radius_x=1, radius_y=\"-1 mm\"}"})
+                .find("sum of curvatures > 0"),
+            std::string::npos);
+}
+
+TEST(ScenarioCase, AContactWiderThanItsBallIsRefused)
+{
+  const std::string text = refusal(indentation("load = \"2 GN\"\n"));
+  EXPECT_NE(text.find("more than the radius of curvature there, 0.002 m"), std::string::npos) << text;
 }
 
 TEST(ScenarioCase, InUnitsOfFirstYield)
@@ -343,8 +377,8 @@ TEST(ScenarioCase, MeanGapsOverAPeriod)
       {refusal(indentation("mean_gap = [1e-6]\n")),
        "indentation.mean_gap = [1e-06] is the mean over a period; allowed "
        "with grid.boundary = \"periodic\"; otherwise indentation.approach"},
-      {refusal(rough("mean_gap = [-1e-6]\n")), "out of range; allowed: list of lengths > 0"},
-      {refusal(rough("mean_gap = [0]\n")), "out of range; allowed: list of lengths > 0"},
+      {refusal(rough("mean_gap = [-1e-6]\n")), "out of range; allowed: length, or list of lengths > 0"},
+      {refusal(rough("mean_gap = [0]\n")), "out of range; allowed: length, or list of lengths > 0"},
       {refusal(rough("mean_gap = [\"1 MPa\"]\n")), "is a pressure"},
       {refusal(rough("mean_gap = [1e-7]\npressure = [1e6]\n")), "cannot stand together with indentation.pressure"},
       {refusal(rough("mean_gap = [\"1 mm\"]\n")),

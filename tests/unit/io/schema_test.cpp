@@ -135,6 +135,9 @@ TEST(Suggestion, FindsWhatWasMeant)
   EXPECT_EQ(suggestion("upper.material.poisson"), "did you mean upper.material.poisson_ratio?");
   EXPECT_EQ(suggestion("upper.young_modulus"), "did you mean upper.material.young_modulus?");
   EXPECT_EQ(suggestion("kinematics"), "did you mean tugging.kinematics?");
+  EXPECT_EQ(suggestion("indentation.force"), "did you mean indentation.load?");
+  EXPECT_EQ(suggestion("load", "rolling"), "did you mean rolling.load?");
+  EXPECT_EQ(suggestion("lower.young_modulus", "rolling"), "did you mean lower.material.young_modulus?");
   EXPECT_EQ(suggestion("grid.colour"),
             "allowed in grid: boundary, size, cells, layer, reference, spacing, resolution, extent");
 }

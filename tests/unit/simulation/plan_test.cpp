@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -50,6 +51,38 @@ std::string refusal(const TuggingCase& tugging)
     return error.what();
   }
   return "";
+}
+
+// Of the case file these are checked by its reader; a program may give them, too.
+TEST(PlanTest, WhatAProgramMustNotGiveIsRefused)
+{
+  IndentationCase good;
+  good.lower = {Plane{}, {{210e9, 0.3}, {}}};
+  good.upper = {Paraboloid{1e-3, 1e-3}, {{210e9, 0.3}, {}}};
+  good.sequence = {{contact::Drive::Kind::load, 50.0}};
+  ASSERT_NO_THROW((void)plan(good));
+  const std::function<void(IndentationCase&)> mistakes[] = {
+      [](auto& c) { c.steps = 0; },
+      [](auto& c) { c.steps = -3; },
+      [](auto& c) { c.sequence.clear(); },
+      [](auto& c) { c.places.clear(); },
+      [](auto& c) { c.resolution = 0.0; },
+      [](auto& c) { c.extent = -1.0; },
+      [](auto& c) {
+        c.spacing = {{1e-6, 0.0, 1e-6}};
+      },
+      [](auto& c) {
+        c.upper.shape = Paraboloid{0.0, 0.0};
+      },
+      [](auto& c) { c.sequence[0].value = -5.0; },
+      [](auto& c) { c.sequence[0].value = std::numeric_limits<double>::quiet_NaN(); },
+  };
+  for (std::size_t i = 0; i < std::size(mistakes); ++i)
+  {
+    IndentationCase bad = good;
+    mistakes[i](bad);
+    EXPECT_THROW((void)plan(bad), InputError) << "mistake " << i;
+  }
 }
 
 TEST(PlanTest, GridOfThePaper)

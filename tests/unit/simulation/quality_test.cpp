@@ -174,6 +174,51 @@ TEST(Quality, TexturesFinerThanTheCells)
   EXPECT_EQ(before(c), Keys{"coarse_texture"});
   c.upper.texture = HeightMap{3, 3, cell, cell, 0.0, 0.0, std::vector<double>(9, 0.0)};
   EXPECT_EQ(before(c), Keys{});
+  const auto measured = [&](double cells_per_wave)
+  {
+    HeightMap map{100, 20, cell, cell, 0.0, 0.0, {}};
+    for (int i = 0; i < 2000; ++i)
+      map.heights.push_back(1e-8 * std::cos(2.0 * std::numbers::pi * (i % 100) / cells_per_wave));
+    return map;
+  };
+  c.upper.texture = measured(10.0);
+  EXPECT_EQ(before(c), Keys{});
+  c.upper.texture = measured(5.0);
+  EXPECT_EQ(before(c), Keys{"coarse_texture"});
+}
+
+TEST(Quality, OneStepOfAnElasticIndentationIsRightButForItsWork)
+{
+  const auto text = [](double strain)
+  {
+    IndentationCase c;
+    c.lower = {Plane{}, {{210e9, 0.3}, {}}};
+    c.upper = {Paraboloid{1e-3, 1e-3}, {{210e9, 0.3}, {}}};
+    c.sequence = {{contact::Drive::Kind::load, 10.0}};
+    RunTotals totals;
+    totals.energy_balance_error = 0.36;
+    totals.max_equivalent_plastic_strain = strain;
+    for (const Warning& warning : quality(c, plan(c), totals).warnings)
+      if (warning.key == "energy_balance")
+        return warning.text;
+    return std::string();
+  };
+  EXPECT_NE(text(0.0).find("Nothing has yielded: all but the work"), std::string::npos) << text(0.0);
+  EXPECT_NE(text(0.01), "");
+  EXPECT_EQ(text(0.01).find("Nothing has yielded"), std::string::npos) << text(0.01);
+}
+
+TEST(Quality, CreepForcesHaveAnErrorToExpectAlsoOfElasticBodies)
+{
+  RollingCase c = ball_on_flat();
+  c.lower.material.hardening.reset();
+  c.upper.material.hardening.reset();
+  const auto expected = [&] { return expected_quality(c, plan(c)).resolution.expected_errors; };
+  EXPECT_TRUE(expected().empty());
+  c.friction.coefficient = 0.3;
+  c.creepage = Creepage{1e-3, 0.0, 0.0};
+  ASSERT_EQ(expected().size(), 1u);
+  EXPECT_EQ(expected().front().quantity, std::string("creep force"));
 }
 
 TEST(Quality, WavesNeedEightCells)

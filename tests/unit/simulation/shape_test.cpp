@@ -138,6 +138,40 @@ TEST(TextureTest, ReachHoldsAllHeights)
   EXPECT_EQ(reach(HeightMap{1, 1, 1.0, 1.0, 0.0, 0.0, {-1.0}}).height, 0.0);
 }
 
+TEST(ShapeTest, CellsOfAnEqualGridLieOnThePointsOfAPeriodicMap)
+{
+  for (const auto& [nx, ny] : {std::pair{8, 6}, {7, 6}, {8, 5}, {7, 5}})
+  {
+    HeightMap map{nx, ny, 1e-6, 2e-6, 0.0, 0.0, {}, true};
+    for (int i = 0; i < nx * ny; ++i)
+      map.heights.push_back(std::cos(1.7 * i * i)); // of points that have nothing to do with each other
+    const SurfaceGrid grid{nx, ny, map.dx, map.dy, Boundary::periodic, Boundary::periodic};
+    // As the lower body has them: columns at whole cells from x = 0.
+    std::vector<double> seen = cell_depths(map, grid, -((nx - 1) / 2) * map.dx, grid.y(0));
+    for (double& depth : seen)
+      depth = -depth;
+    std::sort(seen.begin(), seen.end());
+    std::sort(map.heights.begin(), map.heights.end());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      EXPECT_NEAR(seen[i], map.heights[i], 1e-12) << nx << " x " << ny;
+  }
+}
+
+TEST(ShapeTest, ShortestWavesOfAMap)
+{
+  HeightMap waves{65, 50, 1e-6, 2e-6, 0.0, 0.0, {}}; // second differences over whole waves
+  for (int j = 0; j < 50; ++j)
+    for (int i = 0; i < 65; ++i)
+      waves.heights.push_back(std::cos(2.0 * std::numbers::pi * i / 9.0) +
+                              0.5 * std::cos(2.0 * std::numbers::pi * j / 12.0));
+  EXPECT_NEAR(shortest_waves(waves)[0], 9e-6, 1e-15);
+  EXPECT_NEAR(shortest_waves(waves)[1], 24e-6, 1e-15);
+  for (std::size_t i = 0; i < waves.heights.size(); ++i)
+    waves.heights[i] = i % 65 % 2 == 0 ? 1.0 : -1.0; // as fast along x as points can tell, not at all along y
+  EXPECT_DOUBLE_EQ(shortest_waves(waves)[0], 2e-6);
+  EXPECT_EQ(shortest_waves(waves)[1], std::numeric_limits<double>::infinity());
+}
+
 TEST(ShapeTest, EquivalentRadiusIsThatOfRoundPairs)
 {
   EXPECT_DOUBLE_EQ(equivalent_radius(Paraboloid{1.0, 1.0}, Paraboloid{3.0, 3.0}).value(), 0.75);

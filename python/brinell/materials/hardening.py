@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hardening laws, as the case file has them: the yield stress over the equivalent plastic strain."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Sequence
+from dataclasses import InitVar, dataclass, fields
+from pathlib import Path
+from typing import Any, ClassVar, Literal
+
+from brinell.bodies import Quantity
+from brinell.case import plain
+from brinell.errors import InputError
+from brinell.materials.checking import case_of
+from brinell.materials.sampling import Law, sampled
+
+__all__ = [
+    "Hardening",
+    "Hollomon",
+    "Linear",
+    "Ludwik",
+    "Perfect",
+    "Swift",
+    "SwiftMicrostrain",
+    "Table",
+    "Voce",
+]
+
+
+class Hardening:
+    """A hardening law: the yield stress as a function of the equivalent plastic strain."""
+
+    law: ClassVar[str]
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.hardening` of the case file."""
+        return {"law": self.law} | {field.name: plain(getattr(self, field.name)) for field in fields(self)}  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class Perfect(Hardening):
+    """sigma_y(e) = yield_stress [Pa]."""
+
+    law: ClassVar[str] = "perfect"
+    yield_stress: Quantity
+
+
+@dataclass(frozen=True)
+class Linear(Hardening):
+    """sigma_y(e) = yield_stress + modulus e, both in Pa."""
+
+    law: ClassVar[str] = "linear"
+    yield_stress: Quantity
+    modulus: Quantity
+
+
+@dataclass(frozen=True)
+class Swift(Hardening):
+    """sigma_y(e) = coefficient (offset + e)^exponent (Swift 1952); coefficient in Pa."""
+
+    law: ClassVar[str] = "swift"
+    coefficient: Quantity
+    offset: float
+    exponent: float
+
+
+@dataclass(frozen=True)
+class SwiftMicrostrain(Hardening):
+    """sigma_y(e) = coefficient (offset + 1e6 e)^exponent: Swift's law with strains in millionths; coefficient in Pa."""
+
+    law: ClassVar[str] = "swift_microstrain"
+    coefficient: Quantity
+    offset: float
+    exponent: float
+
+
+@dataclass(frozen=True)
+class Hollomon(Hardening):
+    """sigma_y(e) = coefficient (e_0 + e)^exponent, e_0 such that it begins at yield_stress (Hollomon 1945); in Pa."""
+
+    law: ClassVar[str] = "hollomon"
+    yield_stress: Quantity
+    coefficient: Quantity
+    exponent: float
+
+
+@dataclass(frozen=True)
+class Ludwik(Hardening):
+    """sigma_y(e) = yield_stress + coefficient e^exponent (Ludwik 1909); both in Pa."""
+
+    law: ClassVar[str] = "ludwik"
+    yield_stress: Quantity
+    coefficient: Quantity
+    exponent: float
+
+
+@dataclass(frozen=True)
+class Voce(Hardening):
+    """sigma_y(e) = yield_stress + saturation (1 - exp(-rate e)) (Voce 1948); yield_stress and saturation in Pa."""
+
+    law: ClassVar[str] = "voce"
+    yield_stress: Quantity
+    saturation: Quantity
+    rate: float
+
+
+@dataclass(frozen=True)
+class Table(Hardening):
+    """Linear between points, constant after the last one. Of a file: `file` or `from_file`; of a function: `of`.
+
+    Attributes:
+        plastic_strain: equivalent plastic strains, ascending from 0 [-].
+        stress: yield stresses, as many, not falling [Pa].
+        monotone: a stress below an earlier one, as the scatter of a measurement has it, becomes that one.
+        file: instead of the points, as in the case file: what `from_file` reads, with `stress_unit` and `strain_unit`.
+    """
+
+    law: ClassVar[str] = "table"
+    plastic_strain: Sequence[float] = ()
+    stress: Sequence[Quantity] = ()
+    monotone: bool = False
+    file: InitVar[str | Path | None] = None
+    stress_unit: InitVar[str] = "Pa"
+    strain_unit: InitVar[Literal["1", "%"]] = "1"
+
+    def __post_init__(self, file: str | Path | None, stress_unit: str, strain_unit: Literal["1", "%"]) -> None:
+        if file is not None:
+            if len(self.plastic_strain) or len(self.stress):
+                raise InputError(f"file = {str(file)!r} cannot stand together with plastic_strain and stress")
+            read = Table.from_file(file, unit=stress_unit, strain=strain_unit, monotone=self.monotone)
+            object.__setattr__(self, "plastic_strain", read.plastic_strain)
+            object.__setattr__(self, "stress", read.stress)
+            object.__setattr__(self, "monotone", False)
+        elif not len(self.plastic_strain) or not len(self.stress):
+            raise InputError("a table needs plastic_strain and stress, or a file; Table.from_file reads one, too")
+        object.__setattr__(self, "plastic_strain", tuple(plain(self.plastic_strain)))
+        object.__setattr__(self, "stress", tuple(plain(self.stress)))
+
+    @classmethod
+    def from_file(
+        cls, path: str | Path, *, unit: str = "Pa", strain: Literal["1", "%"] = "1", monotone: bool = False
+    ) -> Table:
+        """A measured curve: a text file with a point per line, plastic strain and stress.
+
+        Columns stand between commas, semicolons, tabs or blanks; where something else than a comma stands between them,
+        commas are decimal ones. Lines of titles may come first; comments begin with #.
+
+        Args:
+            path: of the file.
+            unit: of its stresses, "MPa".
+            strain: unit of its plastic strains.
+            monotone: a stress below an earlier one becomes that one; without it a curve that falls is refused.
+
+        Raises:
+            InputError: the file, a line of it or the unit is not as it should be, or the curve is no hardening law.
+        """
+        table = {
+            "law": cls.law,
+            "file": str(Path(path).absolute()),
+            "stress_unit": unit,
+            "strain_unit": strain,
+            "monotone": monotone,
+        }
+        try:
+            case = case_of({"young_modulus": 1e12, "poisson_ratio": 0.3, "hardening": table})
+        except InputError as error:
+            text = str(error).replace("material.hardening.", "").replace("stress_unit", "unit")
+            raise InputError(text.replace("strain_unit", "strain")) from None
+        hardening = tomllib.loads(case.resolved_text())["lower"]["material"]["hardening"]
+        return cls(hardening["plastic_strain"], hardening["stress"])
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.hardening` of the case file."""
+        table = super().to_case()
+        return table if self.monotone else {key: value for key, value in table.items() if key != "monotone"}
+
+    @classmethod
+    def of(cls, law: Law, max_strain: float = 1.0) -> Table:
+        """A table of a function, fine enough that it differs from it by less than 1e-4 of its value.
+
+        Args:
+            law: sigma_y(e) [Pa], > 0, continuous, not falling. Called with one strain, a NumPy number, at a time.
+            max_strain: where the table ends [-]; the yield stress is constant beyond.
+
+        Raises:
+            InputError: the function has no such value, falls or jumps; the text says where.
+        """
+        if not (math.isfinite(max_strain) and max_strain > 0):
+            raise InputError(f"max_strain = {max_strain} of a hardening law; allowed: above 0")
+        strain, stress = sampled(law, max_strain)
+        return cls(strain, stress)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A material: elastic constants, how it yields, and what it does with heat."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any
+
+from brinell import _core
+from brinell._names import renamed
+from brinell.bodies import Quantity
+from brinell.case import plain
+from brinell.errors import InputError
+from brinell.materials.checking import case_of
+from brinell.materials.hardening import Hardening, Table
+from brinell.materials.sampling import Law
+from brinell.materials.thermal import Softening, Thermal
+
+__all__ = ["RIGID", "Material"]
+
+
+def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
+    """Pairs or lists as what can be compared and does not change."""
+    return tuple(tuple(plain(entry)) for entry in values)
+
+
+@renamed(kinematic="back_stresses")
+@dataclass(frozen=True)
+class Material:
+    """An elastic material, elastic-plastic if it has a hardening law.
+
+    Attributes:
+        young_modulus: E [Pa], > 0.
+        poisson_ratio: nu [-], in (-1, 0.5).
+        hardening: size of the yield surface; None: stays elastic. Any function sigma_y(e) is one too; it becomes
+            `Table.of` it, up to a strain of 1.
+        back_stresses: kinematic hardening as pairs (modulus C [Pa], recall gamma [-]),
+            d alpha = 2/3 C d eps - gamma alpha d e (Armstrong, Frederick 1966; Chaboche 1986; gamma = 0: Prager 1956).
+        yield_profile: (depths [m], factors on the yield stress [-]), linear between, constant beyond.
+        initial_stress: (depths [m], stresses xx = yy before the first load [Pa]), tension positive.
+        thermal: constants of heat; None: no heat is computed in the body.
+        softening: how the yield stress falls with the temperature; None: not at all.
+    """
+
+    young_modulus: Quantity
+    poisson_ratio: float
+    hardening: Hardening | Law | None = None
+    back_stresses: Sequence[tuple[Quantity, float]] = ()
+    yield_profile: tuple[Sequence[Quantity], Sequence[float]] | None = None
+    initial_stress: tuple[Sequence[Quantity], Sequence[Quantity]] | None = None
+    thermal: Thermal | None = None
+    softening: Softening | None = None
+
+    def __post_init__(self) -> None:
+        law = self.hardening
+        if isinstance(law, type) or not (law is None or isinstance(law, Hardening) or callable(law)):
+            raise InputError(
+                f"hardening = {law!r}; allowed: a law, as brinell.Perfect('600 MPa'), a function sigma_y(e), or None"
+            )
+        if callable(law):
+            object.__setattr__(self, "hardening", Table.of(law))
+        if not (self.thermal is None or isinstance(self.thermal, Thermal)):
+            raise InputError(f"thermal = {self.thermal!r}; allowed: brinell.Thermal(...), or None")
+        if not (self.softening is None or isinstance(self.softening, Softening)):
+            raise InputError(
+                f"softening = {self.softening!r}; allowed: a law, as brinell.JohnsonCook(1500, 1.0), or None"
+            )
+        object.__setattr__(self, "back_stresses", _tuples(self.back_stresses))
+        for name in ("yield_profile", "initial_stress"):
+            if (profile := getattr(self, name)) is not None:
+                object.__setattr__(self, name, _tuples(profile))
+
+    @property
+    def is_rigid(self) -> bool:
+        """Whether the body does not deform at all."""
+        return self.young_modulus == math.inf
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material` of the case file, as nested dictionaries."""
+        if self.is_rigid:
+            return {"rigid": True} | self._thermal_table(lambda key, value: key != "expansion" or value != 0.0)
+        table = {"young_modulus": plain(self.young_modulus), "poisson_ratio": plain(self.poisson_ratio)}
+        if isinstance(self.hardening, Hardening):
+            table["hardening"] = self.hardening.to_case()
+        if self.back_stresses:
+            terms = [{"modulus": modulus, "recall": recall} for modulus, recall in self.back_stresses]
+            table.setdefault("hardening", {})["back_stresses"] = terms
+        for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
+            if (profile := getattr(self, name)) is not None:
+                table[name] = {"depth": list(profile[0]), value: list(profile[1])}
+        if self.softening is not None:
+            table["softening"] = self.softening.to_case()
+        return table | self._thermal_table()
+
+    def _thermal_table(self, keep: Callable[[str, Any], bool] = lambda key, value: True) -> dict[str, Any]:
+        if self.thermal is None:
+            return {}
+        return {"thermal": {key: value for key, value in self.thermal.to_case().items() if keep(key, value)}}
+
+    @cached_property
+    def _engine(self) -> _core.Material:
+        """The same for the engine, checked and in SI.
+
+        Raises:
+            InputError: a value, unit or combination that the case file would not allow either.
+        """
+        if self.is_rigid:
+            return _core.rigid_material()
+        return _core.lower_material(case_of(self.to_case()))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # what is pickled: not the engine's
+
+
+RIGID = Material(math.inf, 0.0)
+"""A body that does not deform at all."""

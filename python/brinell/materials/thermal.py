@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Constants of heat of a material, and how its yield stress falls with the temperature."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any, ClassVar
+
+from brinell import _core
+from brinell.bodies import Quantity
+from brinell.case import plain
+from brinell.errors import InputError
+from brinell.materials.checking import case_of
+
+__all__ = ["JohnsonCook", "LinearSoftening", "Softening", "SofteningTable", "Thermal"]
+
+
+class Softening:
+    """A factor on the yield stress by the temperature; at least 0.01, also of what has melted.
+
+    Temperatures are in deg C, or text, "293.15 K". Back stresses are not softened.
+    """
+
+    law: ClassVar[str]
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.softening` of the case file."""
+        return {"law": self.law} | {field.name: plain(getattr(self, field.name)) for field in fields(self)}  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class LinearSoftening(Softening):
+    """1 up to the reference temperature, 0 from melting on, straight between."""
+
+    law: ClassVar[str] = "linear"
+    melting_temperature: Quantity
+    reference_temperature: Quantity = 20.0
+
+
+@dataclass(frozen=True)
+class JohnsonCook(Softening):
+    """1 - ((T - T_ref)/(T_melt - T_ref))^exponent (Johnson and Cook 1983); 1 below T_ref."""
+
+    law: ClassVar[str] = "johnson_cook"
+    melting_temperature: Quantity
+    exponent: float
+    reference_temperature: Quantity = 20.0
+
+
+@dataclass(frozen=True)
+class SofteningTable(Softening):
+    """Linear between points, constant outside them.
+
+    Attributes:
+        temperature: of the points, ascending.
+        factor: on the yield stress, as many, > 0.
+    """
+
+    law: ClassVar[str] = "table"
+    temperature: Sequence[Quantity]
+    factor: Sequence[float]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "temperature", tuple(plain(self.temperature)))
+        object.__setattr__(self, "factor", tuple(plain(self.factor)))
+
+
+@dataclass(frozen=True)
+class Thermal:
+    """Constants of a body that conducts heat.
+
+    Attributes:
+        conductivity: K [W/(m K)], > 0.
+        density: rho [kg/m^3], > 0.
+        specific_heat: c [J/(kg K)], > 0.
+        expansion: alpha, linear, of the free body [1/K]; temperatures do without it.
+        temperature: of the bulk [deg C], or text, "293.15 K".
+    """
+
+    conductivity: Quantity
+    density: Quantity
+    specific_heat: Quantity
+    expansion: Quantity = 0.0
+    temperature: Quantity = 20.0
+
+    def __post_init__(self) -> None:
+        self._engine  # noqa: B018 (checks the values)
+
+    @classmethod
+    def carbon_steel(cls, temperature: Quantity = 20.0) -> Thermal:
+        """Structural steel at 20 deg C (EN 1993-1-2:2005, section 3.4)."""
+        return cls(53.3, 7850.0, 440.0, 12.2e-6, temperature)
+
+    @classmethod
+    def stainless_steel(cls, temperature: Quantity = 20.0) -> Thermal:
+        """Austenitic steel 1.4301 (AISI 304) at 20 deg C (EN 10088-1:2005, annex E)."""
+        return cls(15.0, 7900.0, 500.0, 16.0e-6, temperature)
+
+    @property
+    def diffusivity(self) -> float:
+        """K/(rho c) [m^2/s]."""
+        return self._engine.diffusivity
+
+    def to_case(self) -> dict[str, Any]:
+        """The table `material.thermal` of the case file."""
+        table: dict[str, Any] = plain({field.name: getattr(self, field.name) for field in fields(self)})
+        return table
+
+    @cached_property
+    def _engine(self) -> _core.Thermal:
+        """The same for the engine, checked and in SI.
+
+        Raises:
+            InputError: a value or unit that the case file would not allow either.
+        """
+        try:
+            case = case_of({"young_modulus": 1e12, "poisson_ratio": 0.3, "thermal": self.to_case()})
+        except InputError as error:
+            raise InputError(str(error).replace("material.thermal.", "")) from None
+        thermal = _core.lower_material(case).thermal
+        assert thermal is not None
+        return thermal
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # what is pickled: not the engine's
