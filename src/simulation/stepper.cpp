@@ -96,6 +96,7 @@ Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper, co
           lower.texture,
           upper.texture,
           {},
+          {},
           {}};
 }
 
@@ -111,8 +112,9 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
 {
   return std::make_unique<CoupledContact>(
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
-      elastoplastic::Textures{textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin()),
-                              textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin())},
+      elastoplastic::Textures{
+          textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin(), setup_.beside.lower),
+          textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin(), setup_.beside.upper)},
       plan_.reference, setup_.sliding);
 }
 
@@ -323,9 +325,9 @@ void Stepper::place(const Frame& frame)
       distance_[g.index(i, j)] = setup_.distance(frame.x0 + i * g.dx, g.y(j));
 }
 
-std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0)
+std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0, double y)
 {
-  return texture.is_smooth() ? std::vector<double>{} : cell_depths(texture, grid, x0, grid.y(0));
+  return texture.is_smooth() ? std::vector<double>{} : cell_depths(texture, grid, x0, y + grid.y(0));
 }
 
 } // namespace brinell::simulation

@@ -76,6 +76,7 @@ public:
     Texture lower_texture{}, upper_texture{};
     Watch watch{};
     elastoplastic::Sliding sliding{};
+    Centre beside{}; ///< the same across the motion, where it stays: textures are read from there
   };
   Stepper(const Plan& plan, Setup setup);
 
@@ -158,6 +159,7 @@ private:
                                           const elastoplastic::Settings& solver, const Centre& start);
 
 /// Depths of a texture on a grid of a body; empty if it is smooth.
-[[nodiscard]] std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0);
+/// @param x0  surface coordinate of its column 0; y  of the middle between its rows [m]
+[[nodiscard]] std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0, double y = 0.0);
 
 } // namespace brinell::simulation

@@ -33,6 +33,7 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
+    setup.beside = {plan_.closest.y_lower, plan_.closest.y_upper};
     setup.sliding = {.friction = case_.friction, .direction = 1};
     if (is_heated(case_, case_.lower, case_.upper))
       setup.sliding.heat = {case_.heat, heat_times()};
@@ -213,16 +214,18 @@ private:
     r.interference = case_.load ? stepper.pair().approach() : p.interference;
     r.theta = p.theta;
     r.X = case_.load ? (sum_ - r.interference) * std::sin(p.theta) : p.X;
-    r.height = case_.load ? (sum_ - r.interference) * std::cos(p.theta) : passing_.separation();
+    // The plane of motion is tilted about X; its axes turn back to Y and Z.
+    const double cosine = std::cos(plan_.closest.tilt), sine = std::sin(plan_.closest.tilt);
+    r.height = case_.load ? (sum_ - r.interference) * std::cos(p.theta) : passing_.separation() * cosine;
     r.F_X = forces.F_X;
-    r.F_Y = forces.F_Y;
-    r.F_Z = forces.F_Z;
+    r.F_Y = forces.F_Y * cosine + forces.F_Z * sine;
+    r.F_Z = forces.F_Z * cosine - forces.F_Y * sine;
     r.F_X_macro = forces.F_X_macro;
-    r.F_Z_macro = forces.F_Z_macro;
+    r.F_Z_macro = forces.F_Z_macro * cosine;
     r.F_X_lower = forces.F_X_lower;
     r.F_X_upper = forces.F_X_upper;
     r.F_X_friction = forces.F_X_friction;
-    r.F_Z_friction = forces.F_Z_friction;
+    r.F_Z_friction = forces.F_Z_friction * cosine;
   }
 
   const TuggingCase& case_;

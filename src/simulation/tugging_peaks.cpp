@@ -2,6 +2,7 @@
 #include "tugging_peaks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brinell::simulation
 {
@@ -51,6 +52,8 @@ void add(const TuggingRecord& before, const TuggingRecord& now, TuggingPeaks& pe
     peaks.X_at_peak_F_X = now.X;
   }
   peaks.min_F_X = std::min(peaks.min_F_X, now.F_X);
+  if (std::abs(now.F_Y) > std::abs(peaks.peak_F_Y))
+    peaks.peak_F_Y = now.F_Y;
   peaks.peak_F_Z = std::max(peaks.peak_F_Z, now.F_Z);
   if (now.F_Z > 0.0)
     peaks.load_ratio_end = now.F_X / now.F_Z;
@@ -63,6 +66,7 @@ void TuggingPeaks::exchange(Archive& archive)
   archive("peak_F_X", peak_F_X);
   archive("X_at_peak_F_X", X_at_peak_F_X);
   archive("min_F_X", min_F_X);
+  archive("peak_F_Y", peak_F_Y);
   archive("peak_F_Z", peak_F_Z);
   archive("F_X_aligned", F_X_aligned);
   archive("F_Z_aligned", F_Z_aligned);

@@ -27,14 +27,42 @@ constexpr double contact_extent_x = 2.0;
 constexpr double contact_extent_y = 1.5;
 constexpr double track_extent = 1.6;
 
+/// Radius across the motion, over which a body can be passed beside its top.
+double rounding_across(const char* body, const Shape& shape)
+{
+  const auto* paraboloid = std::get_if<Paraboloid>(&shape);
+  if (!paraboloid || !(paraboloid->radius_y > 0.0) || !std::isfinite(paraboloid->radius_y))
+    throw KeyError("tugging.offset", fmt::format("tugging.offset: {}.shape is not rounded across the motion, so that "
+                                                 "nothing passes beside its top; allowed with an offset: spheres, and "
+                                                 "ellipsoids with radius_y > 0",
+                                                 body));
+  return paraboloid->radius_y;
+}
+
 /// What the plan needs to know of the pair.
 struct Pair
 {
+  ClosestApproach closest;
   ContactSize contact;      ///< elastic, of the smooth bodies at alignment
   double first_yield = 0.0; ///< interference at which one of them first yields; the full one if none does before [m]
   std::array<double, 2> curvature{}; ///< relative [1/m]
   TextureReach texture;              ///< of both bodies together
 };
+
+/// @param interference  along the line of centres [m]
+void require_touch(const TuggingCase& tugging, double interference)
+{
+  if (interference > 0.0 || tugging.offset == 0.0)
+    return;
+  const double overlap = tugging.interference;
+  const double sum = rounding_across("lower", tugging.lower.shape) + rounding_across("upper", tugging.upper.shape);
+  throw KeyError(
+      "tugging.offset",
+      fmt::format("tugging.offset makes {:.6g} m, at which the bodies pass without touching; allowed with an "
+                  "interference of {:.4g} m: between -{:.6g} and {:.6g} m",
+                  tugging.offset, overlap, std::sqrt(overlap * (2.0 * sum - overlap)),
+                  std::sqrt(overlap * (2.0 * sum - overlap))));
+}
 
 Pair pair_of(const TuggingCase& tugging)
 {
@@ -44,14 +72,18 @@ Pair pair_of(const TuggingCase& tugging)
   if (const auto reason = reason_against_contact(lower, upper, tugging.domain))
     throw InputError("the bodies " + *reason);
   Pair pair;
+  pair.closest = closest_approach(tugging);
+  const double interference = pair.closest.interference;
+  require_touch(tugging, interference);
   pair.curvature = relative_curvature(lower.shape, upper.shape).value();
   const TextureReach of_lower = reach(lower.texture);
   const TextureReach of_upper = reach(upper.texture);
-  pair.texture = {of_lower.height + of_upper.height, std::max(of_lower.half_width_y, of_upper.half_width_y)};
-  pair.first_yield = tugging.interference;
+  pair.texture = {of_lower.height + of_upper.height, std::max(of_lower.half_width_y + std::abs(pair.closest.y_lower),
+                                                              of_upper.half_width_y + std::abs(pair.closest.y_upper))};
+  pair.first_yield = interference;
   if (const std::optional<double> radius = equivalent_radius(lower.shape, upper.shape))
   {
-    const double a = std::sqrt(*radius * tugging.interference);
+    const double a = std::sqrt(*radius * interference);
     pair.contact = {a, a};
     require_within_reference(a, a, lower, upper, tugging.domain);
     if (const auto yield = earliest_first_yield(lower, upper, tugging.domain, friction))
@@ -59,7 +91,7 @@ Pair pair_of(const TuggingCase& tugging)
     return pair;
   }
   const Footprint f =
-      smooth_footprint(lower, upper, {contact::Drive::Kind::approach, tugging.interference}, tugging.domain, friction);
+      smooth_footprint(lower, upper, {contact::Drive::Kind::approach, interference}, tugging.domain, friction);
   pair.contact = {f.elastic_x, f.elastic_y, f.straight_y};
   pair.first_yield = std::min(pair.first_yield, f.first_yield_approach);
   return pair;
@@ -71,7 +103,7 @@ double plastic_growth(const TuggingCase& tugging, const Pair& pair)
   // Of two bodies that are not alike, the weaker one takes most of the plastic strain; under a load plasticity adds to the
   // approach, and the whole track bears it: as if pressed twice as far.
   const bool more = !(tugging.lower == tugging.upper) || tugging.load;
-  const double ratio = tugging.interference / pair.first_yield * (more ? 2.0 : 1.0);
+  const double ratio = pair.closest.interference / pair.first_yield * (more ? 2.0 : 1.0);
   return std::pow(std::max(1.0, ratio / covered), 0.4);
 }
 
@@ -96,10 +128,10 @@ double track_half_length(const TuggingCase& tugging, const Pair& pair, const Pas
   {
     const double theta = angle_at_touch * i / samples;
     // Under a load as much as it has come up: it does in a quarter of this way.
-    const double interference = tugging.load ? tugging.interference * std::min(1.0, 4.0 * (samples - i) / samples)
+    const double interference = tugging.load ? pair.closest.interference * std::min(1.0, 4.0 * (samples - i) / samples)
                                              : sum - passing.separation() / std::cos(theta);
     double edge =
-        scale * track_extent * pair.contact.half_x * std::sqrt(std::max(0.0, interference / tugging.interference));
+        scale * track_extent * pair.contact.half_x * std::sqrt(std::max(0.0, interference / pair.closest.interference));
     if (height > 0.0) // wherever textures may touch
       edge = std::max(edge, tugging.extent * overlap_reach(pair.curvature[0], interference + height));
     farthest = std::max(farthest, radius * theta + edge);
@@ -117,7 +149,7 @@ Extents extents(const TuggingCase& tugging, const Pair& pair, const Passing& pas
   e.contact_y = straight_y ? half_y + (contact_extent_y * scale - 1.0) * half_x : contact_extent_y * scale * half_y;
   if (const double height = pair.texture.height; height > 0.0)
   {
-    const double overlap = tugging.interference + height;
+    const double overlap = pair.closest.interference + height;
     e.contact_x = std::max(e.contact_x, tugging.extent * overlap_reach(pair.curvature[0], overlap));
     if (!straight_y)
       e.contact_y = std::max(
@@ -162,6 +194,17 @@ std::optional<double> passing_radius(const Shape& shape)
   return std::get<Roller>(shape).radius;
 }
 
+ClosestApproach closest_approach(const TuggingCase& tugging)
+{
+  if (tugging.offset == 0.0)
+    return {tugging.interference, 0.0, 0.0, 0.0};
+  const auto lower = rounding_across("lower", tugging.lower.shape);
+  const auto upper = rounding_across("upper", tugging.upper.shape);
+  const double height = lower + upper - tugging.interference;
+  const double tilt = std::atan2(tugging.offset, height);
+  return {lower + upper - std::hypot(height, tugging.offset), tilt, lower * tilt, -upper * tilt};
+}
+
 double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain)
 {
   const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
@@ -184,7 +227,7 @@ Passing passing(const TuggingCase& tugging, double dx)
 {
   return {required_radius("lower", tugging.lower.shape),
           required_radius("upper", tugging.upper.shape),
-          tugging.interference,
+          closest_approach(tugging).interference,
           relative_cells(tugging, dx),
           dx,
           tugging.kinematics};
@@ -208,6 +251,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   TuggingPlan plan;
   lay_out(cell, extents(tugging, pair, pass), tugging.domain, plan);
   require_cells_in_periods(tugging.lower, tugging.upper, tugging.domain, plan.contact);
+  plan.closest = pair.closest;
   plan.reference = reference_distance(tugging.lower.shape, tugging.upper.shape, tugging.domain);
   plan.elastic_contact_radius = pair.contact.half_x;
   plan.elastic_contact_radius_y = pair.contact.half_y;
@@ -218,7 +262,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.twin =
       is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
   // Not so small a change of displacement that the tolerance of the contact hides it.
-  plan.scales = {std::max(pair.first_yield, 1e-2 * tugging.interference), tugging.interference};
+  plan.scales = {std::max(pair.first_yield, 1e-2 * pair.closest.interference), pair.closest.interference};
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);

@@ -29,7 +29,12 @@ struct TuggingCase : Numerics
   ShapedBody
       lower; ///< has a circle in the plane of motion, as the upper one: a paraboloid, or a roller across the motion
   ShapedBody upper;
-  double interference = 0.0; ///< largest rigid-body interference, reached at alignment [m], > 0
+  /// By how much the tops of the rigid bodies overlap in height [m], > 0: without an offset the largest interference, reached
+  /// at alignment.
+  double interference = 0.0;
+  /// Of the upper centre from the lower one, along y [m]: the bodies pass beside each other. They overlap less then along the
+  /// line of their centres: closest_approach. Not with a load.
+  double offset = 0.0;
   /// Instead of the constant height that this interference means: a normal force in the plane of contact that is kept [N]; it
   /// comes up in the first eighth of a pass and goes down in the last one. The interference then is an estimate of the
   /// approach, from which the length of the pass and the grids follow.
@@ -42,8 +47,23 @@ struct TuggingCase : Numerics
   std::optional<double> speed;
 };
 
+/// Bodies at alignment, in the plane across the motion.
+struct ClosestApproach
+{
+  double interference = 0.0; ///< along the line of centres, the largest of the pass [m]; not above 0: they never touch
+  double tilt = 0.0;         ///< of that line from Z, sign of the offset [rad]
+  double y_lower = 0.0, y_upper = 0.0; ///< arc from the top of each body to the middle of the contact [m]
+};
+
+/// With the radii R1, R2 across the motion and the heights of the tops overlapping by alpha, an offset y tilts the line of
+/// centres by atan(y/(R1 + R2 - alpha)) and leaves an interference of R1 + R2 - hypot(R1 + R2 - alpha, y), which is
+/// alpha - y^2/(2 (R1 + R2)) to second order: docs/theory/simulation.md (offset).
+/// @throws KeyError of an offset of a body that is not rounded across the motion
+[[nodiscard]] ClosestApproach closest_approach(const TuggingCase& tugging);
+
 struct TuggingPlan : Plan
 {
+  ClosestApproach closest;
   int steps_per_pass = 0;
   /// Half-lengths of the elastic contact of the smooth bodies at alignment, along x and y [m].
   double elastic_contact_radius = 0.0, elastic_contact_radius_y = 0.0;
@@ -70,6 +90,7 @@ struct TuggingPeaks
 {
   double peak_F_X = 0.0, X_at_peak_F_X = 0.0;  ///< largest resistance [N], where [m]
   double min_F_X = 0.0;                        ///< largest push forward (negative) [N]
+  double peak_F_Y = 0.0;                       ///< largest in size, with its sign [N]
   double peak_F_Z = 0.0;                       ///< [N]
   double F_X_aligned = 0.0, F_Z_aligned = 0.0; ///< at X = 0 [N]
   double load_ratio_aligned = 0.0;             ///< F_X / F_Z at X = 0
@@ -113,7 +134,7 @@ inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
     common::max_pressure,
     common::F_n,
     {"F_X", "N", &TuggingRecord::F_X, "resistance to the motion"},
-    {"F_Y", "N", &TuggingRecord::F_Y, "lateral force"},
+    {"F_Y", "N", &TuggingRecord::F_Y, "lateral force on the upper body, along y"},
     {"F_Z", "N", &TuggingRecord::F_Z, "force that separates the bodies"},
     {"F_X_macro", "N", &TuggingRecord::F_X_macro, "F_X without the slope of the residual surfaces"},
     {"F_Z_macro", "N", &TuggingRecord::F_Z_macro, "F_Z without the slope of the residual surfaces"},

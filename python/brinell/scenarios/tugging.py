@@ -30,6 +30,7 @@ class Tugging(ScenarioCase):
         upper: Body,
         interference: Quantity | None = None,
         *,
+        offset: Quantity | None = None,
         load: Quantity | None = None,
         normalised: bool = True,
         passes: int | None = None,
@@ -48,10 +49,14 @@ class Tugging(ScenarioCase):
         Args:
             lower: the body at rest; its shape is a `Sphere`, `Ellipsoid` or `Cylinder`.
             upper: the body that passes over it, of such a shape.
-            interference: largest overlap of the undeformed bodies, without textures, when their centres are aligned; in
-                critical interferences alpha_c, or a length if not normalised.
+            interference: overlap of the undeformed bodies in height, without textures, when their centres are aligned
+                along x; in critical interferences alpha_c, or a length if not normalised. The largest overlap unless
+                there is an offset.
+            offset: of the upper centre from the lower one along y, so that the bodies pass beside each other and overlap
+                less by offset^2 / (2 (R1 + R2)); in contact radii a_c at first yield, or a length if not normalised.
+                Not with a load.
             load: instead, a normal force that is kept; in critical loads P_c, or a force if not normalised.
-            normalised: whether these are in their values at first yield.
+            normalised: whether these three are in their values at first yield.
             passes: how often the upper body passes.
             shift: arc by which the contact moves on each body per step.
             kinematics: "exact" or "paper".
@@ -68,6 +73,7 @@ class Tugging(ScenarioCase):
         """
         table = {
             "interference": interference,
+            "offset": offset,
             "load": load,
             "normalised": normalised,
             "passes": passes,
@@ -103,8 +109,18 @@ class TuggingResult(RunSummary):
 
     @property
     def interference(self) -> float:
-        """Rigid-body interference of a tugging at alignment [m]."""
+        """Overlap in height of the rigid bodies of a tugging at alignment [m]."""
         return self._number("geometry", "interference_m")
+
+    @property
+    def offset(self) -> float:
+        """Of the upper centre from the lower one along y, in a tugging [m]."""
+        return self._number("geometry", "offset_m")
+
+    @property
+    def closest_interference(self) -> float:
+        """Largest interference of a tugging along the line of centres [m]; with an offset less than `interference`."""
+        return self._number("geometry", "closest_interference_m")
 
     @property
     def normalised_interference(self) -> float:

@@ -30,11 +30,20 @@ std::vector<Entry> keys()
              .dimension = dimension::length,
              .range = above(0.0),
              .unset = "tugging.load",
-             .text = "Largest overlap of the undeformed bodies without their textures, reached when their centres are "
-                     "aligned; the height of the centres is constant.",
+             .text = "Overlap of the undeformed bodies without their textures in height, when their centres are "
+                     "aligned along x; the height of the centres is constant. Without an offset it is their largest "
+                     "overlap.",
              .excludes = "tugging.load",
              .pure_if = "tugging.normalised"},
             &TuggingCase::interference),
+      bound({.key = "tugging.offset",
+             .dimension = dimension::length,
+             .text =
+                 "Of the upper centre from the lower one, along y: the bodies pass beside each other. They overlap "
+                 "less then along the line of centres: by offset^2 / (2 (R1 + R2)), to second order. If normalised, "
+                 "in contact radii a_c at first yield. Not with a load.",
+             .pure_if = "tugging.normalised"},
+            &TuggingCase::offset),
       bound({.key = "tugging.load",
              .dimension = dimension::force,
              .range = above(0.0),
@@ -134,11 +143,27 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
                                     : ""));
 }
 
+/// Whether the bodies touch at all beside each other the plan tells.
+void set_offset(const CaseReader& reader, const Case& c, TuggingCase& tugging)
+{
+  const std::string key = "tugging.offset";
+  if (tugging.offset == 0.0)
+    return;
+  if (tugging.load)
+  {
+    reader.add(key, "goes with a constant height only; allowed with tugging.load: 0");
+    return;
+  }
+  if (reader.get<bool>("tugging.normalised") && c.first_yield) // without it the interference has been refused
+    tugging.offset *= c.first_yield->critical.contact_radius;
+}
+
 std::string read(const CaseReader& reader, Case& c, TuggingCase& t)
 {
   reader.problems.throw_if_any();
   c.equivalent_radius = 1.0 / (*simulation::relative_curvature(t.lower.shape, t.upper.shape))[0];
   set_drive(reader, c, t);
+  set_offset(reader, c, t);
   return t.load ? "tugging.load" : "tugging.interference";
 }
 
@@ -156,7 +181,8 @@ std::string motion(const TuggingCase& t, const TuggingPlan& plan)
 std::string drive(const TuggingCase& t)
 {
   return t.load ? fmt::format(", load = {:.6e} N, about {:.6e} m of approach", *t.load, t.interference)
-                : fmt::format(", interference = {:.6e} m", t.interference);
+                : fmt::format(", interference = {:.6e} m{}", t.interference,
+                              t.offset == 0.0 ? "" : fmt::format(", offset = {:.6e} m", t.offset));
 }
 
 std::string drive_at_yield(const TuggingCase& t, const reference::CriticalValues& critical)
@@ -189,6 +215,8 @@ Json tugging_geometry_json(const Case& c, const TuggingCase& t, const TuggingPla
                {"upper_radius_m", simulation::passing_radius(t.upper.shape).value_or(nan)}};
   json.update(geometry_json(c));
   json["interference_m"] = t.interference;
+  json["offset_m"] = t.offset;
+  json["closest_interference_m"] = plan.closest.interference;
   json["start_distance_m"] = plan.start_distance;
   return json;
 }
@@ -212,10 +240,13 @@ Json normalised_json(const Case& c, const TuggingCase& t, const TuggingSummary& 
           {"max_residual_upper", s.max_residual_upper / scale.interference}};
 }
 
-Json forces_json(const TuggingSummary& s)
+Json forces_json(const TuggingCase& t, const TuggingSummary& s)
 {
-  return {{"peak_F_X_N", s.peak_F_X}, {"X_at_peak_F_X_m", s.X_at_peak_F_X}, {"min_F_X_N", s.min_F_X},
-          {"peak_F_Z_N", s.peak_F_Z}, {"F_X_aligned_N", s.F_X_aligned},     {"F_Z_aligned_N", s.F_Z_aligned}};
+  Json json = {{"peak_F_X_N", s.peak_F_X}, {"X_at_peak_F_X_m", s.X_at_peak_F_X}, {"min_F_X_N", s.min_F_X},
+               {"peak_F_Z_N", s.peak_F_Z}, {"F_X_aligned_N", s.F_X_aligned},     {"F_Z_aligned_N", s.F_Z_aligned}};
+  if (t.offset != 0.0) // else it is rounding
+    json["peak_F_Y_N"] = s.peak_F_Y;
+  return json;
 }
 
 void summarise(Json& json, const Case& c, const TuggingCase& t, const TuggingPlan& plan, const TuggingSummary& s)
@@ -226,7 +257,7 @@ void summarise(Json& json, const Case& c, const TuggingCase& t, const TuggingPla
   json["normalised"] = normalised_json(c, t, s);
   json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
   json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
-  json["forces"] = forces_json(s);
+  json["forces"] = forces_json(t, s);
   if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0)
     json["heat"] = heat_json(t.heat.fraction, s, s.last, s.max_temperature);
   json["energy"] = energy_json(s);

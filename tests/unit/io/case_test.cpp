@@ -48,6 +48,12 @@ TEST(Case, NormalisedInterferenceIsInCriticalOnes)
   EXPECT_EQ(sample::tugging(c).interference, 9.0 * c.first_yield->critical.interference);
   const Case length = parsed({"tugging.normalised=false", "tugging.interference=2 mm"});
   EXPECT_EQ(sample::tugging(length).interference, 0.002);
+  EXPECT_EQ(sample::tugging(length).offset, 0.0);
+  const Case beside = parsed({"tugging.offset=-1.5"});
+  EXPECT_EQ(sample::tugging(beside).offset, -1.5 * beside.first_yield->critical.contact_radius);
+  EXPECT_EQ(
+      sample::tugging(parsed({"tugging.normalised=false", "tugging.interference=2 mm", "tugging.offset=3 mm"})).offset,
+      0.003);
 }
 
 TEST(Case, TheWeakerBodyGivesTheCriticalValues)
@@ -162,6 +168,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"tugging.interference=0", {"> 0"}},
                     Bad{"tugging.interference=2 mm", {"normalised = true", "normalised = false"}},
                     Bad{"tugging.interference=1e6", {"more than the radius", "alpha_c"}},
+                    Bad{"tugging.offset=1e4", {"without touching", "between -"}},
+                    Bad{"tugging.offset=2 mm", {"normalised = true", "normalised = false"}},
                     Bad{"tugging.kinematics=other", {"\"exact\" or \"paper\""}},
                     Bad{"tugging.normalised=1", {"is an integer", "true or false"}},
                     Bad{"grid.spacing=[1, 2]", {"has 2 elements", "three lengths"}},
