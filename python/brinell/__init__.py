@@ -70,7 +70,7 @@ from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
 
 if TYPE_CHECKING:
-    from brinell import export, plot, report, sweeps
+    from brinell import asperities, export, plot, report, sweeps
     from brinell.sweeps import sweep
 
 # A child that multiprocessing forks has only the thread that forked it.
@@ -127,6 +127,7 @@ __all__ = [
     "Vickers",
     "Voce",
     "__version__",
+    "asperities",
     "constitutive",
     "contact",
     "elastoplastic",
@@ -149,7 +150,7 @@ def __getattr__(name: str) -> Any:
     """What takes long to import, pandas and matplotlib above all, is imported when asked for."""
     if name == "sweep":
         return import_module("brinell.sweeps").sweep
-    if name in ("export", "plot", "report", "sweeps"):
+    if name in ("asperities", "export", "plot", "report", "sweeps"):
         return import_module(f"brinell.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

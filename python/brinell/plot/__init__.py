@@ -4,13 +4,14 @@
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of
 any scenario), `slip` (stick and slip in one state), `history`, `energy` and `temperature` (one run step by step),
-`animation` (one pass as a moving picture), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell
-plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the
-fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which
-state and which bodies), `cells` (cell values as pictures).
+`animation` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a
+run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what
+each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
+(several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
+from brinell.plot.asperities import friction_over_load, passes_map
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
@@ -62,12 +63,14 @@ __all__ = [
     "fig15",
     "force_loops",
     "fretting_course",
+    "friction_over_load",
     "gap_map",
     "imprint",
     "in_si",
     "load_depth",
     "overview",
     "pass_by_pass",
+    "passes_map",
     "pressure_map",
     "residual_surfaces",
     "run_history",

@@ -52,8 +52,8 @@ class Tugging(ScenarioCase):
             interference: overlap of the undeformed bodies in height, without textures, when their centres are aligned
                 along x; in critical interferences alpha_c, or a length if not normalised. The largest overlap unless
                 there is an offset.
-            offset: of the upper centre from the lower one along y, so that the bodies pass beside each other and overlap
-                less by offset^2 / (2 (R1 + R2)); in contact radii a_c at first yield, or a length if not normalised.
+            offset: of the upper centre from the lower one along y: the bodies pass beside each other and overlap less,
+                by offset^2 / (2 (R1 + R2)); in contact radii a_c at first yield, or a length if not normalised.
                 Not with a load.
             load: instead, a normal force that is kept; in critical loads P_c, or a force if not normalised.
             normalised: whether these three are in their values at first yield.

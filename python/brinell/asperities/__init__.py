@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""From one pair of asperities to two rough surfaces: statistical sums of tuggings.
+
+    passes = brinell.asperities.AsperityMap.compute(steel, output="results/passes")
+    rough = brinell.asperities.Population.from_surface(brinell.surfaces.read("surface.xyz").levelled())
+    there = brinell.asperities.statistical_sum(passes, rough, rough, separation=2e-6)
+    print(there.pressure, there.friction_coefficient)
+
+Modules: `moments` and `population` (the asperities of a surface), `pairs` (two of them), `nodes` and `tugging_map`
+(what their pass comes to), `crossings` (with any offset), `sums` (all of them), `encounters` (one by one), `resting`
+(asperities under a flat that rests on them).
+"""
+
+from brinell.errors import MissingExtraError
+
+try:
+    import scipy as _scipy  # noqa: F401 (asked for at the door)
+except ModuleNotFoundError as error:
+    raise MissingExtraError("a map of asperities", str(error.name), "sweep") from error
+
+from brinell.asperities.encounters import Encounters, encounters
+from brinell.asperities.moments import SpectralMoments
+from brinell.asperities.pairs import QUANTITIES, Quantity, UnitRadius
+from brinell.asperities.population import Population
+from brinell.asperities.resting import RestingSum, resting_sum
+from brinell.asperities.sums import AsperitySum, Estimate, friction_curve, statistical_sum
+from brinell.asperities.tugging_map import AsperityMap, Interpolated
+
+__all__ = [
+    "QUANTITIES",
+    "AsperityMap",
+    "AsperitySum",
+    "Encounters",
+    "Estimate",
+    "Interpolated",
+    "Population",
+    "Quantity",
+    "RestingSum",
+    "SpectralMoments",
+    "UnitRadius",
+    "encounters",
+    "friction_curve",
+    "resting_sum",
+    "statistical_sum",
+]
