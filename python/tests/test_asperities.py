@@ -323,3 +323,40 @@ def test_messages() -> None:
     _no(lambda: Population.of([0.0], -1.0, 1e9), "radii has the value -1")
     _no(lambda: SpectralMoments(1e-12, 1e-2, 1e8), "1.5 or more")
     _no(lambda: asperities.encounters(surface, surface.drawn(10), 0.0), "samples of the same area")
+
+
+# --- Figures --------------------------------------------------------------------------------------------------------
+
+
+def test_figures_show_map_and_sums() -> None:
+    of = made_up_map()
+    map_figure = brinell.plot.passes_map(of)
+    nodes = map_figure.axes[1]
+    assert nodes.get_xscale() == "log"
+    assert [text.get_text() for text in nodes.get_legend().get_texts()] == ["$R_1/R_2$ = 1"]
+    surface = Population.gaussian(0.0, 5e-9, 1e-5, 2e9)
+    sums = asperities.friction_curve(of, surface, surface.drawn(100), [1e-8, 2e-8, 1.0])
+    figure = brinell.plot.friction_over_load(sums)
+    assert figure is not None
+    friction, contact, gap = figure.axes
+    x, y = friction.lines[0].get_data()
+    assert list(x) == [one.pressure.value for one in sums[:2]]  # nothing touches at 1 m
+    assert list(y) == [one.friction_coefficient.value for one in sums[:2]]
+    assert contact.get_yscale() == "log"
+    assert gap.get_xlabel() == "separation  $d$  [nm]"
+    assert brinell.plot.friction_over_load(sums[2:]) is None
+
+
+def test_friction_between_the_surfaces_is_in_the_map() -> None:
+    """Elastic: the shear is everywhere the coefficient times the pressure, and so is the work."""
+    of = AsperityMap.compute(
+        STEEL,
+        interferences=(0.3, 0.5, 0.7),
+        resolutions=(3.5, 5.0),
+        interface={"friction": 0.1},
+        workers=1,
+        progress=False,
+    )
+    # Shear and pressure turn with the line of centres; what is left is of second order in the slopes.
+    np.testing.assert_allclose(of.nodes["work"], 0.1 * of.nodes["normal"], rtol=5e-3)
+    np.testing.assert_allclose(of.nodes["dissipation"], of.nodes["work"], rtol=2e-2)
