@@ -111,6 +111,20 @@ TEST(OffsetTugging, MirrorsWithTheSignOfTheOffset)
   EXPECT_GT(left.summary.peak_F_Y, 0.01 * left.summary.peak_F_Z);
 }
 
+TEST(OffsetTugging, YieldsByWhatIsLeftOfTheInterference)
+{
+  for (const double left : {0.97, 1.2}) // of that at first yield, by Hertz and Green
+  {
+    TuggingCase t = small_case(3.0);
+    const double remaining = left * critical().interference, sum = 2.0;
+    t.offset = std::sqrt((sum - remaining) * (sum - remaining) - (sum - t.interference) * (sum - t.interference));
+    t.spacing.reset();
+    const TuggingRun run = computed(t);
+    EXPECT_NEAR(run.plan.closest.interference, remaining, 1e-12 * sum);
+    EXPECT_EQ(run.summary.dissipation_lower > 0.0, left > 1.0) << left;
+  }
+}
+
 TEST(OffsetTugging, ItsEnergyCloses)
 {
   TuggingCase t = small_case(9.0);
