@@ -97,7 +97,8 @@ class AsperityMap:
             upper: of the upper one; None: the same.
             interferences: of the nodes, alpha/alpha_c: three or more, the lowest not above 1, so that elastic passes
                 follow from it.
-            ratios: of the radii of lower and upper asperity; in units of the pair they change little.
+            ratios: of the radii of lower and upper asperity; in units of the pair they change little. Beyond them the
+                map stays, and no error is told of that.
             interface: friction between the surfaces.
             resolutions: cells per contact radius of the coarse and of the fine mesh, whose difference tells the error.
             output: folder of the sweep, which goes on with what is there; None: a temporary one.
