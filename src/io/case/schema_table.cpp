@@ -144,6 +144,45 @@ std::vector<Entry> interface_entries()
   };
 }
 
+/// Wear, in scenarios whose rows tell of it.
+std::vector<Entry> wear_entries()
+{
+  using elastoplastic::WearLaw;
+  const auto wears = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
+  {
+    const auto& all = simulation::columns<typename ScenarioCase::Record>;
+    return std::any_of(all.begin(), all.end(), [](const auto& column) { return column.name == "worn_volume_lower"; });
+  };
+  const Condition wearing{"scenario", scenarios_with(wears)};
+  const auto entry = [&](Entry given, auto member)
+  {
+    given.when = wearing;
+    return bound(std::move(given), &simulation::Numerics::wear, member);
+  };
+  const auto coefficient = [&](const char* key, const char* text, auto member)
+  {
+    return entry({.key = std::string("interface.wear.") + key,
+                  .dimension = dimension::wear,
+                  .range = at_least(0.0),
+                  .text = text,
+                  .hint = "dry steel on steel has 1e-9 to 1e-4 mm^3/(N m), which is 1e-18 to 1e-13 1/Pa"},
+                 member);
+  };
+  return {
+      coefficient("lower",
+                  "Wear coefficient of the lower surface: the depth that it loses, per pressure and length slipped; in "
+                  "1/Pa, or as text in mm^3/(N m). A rigid body may wear, too. In rolling only with a slide_to_roll "
+                  "other than 0, or with creepage.",
+                  &WearLaw::lower),
+      coefficient("upper", "The same of the upper surface.", &WearLaw::upper),
+      entry({.key = "interface.wear.law",
+             .choices = {"archard", "energy"},
+             .text = "What wears. archard: worn depth = coefficient x pressure x length slipped; energy: coefficient x "
+                     "friction work per area, shear x length slipped."},
+            &WearLaw::kind),
+  };
+}
+
 /// The heat of friction, in scenarios whose rows tell of it.
 std::vector<Entry> heat_entries()
 {
@@ -265,8 +304,9 @@ std::vector<Entry> scenario_entries()
 std::vector<Entry> build_schema()
 {
   std::vector<Entry> schema;
-  for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(),
-                    interface_entries(), heat_entries(), grid_entries(), solver_entries(), output_entries()})
+  for (auto part :
+       {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(), interface_entries(),
+        wear_entries(), heat_entries(), grid_entries(), solver_entries(), output_entries()})
     schema.insert(schema.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
   return schema;
 }
