@@ -62,16 +62,19 @@ double depth_of_scar(int cells, int steps)
 }
 
 // Where only a ball wears on a flat that hardly gives way, what is left of it is a cap cut off: Archard's scar, a^4 = 4 k F s R/pi.
-// The flat gives way by about (8/3) (a_Hertz/a)^3 of the depth, 2 %, and bulges up around the middle of the scar.
+// The flat gives way by about (8/3) (a_Hertz/a)^3 of the depth, 2 %. A step wears thirty times more, on the finest grid, than an
+// explicit scheme bears.
 TEST(Wear, OfABallOnAStiffFlatIsACapCutOff)
 {
   std::vector<double> depths;
-  for (const int cells : {6, 12})
+  for (const int cells : {6, 12, 24})
   {
     depths.push_back(depth_of_scar(cells, 60));
     std::printf("  depth of the scar over that of the cap, %2d cells per radius: %.4f\n", cells, depths.back());
-    EXPECT_NEAR(depths.back(), 1.0, 2.0 * 8.0 / 3.0 / std::pow(final_ratio, 3));
+    EXPECT_NEAR(depths.back(), 1.0, 8.0 / 3.0 / std::pow(final_ratio, 3));
   }
+  const test::Orders orders("change of the depth by halved cells", {depths[1] - depths[0], depths[2] - depths[1]});
+  EXPECT_GT(orders.last, 1.0); // the edge of the scar falls on cells: no smooth order beyond the first
 }
 
 FrettingSummary computed(const FrettingCase& c, std::vector<FrettingRecord>& history)
@@ -142,22 +145,22 @@ TEST(Wear, OfPartialSlipIsARing)
   const double stuck = m.radius * std::sqrt(1.0 - 0.5); // c/a = sqrt(1 - A/d)
   const BodySnapshot& body = summary.final_state.lower;
   const SurfaceGrid& grid = body.grid.surface;
-  double widest_stuck = 0.0, deepest = 0.0, deepest_at = 0.0;
+  double deepest = 0.0, deepest_at = 0.0;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {
       const double r = std::hypot(body.x0 + i * grid.dx, body.y0 + j * grid.dy);
       const double depth = body.worn_depth[grid.index(i, j)];
-      if (r < stuck - grid.dx)
+      if (r < stuck - grid.dx || r > m.radius + 1.5 * grid.dx)
+      {
         EXPECT_EQ(depth, 0.0) << r / m.radius;
-      if (r > stuck + grid.dx && r < m.radius - 1.5 * grid.dx)
+      }
+      else if (r > stuck + grid.dx && r < m.radius - 1.5 * grid.dx)
+      {
         EXPECT_GT(depth, 0.0) << r / m.radius;
-      if (r > m.radius + 1.5 * grid.dx)
-        EXPECT_EQ(depth, 0.0) << r / m.radius;
+      }
       if (depth > deepest)
         deepest = depth, deepest_at = r;
-      if (depth == 0.0 && r < m.radius)
-        widest_stuck = std::max(widest_stuck, r);
     }
   EXPECT_GT(deepest_at, stuck);
   EXPECT_LT(deepest_at, m.radius);

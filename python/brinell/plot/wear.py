@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from brinell.plot import style
+from brinell.plot.overlay import Look
 from brinell.plot.scales import Scale, si
 from brinell.results import BodyFields, Run
 
@@ -17,17 +18,17 @@ __all__ = ["worn_course", "worn_profiles"]
 
 FloatArray = NDArray[np.float64]
 
-_LOOKS: Mapping[str, dict[str, object]] = {
+_LOOKS: Mapping[str, Look] = {
     "lower": {"color": style.LOWER, "linestyle": "-"},
     "upper": {"color": style.UPPER, "linestyle": (0, (4, 2))},  # often equal: both must show
 }
 
 
-def _bodies(run: Run) -> dict[str, BodyFields]:
-    """Those that have lost something at the end."""
+def _worn(run: Run) -> list[tuple[str, BodyFields, FloatArray]]:
+    """Bodies that have lost something at the end, and the depth."""
     final = run.snapshot("final")
-    both = {"lower": final.lower, "upper": final.upper}
-    return {side: body for side, body in both.items() if body.worn_depth is not None and np.any(body.worn_depth)}
+    both = (("lower", final.lower), ("upper", final.upper))
+    return [(side, body, w) for side, body in both if (w := body.worn_depth) is not None and np.any(w)]
 
 
 @style.figure
@@ -37,18 +38,17 @@ def worn_profiles(run: Run) -> Figure | None:
     Returns:
         None if nothing is worn.
     """
-    bodies = _bodies(run) if run.complete else {}
-    if not bodies:
+    worn = _worn(run) if run.complete else []
+    if not worn:
         return None
-    deepest = {side: np.unravel_index(np.argmax(body.worn_depth), body.worn_depth.shape) for side, body in bodies.items()}
-    depth = si(max(float(body.worn_depth.max()) for body in bodies.values()), "m")
-    length = si(max(float(np.abs(np.concatenate([body.x, body.y])).max()) for body in bodies.values()), "m")
+    depth = si(max(float(w.max()) for _, _, w in worn), "m")
+    length = si(max(float(np.abs(np.concatenate([body.x, body.y])).max()) for _, body, _ in worn), "m")
     fig = style.new_figure(9.6, 3.5)
     along, across = fig.subplots(1, 2, sharey=True)
-    for side, body in bodies.items():
-        row, column = deepest[side]
-        along.plot(body.x / length.size, body.worn_depth[row] / depth.size, label=side, **_LOOKS[side])
-        across.plot(body.y / length.size, body.worn_depth[:, column] / depth.size, label=side, **_LOOKS[side])
+    for side, body, w in worn:
+        row, column = np.unravel_index(np.argmax(w), w.shape)
+        along.plot(body.x / length.size, w[row] / depth.size, label=side, **_LOOKS[side])
+        across.plot(body.y / length.size, w[:, column] / depth.size, label=side, **_LOOKS[side])
     along.set_title("(a)  along the motion")
     along.set_xlabel(length.label("", "x"))
     along.set_ylabel(depth.label("worn depth", "w"))

@@ -41,7 +41,9 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
         volume = dict(_volume_fields(body, fields))
         if volume:
             blocks[f"{name}_volume"] = _volume(pyvista, body, left, volume, below=below)
-        sheet = {name: values for name in _SURFACE if _wanted(name, fields) and (values := _of_surface(body, name)).size}
+        sheet = {
+            name: values for name in _SURFACE if _wanted(name, fields) and (values := _of_surface(body, name)).size
+        }
         if sheet:
             blocks[f"{name}_surface"] = _sheet(pyvista, (left, body.y[0]), _spacing(body), sheet)
     found = {name: getattr(snapshot.contact, name) for name in CONTACT_FIELDS if _wanted(name, fields)}

@@ -52,13 +52,12 @@ void expect_message(const std::string& keys, const std::string& part)
 
 TEST(WearCase, IsReadInSI)
 {
-  const Case c = with(R"(wear = {lower = "1e-6 mm^3/(N m)", upper = 2e-15, law = "energy"}
-friction = 0.1)");
+  const Case c = with("wear = {lower = \"1e-6 mm^3/(N m)\", upper = 2e-15, law = \"energy\"}\nfriction = 0.1");
   EXPECT_EQ(sliding(c).wear, (WearLaw{1e-15, 2e-15, WearLaw::Kind::energy}));
-EXPECT_EQ(sliding(with("")).wear, WearLaw{});
-EXPECT_EQ(sliding(with(R"(wear = {upper = "1e-15 1/Pa"})")).wear, (WearLaw{0.0, 1e-15, WearLaw::Kind::archard}));
-const Case again = parse_case(resolved_text(c.values), "resolved.toml");
-EXPECT_EQ(sliding(again).wear, sliding(c).wear);
+  EXPECT_EQ(sliding(with("")).wear, WearLaw{});
+  EXPECT_EQ(sliding(with("wear = {upper = \"1e-15 1/Pa\"}")).wear, (WearLaw{0.0, 1e-15, WearLaw::Kind::archard}));
+  const Case again = parse_case(resolved_text(c.values), "resolved.toml");
+  EXPECT_EQ(sliding(again).wear, sliding(c).wear);
 }
 
 TEST(WearCase, BadInputNamesTheKeyAndWhatIsAllowed)
