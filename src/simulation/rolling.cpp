@@ -361,7 +361,10 @@ RollingPlan plan(const RollingCase& rolling)
                                     "slide_to_roll, or rolling.creepage"
                                   : "";
   require_friction(rolling, rolling.lower, rolling.upper, why_not);
-  require_wear(rolling, why_not);
+  // What slips there does so where the pressure falls to nothing within a step: a law by the pressure at its end would be far off.
+  require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
+                                           "rolling.slide_to_roll in place of rolling.creepage and spin"
+                                         : why_not);
   require_heat(rolling, rolling.lower, rolling.upper, rolling.speed, "rolling.speed");
   if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
     throw KeyError("rolling.creepage", "heat of surfaces that stick in places is not computed; with thermal constants "

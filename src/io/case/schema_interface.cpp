@@ -92,7 +92,7 @@ std::vector<Entry> wear_entries()
       coefficient("lower",
                   "Wear coefficient of the lower surface: the depth that it loses, per pressure and length slipped; in "
                   "1/Pa, or as text in mm^3/(N m). A rigid body may wear, too. In rolling only with a slide_to_roll "
-                  "other than 0, or with creepage.",
+                  "other than 0.",
                   &WearLaw::lower),
       coefficient("upper", "The same of the upper surface.", &WearLaw::upper),
       entry({.key = "interface.wear.law",

@@ -148,6 +148,10 @@ TEST(WearTest, IsRefusedWhereItMakesNoSense)
   r.friction.coefficient = 0.0;
   r.wear.lower = 0.0;
   expect_refused("interface.wear.upper", "rolling.slide_to_roll = 0", r);
+  r = rolling();
+  r.slide_to_roll = 0.0;
+  r.creepage = Creepage{.longitudinal = 1e-3};
+  expect_refused("interface.wear.lower", "rolling.slide_to_roll in place of", r);
   FrettingCase f = fretting();
   f.amplitude = 0.0;
   expect_refused("interface.wear.lower", "nothing slides", f);
