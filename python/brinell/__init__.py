@@ -65,7 +65,7 @@ from brinell.materials import (
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import *  # noqa: F403 (a class for each)
-from brinell.settings import Grid, Heating, Interface, Output, Solver
+from brinell.settings import Grid, Heating, Interface, Output, Solver, Wear
 from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
 
@@ -126,6 +126,7 @@ __all__ = [
     "Thermal",
     "Vickers",
     "Voce",
+    "Wear",
     "__version__",
     "asperities",
     "constitutive",

@@ -9,7 +9,7 @@ keys does as well.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Literal
@@ -17,7 +17,7 @@ from typing import Any, Literal
 from brinell._names import renamed
 from brinell.bodies import Quantity
 
-__all__ = ["Grid", "Heating", "Interface", "Output", "Solver"]
+__all__ = ["Grid", "Heating", "Interface", "Output", "Solver", "Wear"]
 
 
 class _Table:
@@ -57,19 +57,36 @@ class Grid(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Interface(_Table):
-    """What is between the surfaces where they slide on each other: in tugging, in rolling with slip, in fretting.
+    """What is between the surfaces where they slide on each other: in tugging, sliding, rolling with slip, fretting.
 
     Attributes:
         friction: shear over pressure.
         shear_limit: largest shear that a surface can carry; the shear yield stress of the softer one if it is None.
         coupling: whether the shear moves the gap where the two materials differ.
         heat_fraction: share of the friction power that warms bodies with thermal constants, in tugging and rolling.
+        wear: what the surfaces lose where they slip, `brinell.Wear` or a dictionary; in sliding, rolling and fretting.
     """
 
     friction: float | None = None
     shear_limit: Quantity | None = None
     coupling: bool | None = None
     heat_fraction: float | None = None
+    wear: Wear | Mapping[str, Any] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wear(_Table):
+    """How much both surfaces lose where they slip on each other.
+
+    Attributes:
+        lower: depth that the lower surface loses per pressure and length slipped [1/Pa], or text, "1e-6 mm^3/(N m)".
+        upper: the same of the upper surface.
+        law: whether that goes with the pressure ("archard") or with the shear, as the friction work does ("energy").
+    """
+
+    lower: Quantity | None = None
+    upper: Quantity | None = None
+    law: Literal["archard", "energy"] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

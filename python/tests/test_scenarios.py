@@ -304,7 +304,13 @@ def test_warnings_of_a_scenario_name_no_file() -> None:
 
 @pytest.mark.parametrize("kind", [brinell.Interface, brinell.Grid, brinell.Solver, brinell.Output])
 def test_settings_have_all_keys_of_their_tables(kind: Any) -> None:
-    assert {field.name for field in fields(kind)} == keys_of(kind.__name__.lower())
+    tables = {key.split(".")[0] for key in keys_of(kind.__name__.lower())}
+    assert {field.name for field in fields(kind)} == tables
+
+
+def test_wear_has_all_keys_of_its_table() -> None:
+    keys = {key.removeprefix("wear.") for key in keys_of("interface") if key.startswith("wear.")}
+    assert {field.name for field in fields(brinell.Wear)} == keys
 
 
 def test_settings_are_the_same_as_dictionaries() -> None:

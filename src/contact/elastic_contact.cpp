@@ -274,6 +274,14 @@ Report ElasticContact::settle(std::span<const double> distance, const Drive& dri
   return report;
 }
 
+/// Of the bodies, and of a layer between them.
+void ElasticContact::displace(std::span<const double> pressure, std::span<double> out)
+{
+  compliance_.apply({.pressure = pressure}, {.z = out}, scratch_);
+  for (std::size_t i = 0; i < layer_.size(); ++i)
+    out[i] += layer_[i] * pressure[i];
+}
+
 /// Next direction of descent, and its image.
 /// @param slope  before: of the iteration before, 0 to begin anew; after: of this one
 /// @returns the step along it that makes the energy smallest
@@ -309,7 +317,7 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
                for (std::size_t i = first; i < last; ++i)
                  d[i] = is_free(p[i], g[i]) ? wanted[i] + beta * d[i] - mean : 0.0;
              });
-  compliance_.apply({.pressure = direction_}, {.z = image_}, scratch_);
+  displace(direction_, image_);
   const double curvature = dot(direction_, image_);
   slope = new_slope;
   return curvature > 0.0 ? (new_slope + beta * before) / curvature : 0.0;
@@ -328,12 +336,16 @@ ElasticContact::Step ElasticContact::advance(double step, std::span<const double
 }
 
 Report ElasticContact::solve(std::span<const double> distance, const Drive& given, double tolerance, int max_iterations,
-                             std::span<double> pressure, std::span<double> gap, const std::function<bool()>& wants_stop)
+                             std::span<double> pressure, std::span<double> gap, const std::function<bool()>& wants_stop,
+                             std::span<const double> layer)
 {
   const std::size_t cells = compliance_.grid().size();
   require_size("ElasticContact::solve: the distance", distance, cells);
   require_size("ElasticContact::solve: the pressure", pressure, cells);
   require_size("ElasticContact::solve: the gap", gap, cells);
+  if (!layer.empty())
+    require_size("ElasticContact::solve: the layer", layer, cells);
+  layer_ = layer;
   const Drive drive = imposed(given, compliance_.grid(), distance, tolerance);
   const bool load_given = drive.kind == Drive::Kind::load;
   if (load_given && !(drive.value > 0.0))
@@ -362,7 +374,7 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& give
     }
     if (is_exact)
     {
-      compliance_.apply({.pressure = pressure}, {.z = displacement_}, scratch_);
+      displace(pressure, displacement_);
       followed = 0;
       ++products;
       report = settle(distance, drive, pressure, gap);

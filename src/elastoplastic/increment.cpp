@@ -69,6 +69,10 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     heating_ = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
         *sliding.heat, twin);
+  if (sliding.wear.wears() && twin != Twin::none)
+    throw InternalError("CoupledContact: bodies whose surfaces wear are not twins");
+  if (sliding.wear.wears())
+    wear_ = std::make_unique<Wear>(contact, lower.surface, upper.surface, sliding.wear);
   const auto half_space = operators(lower, lower_material.elastic);
   const halfspace::Displacements displacements = displacements_under(interface_.get());
   sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts, displacements), &Placement::lower});
@@ -98,11 +102,15 @@ void add_depth_of(const BodyView& view, const Place& place, const SurfaceGrid& c
 void CoupledContact::add_lower_depth(const Place& place, std::span<double> out) const
 {
   add_depth_of(lower(), place, grid(), out);
+  if (wear_)
+    wear_->add_depth(0, place, out);
 }
 
 void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) const
 {
   add_depth_of(upper(), place, grid(), out);
+  if (wear_)
+    wear_->add_depth(1, place, out);
 }
 
 void CoupledContact::set_softening(std::span<const double> lower, std::span<const double> upper)
@@ -250,8 +258,9 @@ void CoupledContact::solve_contact(std::span<const double> distance, const conta
 void CoupledContact::press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report)
 {
   constexpr int most_iterations = 2000;
-  const contact::Report contact = contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap,
-                                                 most_iterations, pressure_, gap_, strategy.wants_stop);
+  const contact::Report contact =
+      contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_,
+                     strategy.wants_stop, wear_ ? wear_->compliance() : std::span<const double>{});
   report.contact_iterations += contact.iterations;
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
@@ -269,7 +278,8 @@ double CoupledContact::energy(double approach) const
   if (twin_ != Twin::none)
     bodies *= 2.0;
   const double of_shear = interface_ ? interface_->held_energy() : 0.0;
-  return bodies - pressure_energy() - work * grid().cell_area() + of_shear;
+  const double of_wear = wear_ ? wear_->held_energy(pressure_) : 0.0;
+  return bodies - pressure_energy() - work * grid().cell_area() + of_shear + of_wear;
 }
 
 namespace
@@ -429,6 +439,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   Undo undo(pressure_, gap_, sides_, interface_.get(), heating_.get());
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
+  if (wear_)
+    begin_wear(strategy);
   if (heating_)
     begin_heating(placement, strategy);
   IncrementReport report = iterate(distance, drive, placement, strategy);
@@ -449,6 +461,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     side.body.commit(side.load());
   if (interface_)
     settle_friction(placement);
+  if (wear_)
+    wear_->settle(pressure_, placement);
   if (heating_)
     settle_heating(strategy);
   placement_ = placement;

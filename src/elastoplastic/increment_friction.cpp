@@ -164,6 +164,8 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
     Interface::Change change = follow(placement);
     if (heating_ && !strategy.watch_energy)
       change.gap = larger(change.gap, follow_heat());
+    if (wear_ && !strategy.watch_energy)
+      change.gap = larger(change.gap, follow_wear());
     report.overloaded = change.is_overloaded;
     report.contact_converged = report.contact_converged && change.is_solved;
     if (change.gap <= tolerance)
@@ -196,6 +198,8 @@ bool CoupledContact::renews_law(IncrementReport& report)
   Interface::Change change = interface_->renew({.pressure = pressure_, .lower_x = {}, .upper_x = {}});
   if (heating_)
     change.gap = larger(change.gap, follow_heat());
+  if (wear_)
+    change.gap = larger(change.gap, follow_wear());
   const contact::ConstAlongSurface shears = interface_->shears();
   double largest = 0.0;
   for (const std::span<const double>& shear : shears)

@@ -45,6 +45,8 @@ void CoupledContact::exchange(Archive& archive)
     archive("sliding", *interface_);
   if (heating_)
     archive("heating", *heating_);
+  if (wear_)
+    archive("wear", *wear_);
 }
 
 History CoupledContact::take_history() &&
@@ -57,7 +59,8 @@ History CoupledContact::take_history() &&
                   approach_,
                   std::move(pressure_),
                   std::move(interface_),
-                  std::move(heating_)};
+                  std::move(heating_),
+                  std::move(wear_)};
   for (Side& side : sides_)
     history.solved.push_back(std::move(side.body).take_state());
   return history;
@@ -85,6 +88,8 @@ void CoupledContact::continue_from(History history)
     heating_ = std::move(history.heating); // its own grids stay
     heating_->move_to(grid());
   }
+  if (wear_)
+    wear_->embed(*history.wear);
   spread(placement_);
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid, sides_[i].load());

@@ -306,6 +306,22 @@ void PartialSlip::add_to_gap(std::span<double> gap) const
     gap[i] += state_.depth[i];
 }
 
+/// Whether the shear of the trial is at its bound there.
+bool PartialSlip::slips_at(std::size_t cell) const
+{
+  const double size = std::hypot(state_.shear[0][cell], state_.shear[1][cell]);
+  return size > 0.0 && size >= contact::slip_threshold * bound_[cell];
+}
+
+std::vector<double> PartialSlip::slipped() const
+{
+  std::vector<double> length(bound_.size());
+  for (std::size_t i = 0; i < length.size(); ++i)
+    if (slips_at(i))
+      length[i] = std::hypot(slip_[0][i], slip_[1][i]);
+  return length;
+}
+
 /// The slip of an increment is along the shear at its end, which is then at its bound: what a cell slips before it has reached
 /// the bound is nothing. The bound changes with the pressure; its mean over the increment is of second order.
 void PartialSlip::settle(const Bodies& bodies)
@@ -315,7 +331,7 @@ void PartialSlip::settle(const Bodies& bodies)
   for (std::size_t i = 0; i < bound_.size(); ++i)
   {
     const double size = std::hypot(state_.shear[0][i], state_.shear[1][i]);
-    const bool slips = size > 0.0 && size >= contact::slip_threshold * bound_[i];
+    const bool slips = slips_at(i);
     const bool is_pressed = bodies.pressure[i] > 0.0;
     state_.pressed += is_pressed ? 1 : 0;
     state_.sticking += is_pressed && !slips ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace brinell::elastoplastic
 {
@@ -80,6 +81,30 @@ bool spread_traction(const SurfaceGrid& contact, std::span<const double> tractio
           out[body.index(column_on(body, column + m - 1), j)] += weights[static_cast<std::size_t>(m)] * t;
       else
         out[body.index(column_on(body, column), j)] += t;
+    }
+  return all;
+}
+
+bool spread_volume(const SurfaceGrid& contact, std::span<const double> depth, double factor, const Place& place,
+                   const SurfaceGrid& body, std::span<double> out)
+{
+  bool all = true;
+  for (int j = 0; j < contact.ny; ++j)
+    for (int i = 0; i < contact.nx; ++i)
+    {
+      const double d = factor * depth[contact.index(i, j)];
+      if (d == 0.0)
+        continue;
+      const int column = i + place.column;
+      for (const auto& [to, weight] : {std::pair{column, 1.0 - place.fraction}, {column + 1, place.fraction}})
+      {
+        if (weight == 0.0)
+          continue;
+        if (const int on = column_on(body, to); on >= 0)
+          out[body.index(on, j)] += weight * d;
+        else
+          all = false;
+      }
     }
   return all;
 }

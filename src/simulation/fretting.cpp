@@ -8,6 +8,7 @@
 #include "grid_layout.hpp"
 #include "judgement.hpp"
 #include "run_state.hpp"
+#include "wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {});
-    setup.sliding = {.friction = case_.friction, .sticks = true};
+    setup.sliding = {.friction = case_.friction, .sticks = true, .wear = case_.wear};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return {}; }
@@ -265,8 +266,8 @@ double sliding_displacement(const FrettingCase& fretting, double approach)
 bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
 {
   const bool is_along_x = std::abs(std::sin(fretting.direction)) < 1e-15;
-  return fretting.solver.mirror && is_along_x && !fretting.domain.x.is_periodic() && plan.lower == plan.upper &&
-         alike(fretting.lower, fretting.upper);
+  return fretting.solver.mirror && !fretting.wear.wears() && is_along_x && !fretting.domain.x.is_periodic() &&
+         plan.lower == plan.upper && alike(fretting.lower, fretting.upper);
 }
 
 // docs/verification.md (expected error)
@@ -293,6 +294,9 @@ FrettingPlan plan(const FrettingCase& fretting)
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
   require_amplitude(fretting, f.half_x);
+  require_wear(fretting, fretting.amplitude > 0.0 && fretting.cycles > 0
+                             ? ""
+                             : "nothing slides in no cycle, or with an amplitude of 0; allowed: 0, or a motion");
   FrettingPlan plan;
   lay_out(fretting, f, 0.0, 0.0, plan);
   require_cells_in_periods(fretting.lower, fretting.upper, fretting.domain, plan.contact);

@@ -27,7 +27,9 @@ constexpr double largest_imbalance = 0.02;   ///< of the energies, over the larg
 constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
 constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
 constexpr double smallest_approach = 1e-9;   ///< [m], some atoms: no continuum
-constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
+constexpr double longest_share_of_radius = 0.25;     ///< of a step: 6 % of the net energy of a tugging
+constexpr double largest_wear_step = 0.05;           ///< in one increment, of the approach: the pressure there changes by that share
+constexpr double largest_worn_share_of_layer = 0.25; ///< of the layer of cells under the surface, whose strain stays
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
 
 /// "1.23 nm"
@@ -189,6 +191,27 @@ public:
                                            name, hottest));
     }
   }
+
+  /// Wear is found with the pressure at the end of an increment, and moves no plastic strain.
+  void of_wear(const RunTotals& totals)
+  {
+    if (const double share = totals.max_wear_step / f_.approach; share > largest_wear_step)
+      add("long_wear_step",
+          fmt::format(
+              "an increment has worn up to {}, {} of the approach: the pressure changes much while that is worn; "
+              "take smaller steps, or a smaller coefficient",
+              length_text(totals.max_wear_step), percent_text(share)));
+    const std::array worn{totals.max_worn_depth_lower, totals.max_worn_depth_upper};
+    for (std::size_t side = 0; side < 2; ++side)
+      if (f_.materials[side]->is_plastic() && totals.max_equivalent_plastic_strain > 0.0 &&
+          worn[side] > largest_worn_share_of_layer * f_.cell[2])
+        add("worn_strain",
+            fmt::format("the {} surface has lost up to {}, {} of the thickness of a layer of cells: its plastic strain "
+                        "and residual stress stay as far from the worn surface as they were from the old one, which is "
+                        "an estimate above {}",
+                        side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / f_.cell[2]),
+                        percent_text(largest_worn_share_of_layer)));
+  }
   void of_course(const RunTotals& totals)
   {
     if (f_.can_yield && totals.max_equivalent_plastic_strain == 0.0)
@@ -325,6 +348,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   judge.of_size();
   judge.of_course(totals);
   judge.of_heat(totals);
+  judge.of_wear(totals);
   if (of_course)
     judge.add(std::move(*of_course));
   judge.of_tolerances();

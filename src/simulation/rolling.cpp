@@ -11,6 +11,7 @@
 #include "judgement.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
+#include "wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,8 @@ public:
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(moment(0.0).x));
     setup.sliding = {.friction = case_.friction,
                      .direction = case_.slide_to_roll < 0.0 ? -1 : 1,
-                     .sticks = case_.creepage.has_value()};
+                     .sticks = case_.creepage.has_value(),
+                     .wear = case_.wear};
     if (is_heated(case_, case_.lower, case_.upper))
       setup.sliding.heat = {case_.heat, heat_times()};
     return setup;
@@ -358,11 +360,15 @@ double upper_share(const RollingCase& rolling)
 
 RollingPlan plan(const RollingCase& rolling)
 {
-  require_friction(rolling, rolling.lower, rolling.upper,
-                   rolling.slide_to_roll == 0.0 && !rolling.creepage
-                       ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll, or "
-                         "rolling.creepage"
-                       : "");
+  const std::string why_not = rolling.slide_to_roll == 0.0 && !rolling.creepage
+                                  ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another "
+                                    "slide_to_roll, or rolling.creepage"
+                                  : "";
+  require_friction(rolling, rolling.lower, rolling.upper, why_not);
+  // What slips there does so where the pressure falls to nothing within a step: a law by the pressure at its end would be far off.
+  require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
+                                           "rolling.slide_to_roll in place of rolling.creepage and spin"
+                                         : why_not);
   require_heat(rolling, rolling.lower, rolling.upper, rolling.speed, "rolling.speed");
   if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
     throw KeyError("rolling.creepage", "heat of surfaces that stick in places is not computed; with thermal constants "

@@ -12,6 +12,7 @@
 #include "pressing.hpp"
 #include "run_state.hpp"
 #include "stroke.hpp"
+#include "wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(0.0));
-    setup.sliding = {.friction = case_.friction};
+    setup.sliding = {.friction = case_.friction, .wear = case_.wear};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(slid(done_)); }
@@ -71,7 +72,9 @@ public:
     {
       contact::TangentialDrive along;
       along.x.value = moves ? way(done_) : 0.0; // the direction
-      return Target{centre(slid(done_ + t)), {case_.press.kind, pressed(done_ + t)}, moves, along};
+      Target target{centre(slid(done_ + t)), {case_.press.kind, pressed(done_ + t)}, moves, along};
+      target.slid = way_slid(done_ + t);
+      return target;
     };
     const double cells = plan_.shift / plan_.contact.dx;
     return {path, moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64,
@@ -162,6 +165,11 @@ private:
       return all * plan_.shift;
     const double in_cycle = all - 2.0 * n * std::floor(all / (2.0 * n));
     return std::min(in_cycle, 2.0 * n - in_cycle) * plan_.shift;
+  }
+  /// Length of the way slid after some steps [m].
+  [[nodiscard]] double way_slid(double steps) const
+  {
+    return std::clamp(steps - first(), 0.0, static_cast<double>(last() - first())) * plan_.shift;
   }
   /// The middle of the track is that of the lower grid. A period has no middle.
   [[nodiscard]] Centre centre(double slid) const
@@ -259,6 +267,9 @@ Facts facts(const SlidingCase& c, const SlidingPlan& plan)
 SlidingPlan plan(const SlidingCase& sliding)
 {
   require_friction(sliding, sliding.lower, sliding.upper, "");
+  require_wear(sliding, sliding.press.kind == Drive::Kind::mean_gap
+                            ? "not computed at a mean gap that is kept; allowed with sliding.load, pressure or approach"
+                            : "");
   require_motion(sliding);
   const IndentationCase pressed = pressing(sliding);
   const Footprint f =

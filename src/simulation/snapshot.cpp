@@ -61,6 +61,15 @@ void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
   snapshot.upper.temperature = pair.upper_temperature();
 }
 
+void set_wear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
+{
+  const elastoplastic::Wear* wear = pair.wear();
+  if (wear == nullptr)
+    return;
+  snapshot.lower.worn_depth.assign(wear->depth(0).begin(), wear->depth(0).end());
+  snapshot.upper.worn_depth.assign(wear->depth(1).begin(), wear->depth(1).end());
+}
+
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
 {
   const auto copy = [](std::span<const double> field) { return std::vector<double>(field.begin(), field.end()); };

@@ -14,6 +14,8 @@ namespace brinell::simulation
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// Temperatures and fluxes, where there is heat.
 void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
+/// What the surfaces have lost, where they wear.
+void set_wear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// The stress.
 void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot);
 

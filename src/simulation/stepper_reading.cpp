@@ -108,6 +108,15 @@ void Stepper::fill(StepRecord& r) const
   r.max_residual_upper = largest(upper.residual_displacement);
   r.max_equivalent_plastic_strain = std::max(largest(lower.equivalent), largest(upper.equivalent));
   r.coverage = coverage_;
+  const elastoplastic::Wear* wear = pair_->wear();
+  if (wear == nullptr)
+    return;
+  r.worn_volume_lower = wear->volume(0);
+  r.worn_volume_upper = wear->volume(1);
+  r.max_worn_depth_lower = wear->largest_depth(0);
+  r.max_worn_depth_upper = wear->largest_depth(1);
+  r.max_wear_step = wear->largest_step();
+  r.work_of_wear = wear->work();
 }
 
 void Stepper::fill(FrictionRecord& r) const
@@ -155,6 +164,7 @@ Snapshot Stepper::snapshot(const Centre& centre) const
   if (!setup_.upper.elastic.is_rigid())
     set_stress(pair_->upper_stress(frame.placement.upper), s.upper);
   set_heat(*pair_, s);
+  set_wear(*pair_, s);
   return s;
 }
 

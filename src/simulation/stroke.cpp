@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 
 namespace brinell::simulation
 {
@@ -16,17 +17,19 @@ double plastic_work(const Stepper& stepper)
   return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
 }
 
-/// Of a surface as it is now, texture and residual displacement, about its mean.
+/// Of a surface as it is now, texture, residual displacement and what is worn off, about its mean.
 struct Heights
 {
   double root_mean_square = 0.0, mean_size = 0.0; ///< [m]
 };
 
-Heights heights_of(const elastoplastic::BodyView& body)
+Heights heights_of(const elastoplastic::BodyView& body, std::span<const double> worn)
 {
   std::vector<double> depth = body.residual_displacement();
   for (std::size_t i = 0; i < body.texture().size(); ++i)
     depth[i] += body.texture()[i];
+  for (std::size_t i = 0; i < worn.size(); ++i)
+    depth[i] += worn[i];
   const auto size = static_cast<double>(depth.size());
   const double mean = std::accumulate(depth.begin(), depth.end(), 0.0) / size;
   double squares = 0.0, sizes = 0.0;
@@ -90,8 +93,10 @@ SlidingStroke StrokeReader::end_stroke(const Stepper& stepper, const SlidingReco
   stroke.dissipation_plastic = plastic_work(stepper) - plastic_before_;
   stroke.dissipation_friction = last.dissipation_friction - friction_before_;
   stroke.max_equivalent_plastic_strain = last.max_equivalent_plastic_strain;
-  const Heights lower = heights_of(stepper.pair().lower());
-  const Heights upper = heights_of(stepper.pair().upper());
+  const elastoplastic::Wear* wear = stepper.pair().wear();
+  const auto worn = [&](std::size_t side) { return wear != nullptr ? wear->depth(side) : std::span<const double>{}; };
+  const Heights lower = heights_of(stepper.pair().lower(), worn(0));
+  const Heights upper = heights_of(stepper.pair().upper(), worn(1));
   stroke.rms_height_lower = lower.root_mean_square;
   stroke.mean_height_lower = lower.mean_size;
   stroke.rms_height_upper = upper.root_mean_square;

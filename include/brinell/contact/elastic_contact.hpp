@@ -66,12 +66,14 @@ public:
   /// @param pressure   in: a guess (zeros are one); out: the pressure [Pa].
   /// @param gap        out: [m].
   /// @param wants_stop asked every few iterations.
+  /// @param layer      depth by which a layer between the surfaces gives way in proportion to the local pressure [m/Pa], one per
+  ///                   cell; empty: none.
   /// @throws Interrupted if `wants_stop` says so; InputError for an approach beyond full contact of bodies that are periodic
   ///         along both axes, the mean of the distance, where the mean gap is zero whatever the pressure, and for a mean gap
   ///         that is negative or of other bodies; InternalError if a field does not have one value per cell.
   [[nodiscard]] Report solve(std::span<const double> distance, const Drive& given, double tolerance, int max_iterations,
                              std::span<double> pressure, std::span<double> gap,
-                             const std::function<bool()>& wants_stop = {});
+                             const std::function<bool()>& wants_stop = {}, std::span<const double> layer = {});
 
 private:
   /// What a step has done to the pressure.
@@ -80,6 +82,7 @@ private:
     bool cut = false; ///< whether it went past zero somewhere
     double sum = 0.0; ///< of the pressure
   };
+  void displace(std::span<const double> pressure, std::span<double> out);
   void guess(std::span<const double> distance, const Drive& drive, double tolerance, std::span<double> pressure,
              const std::function<bool()>& wants_stop);
   void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure);
@@ -94,6 +97,7 @@ private:
   halfspace::SurfaceCompliance::Scratch scratch_;
   std::vector<double> direction_, image_; ///< of the pressure, and its displacement; before that, what the gap asks for
   std::vector<double> displacement_;      ///< of the pressure [m]
+  std::span<const double> layer_;         ///< of the solution at hand
   std::unique_ptr<CoarserContact> coarser_; ///< once it has been needed
 };
 

@@ -8,6 +8,7 @@
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/elastoplastic/sliding.hpp"
+#include "brinell/elastoplastic/wear.hpp"
 
 #include <array>
 #include <functional>
@@ -98,9 +99,10 @@ struct History
   std::unique_ptr<Interface> interface {
   };                                  ///< none without friction
   std::unique_ptr<Heating> heating{}; ///< none without heat
+  std::unique_ptr<Wear> wear{};       ///< none without wear
 };
 
-/// Friction, and what the surfaces do along each other.
+/// Friction and wear, and what the surfaces do along each other.
 struct Sliding
 {
   Friction friction{};
@@ -108,6 +110,7 @@ struct Sliding
   bool sticks = false; ///< where friction can hold the surfaces they stick: there is no direction then
   /// Of surfaces that slide everywhere: what becomes of the heat of friction; none: nothing.
   std::optional<HeatedRun> heat{};
+  WearLaw wear{};
 };
 
 /// The coupled solver, with its buffers.
@@ -140,6 +143,8 @@ public:
   [[nodiscard]] const PartialSlip* partial_slip() const;
   /// The heat of friction in both bodies; nullptr where none is computed.
   [[nodiscard]] const Heating* heating() const { return heating_.get(); }
+  /// What both surfaces have lost; nullptr without wear.
+  [[nodiscard]] const Wear* wear() const { return wear_.get(); }
   /// What heat has done mechanically since the start, on the pressure and on the plastic strain [J].
   [[nodiscard]] double expansion_work() const;
   /// Load per approach with which the bodies would begin to part or to approach further without yielding [N/m]:
@@ -162,7 +167,8 @@ public:
                                         const Placement& placement, const Strategy& strategy,
                                         const contact::TangentialDrive& along = {});
 
-  /// Depth of the surfaces under the contact grid, each with texture and residual displacement [m]; zero outside their grids.
+  /// Depth of the surfaces under the contact grid, each with texture, residual displacement and what is worn off [m]; zero outside
+  /// their grids.
   /// They are added to `out`.
   void add_lower_depth(const Place& place, std::span<double> out) const;
   void add_upper_depth(const Place& place, std::span<double> out) const;
@@ -224,6 +230,8 @@ private:
   void with_bodies(const Placement& placement, const Use& use) const;
   void begin_friction(const Placement& placement, const Strategy& strategy, const contact::TangentialDrive& along);
   [[nodiscard]] Interface::Change follow(const Placement& placement);
+  void begin_wear(const Strategy& strategy);
+  [[nodiscard]] double follow_wear();
   void begin_heating(const Placement& placement, const Strategy& strategy);
   void settle_heating(const Strategy& strategy);
   [[nodiscard]] double follow_heat();
@@ -248,6 +256,8 @@ private:
   Twin twin_;
   std::unique_ptr<Interface> interface_; ///< none without friction
   std::unique_ptr<Heating> heating_;     ///< none without heat
+  std::unique_ptr<Wear> wear_;           ///< none without wear
+  double slid_ = 0.0;                    ///< Strategy::slid of the increment at hand [m]
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

@@ -40,6 +40,8 @@ public:
 
   /// Slip since the start, or since these points of the surfaces came under the contact grid, with its sign [m].
   [[nodiscard]] contact::ConstAlongSurface slips() const { return {state_.slip[0], state_.slip[1]}; }
+  /// Length of the way slipped in the increment at hand, where the surfaces slip on each other under pressure [m].
+  [[nodiscard]] std::vector<double> slipped() const;
   /// Length of the way slipped since then [m].
   [[nodiscard]] std::span<const double> path() const { return state_.path; }
   /// Heat of friction per area since then [J/m^2].
@@ -83,6 +85,7 @@ private:
   [[nodiscard]] double tolerance_of_slip() const;
   void add_parting_heat();
   [[nodiscard]] double moment_of(const Pair& shear) const;
+  [[nodiscard]] bool slips_at(std::size_t cell) const;
   [[nodiscard]] double bound_at(std::size_t cell, double pressure) const;
   void set_bound(std::span<const double> pressure);
   [[nodiscard]] bool carries_drive() const;

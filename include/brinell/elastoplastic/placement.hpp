@@ -35,6 +35,13 @@ void add_depth(const SurfaceGrid& body, std::span<const double> displacement, st
 bool spread_traction(const SurfaceGrid& contact, std::span<const double> traction, const Place& place,
                      const SurfaceGrid& body, std::vector<double>& out);
 
+/// Adds a depth in the cells of the contact grid, times a factor, to the cells of a body. Between the columns of the body it is
+/// shared out linearly: the volume stays, and no cell gets less than nothing.
+/// @param out  on the body's surface grid
+/// @returns whether all of it lies on the body's grid; what does not is left out.
+bool spread_volume(const SurfaceGrid& contact, std::span<const double> depth, double factor, const Place& place,
+                   const SurfaceGrid& body, std::span<double> out);
+
 /// Copies a field of a grid into the middle of a larger one.
 void embed_field(const SurfaceGrid& small, std::span<const double> from, const SurfaceGrid& large,
                  std::span<double> to);

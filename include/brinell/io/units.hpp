@@ -26,6 +26,7 @@ inline constexpr Dimension conductivity{.mass = 1, .length = 1, .time = -3, .tem
 inline constexpr Dimension density{.mass = 1, .length = -3};
 inline constexpr Dimension specific_heat{.length = 2, .time = -2, .temperature = -1};
 inline constexpr Dimension expansion{.temperature = -1};
+inline constexpr Dimension wear{.mass = -1, .length = 1, .time = 2};
 } // namespace dimension
 
 /// "length", "pressure", ...; "quantity in kg m^2" if the dimension has no name here.

@@ -74,6 +74,19 @@ inline constexpr std::array<Column<HeatedRecord>, 5> heated{{
      "work that the bodies have done since the start as heat made them swell"},
 }};
 
+/// Of the scenarios in which the surfaces may wear.
+inline constexpr std::array<Row, 6> worn{{
+    {"worn_volume_lower", "m^3", &StepRecord::worn_volume_lower, "volume that the lower body has lost by wear"},
+    {"worn_volume_upper", "m^3", &StepRecord::worn_volume_upper, "volume that the upper body has lost by wear"},
+    {"max_worn_depth_lower", "m", &StepRecord::max_worn_depth_lower,
+     "largest depth that the lower surface has lost by wear"},
+    {"max_worn_depth_upper", "m", &StepRecord::max_worn_depth_upper,
+     "largest depth that the upper surface has lost by wear"},
+    {"max_wear_step", "m", &StepRecord::max_wear_step,
+     "largest depth that both surfaces have lost together in one increment so far"},
+    {"work_of_wear", "J", &StepRecord::work_of_wear, "work of the pressure on what was worn since the start"},
+}};
+
 /// They end each row.
 inline constexpr std::array<Row, 10> ending{{
     {"work", "J", &StepRecord::work, "work of the drive since the start"},

@@ -106,6 +106,12 @@ inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({
      "longest way that a place of one surface has slipped on the other since the start"},
     common::contact_area,
     common::max_pressure,
+    common::worn[0],
+    common::worn[1],
+    common::worn[2],
+    common::worn[3],
+    common::worn[4],
+    common::worn[5],
 });
 
 /// In summary.json its unit ends each name.

@@ -159,6 +159,12 @@ inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
     common::heated[2],
     common::heated[3],
     common::heated[4],
+    common::worn[0],
+    common::worn[1],
+    common::worn[2],
+    common::worn[3],
+    common::worn[4],
+    common::worn[5],
 });
 
 template <>

@@ -88,6 +88,7 @@ private:
 struct Numerics
 {
   elastoplastic::Friction friction; ///< where the surfaces slide on each other
+  elastoplastic::WearLaw wear;      ///< what they lose there
   elastoplastic::HeatSettings heat; ///< what becomes of its heat, in bodies that have thermal constants
   Domain domain;
   std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
@@ -128,6 +129,11 @@ struct RunningTotals
   double energy_elastic = 0.0;       ///< recoverable energy of pressure and shear [J]
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
   double max_equivalent_plastic_strain = 0.0;
+  /// Of the lower and the upper surface, since the start; where nothing wears they are zero.
+  double worn_volume_lower = 0.0, worn_volume_upper = 0.0;       ///< [m^3]
+  double max_worn_depth_lower = 0.0, max_worn_depth_upper = 0.0; ///< [m]
+  double max_wear_step = 0.0; ///< largest depth that both have lost together in one increment [m]
+  double work_of_wear = 0.0;  ///< of the pressure on what was worn, since the start [J]
   Coverage coverage;
 };
 
@@ -193,7 +199,8 @@ struct BodySnapshot
   std::array<std::vector<double>, 6> plastic_strain; ///< xx yy zz yz xz xy [-]
   std::vector<double> equivalent_plastic_strain;     ///< [-]
   std::vector<double> residual_displacement;         ///< surface, into the body positive [m]
-  std::vector<double> temperature;                   ///< [deg C]; empty without heat
+  std::vector<double> worn_depth;  ///< that the surface has lost since the start [m]; empty without wear
+  std::vector<double> temperature; ///< [deg C]; empty without heat
 };
 
 /// Fields of one step.
@@ -223,7 +230,8 @@ struct RunTotals : RunningTotals
   int split_increments = 0;                ///< steps that did not converge whole: split, or solved by plain descent
   double max_share_at_shear_limit = 0.0;   ///< largest `FrictionRecord::share_at_shear_limit` of the run
   std::array<double, 2> max_temperature{}; ///< largest of the lower and of the upper surface in the run [deg C]
-  double energy_balance_error = 0.0; ///< (work - dissipation - stored energy) / largest work reached; of expansion, too
+  /// (work - dissipation - stored energy) / largest work reached; with the works of expansion and of wear
+  double energy_balance_error = 0.0;
   std::vector<GridChange> grid_changes; ///< in the course of the run
   double memory_bytes = 0.0;            ///< of the grids at the end, estimate
   Snapshot final_state;                 ///< has the grids of the end

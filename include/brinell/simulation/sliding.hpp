@@ -115,6 +115,12 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     {"nominal_pressure", "Pa", &SlidingRecord::nominal_pressure, "load over the area of the period"},
     {"mean_gap", "m", &SlidingRecord::mean_gap, "mean distance of the deformed surfaces over the period"},
     common::max_pressure,
+    common::worn[0],
+    common::worn[1],
+    common::worn[2],
+    common::worn[3],
+    common::worn[4],
+    common::worn[5],
 });
 
 /// In summary.json its unit ends each name.

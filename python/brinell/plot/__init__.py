@@ -3,10 +3,10 @@
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of
-any scenario), `slip` (stick and slip in one state), `history`, `energy` and `temperature` (one run step by step),
-`animation` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a
-run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what
-each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
+any scenario), `slip` (stick and slip in one state), `history`, `energy`, `temperature` and `wear` (one run step by
+step), `animation` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what
+suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales`
+(what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
 (several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
 """
 
@@ -39,6 +39,7 @@ from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
 from brinell.plot.temperature import surface_temperatures
+from brinell.plot.wear import worn_course, worn_profiles
 
 __all__ = [
     "QUANTITIES",
@@ -85,4 +86,6 @@ __all__ = [
     "surface",
     "surface_temperatures",
     "track_profile",
+    "worn_course",
+    "worn_profiles",
 ]

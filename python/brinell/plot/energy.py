@@ -34,6 +34,7 @@ SINKS = (
     Sink("dissipation_lower", "dissipated, lower body", style.CATEGORIES[0]),
     Sink("dissipation_upper", "dissipated, upper body", style.CATEGORIES[1]),
     Sink("dissipation_friction", "heat of friction", style.CATEGORIES[3]),
+    Sink("work_of_wear", "spent on what is worn", style.CATEGORIES[4]),
     Sink("energy_residual", "locked in", style.CATEGORIES[2]),
     Sink("energy_elastic", "recoverable", "#BBBBBB"),
 )
@@ -41,7 +42,7 @@ SINKS = (
 
 
 def sinks_of(history: History) -> tuple[Sink, ...]:
-    """Those that a history tells; older ones have no friction."""
+    """Those that a history tells; older ones have no friction and no wear."""
     return tuple(sink for sink in SINKS if sink.column in history)
 
 

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from matplotlib.figure import Figure
 
-from brinell.plot import depth, energy, fields, history, temperature
+from brinell.plot import depth, energy, fields, history, temperature, wear
 from brinell.results import Run, Snapshot
 from brinell.scenarios import SCENARIOS
 
@@ -42,6 +42,8 @@ def standard_figures(run: Run) -> Iterator[Named]:
         yield from _of_loaded_state(run, run.snapshot("aligned"))
     if run.complete:
         yield from _of_final_state(run, run.snapshot("final", tensors=True))
+        if (worn := wear.worn_profiles(run)) is not None:
+            yield Named("worn-profiles", "Depth that both surfaces have lost, along and across.", "residual", worn)
     caption = "Forces, energies, permanent deformation and cost, step by step."
     yield Named("history", caption, "course", history.run_history(run))
     if (warm := temperature.surface_temperatures(run)) is not None:
@@ -49,6 +51,9 @@ def standard_figures(run: Run) -> Iterator[Named]:
             "Step by step: temperature of the hottest place of each surface, and the heat that each body has taken."
         )
         yield Named("surface-temperatures", caption, "course", warm)
+    if (course := wear.worn_course(run)) is not None:
+        caption = "Volume that each body has lost by wear, and the largest depth, over the way slipped."
+        yield Named("worn-course", caption, "course", course)
     caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
     yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
 

@@ -71,6 +71,7 @@ UNITS: Mapping[str, str] = {
     "specific_heat": "J/(kg K)",
     "expansion": "1/K",
     **dict.fromkeys(("temperature", "reference_temperature", "melting_temperature"), "°C"),
+    **dict.fromkeys(("lower", "upper"), "1/Pa"),  # of wear
     "checkpoint_interval": "s",
 }
 """Unit of each key of a case that has one; the last part of its name tells."""
@@ -128,7 +129,7 @@ def _written(value: Any, unit: str) -> str:
     return "none" if value is None else str(value)
 
 
-_WITHOUT_PREFIX = frozenset({"°", "s", "W/(m K)", "kg/m³", "J/(kg K)", "1/K", "°C", *_NORMALISED.values()})
+_WITHOUT_PREFIX = frozenset({"°", "s", "W/(m K)", "kg/m³", "J/(kg K)", "1/K", "1/Pa", "°C", *_NORMALISED.values()})
 
 
 def _of_number(value: float, unit: str) -> str:

@@ -35,14 +35,16 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     _require_known(fields)
     blocks = pyvista.MultiBlock()
     for name, body, below in (("lower", snapshot.lower, True), ("upper", snapshot.upper, False)):
-        if body.is_rigid:
+        if body.is_rigid and body.worn_depth is None:
             continue
         left = body.x[0] - (body.contact_x if snapshot.in_contact else 0.0)
         volume = dict(_volume_fields(body, fields))
         if volume:
             blocks[f"{name}_volume"] = _volume(pyvista, body, left, volume, below=below)
-        if _wanted("residual_displacement", fields):
-            sheet = {"residual_displacement": body.residual_displacement}
+        sheet = {
+            name: values for name in _SURFACE if _wanted(name, fields) and (values := _of_surface(body, name)).size
+        }
+        if sheet:
             blocks[f"{name}_surface"] = _sheet(pyvista, (left, body.y[0]), _spacing(body), sheet)
     found = {name: getattr(snapshot.contact, name) for name in CONTACT_FIELDS if _wanted(name, fields)}
     contact = {name: values for name, values in found.items() if values is not None}
@@ -52,11 +54,18 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     return blocks
 
 
+_SURFACE = ("residual_displacement", "worn_depth")
 _VOLUME = (
     "von_mises_stress",
     "equivalent_plastic_strain",
     *(f"{tensor}_{component}" for tensor in TENSORS for component in COMPONENTS),
 )
+
+
+def _of_surface(body: BodyFields, name: str) -> FloatArray:
+    """Empty if nothing is stored of it."""
+    values: FloatArray | None = getattr(body, name)
+    return values if values is not None else np.empty(0)
 
 
 def _wanted(name: str, fields: Sequence[str] | None) -> bool:
@@ -65,7 +74,7 @@ def _wanted(name: str, fields: Sequence[str] | None) -> bool:
 
 
 def _require_known(fields: Sequence[str] | None) -> None:
-    known = (*_VOLUME, *TENSORS, "residual_displacement", *CONTACT_FIELDS)
+    known = (*_VOLUME, *TENSORS, *_SURFACE, *CONTACT_FIELDS)
     for name in (fields,) if isinstance(fields, str) else fields or ():
         if isinstance(fields, str) or name not in known:
             wrong = f"fields = {fields!r} is no list" if isinstance(fields, str) else f"no field {name!r}"

@@ -24,7 +24,22 @@ OF_A_PERIOD = ("nominal_pressure", "contact_fraction", "mean_gap", "contact_stif
 _OF_FRICTION = ("dissipation_friction", "F_friction", "share_at_shear_limit")
 _OF_STICK_AND_SLIP = ("F_x", "F_y", "M_z", "stick_share", "stick_area", "slip_path")  # of rolling
 _OF_HEAT = ("max_temperature_lower", "max_temperature_upper", "heat_lower", "heat_upper", "work_of_expansion")
-_ADDED_LATER = ("height", "friction", "contact_cells", *OF_A_PERIOD, *_OF_FRICTION, *_OF_STICK_AND_SLIP, *_OF_HEAT)
+_OF_WEAR = (
+    "worn_volume_lower",
+    "worn_volume_upper",
+    "max_worn_depth_lower",
+    "max_worn_depth_upper",
+    "max_wear_step",
+    "work_of_wear",
+)
+_ADDED_LATER = (
+    *("height", "friction", "contact_cells"),
+    *OF_A_PERIOD,
+    *_OF_FRICTION,
+    *_OF_STICK_AND_SLIP,
+    *_OF_HEAT,
+    *_OF_WEAR,
+)
 """Columns that the histories of older versions do not have."""
 
 HISTORY_COLUMNS: Mapping[Scenario, tuple[str, ...]] = MappingProxyType(

@@ -128,12 +128,13 @@ def _selected(data: Any, taken: tuple[Axis, ...]) -> FloatArray:
 
 
 def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: Grid) -> h5py.Dataset | FloatArray:
-    """A field of a body on a grid that holds its own: beyond it there was no plastic strain, the rest is unknown."""
+    """A field of a body on a grid that holds its own: beyond it nothing had yielded or worn, the rest is unknown."""
     if data.shape == tuple(len(axis) for axis in grid):
         return data
     spacing, origin = state[body].attrs["spacing"], state[body].attrs["origin"]
     row, column = (round((origin[i] - axis[0]) / spacing[i]) for i, axis in ((1, grid[-2]), (0, grid[-1])))
-    whole = np.full([len(axis) for axis in grid], 0.0 if "plastic_strain" in name else np.nan)
+    is_none = "plastic_strain" in name or name == "worn_depth"
+    whole = np.full([len(axis) for axis in grid], 0.0 if is_none else np.nan)
     ny, nx = data.shape[-2:]
     layers = (slice(0, data.shape[0]),) if data.ndim == 3 else ()
     whole[(*layers, slice(row, row + ny), slice(column, column + nx))] = data[()]

@@ -141,6 +141,8 @@ class BodyFields:
     """[-]; zero if the body is elastic."""
     von_mises_stress: FloatArray | None
     """Of contact pressure and plastic strain together [Pa]; None if the run did not store it."""
+    worn_depth: FloatArray | None = None
+    """That the surface has lost by wear since the start [m]; None without wear. A rigid body has it, too."""
     plastic_strain: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("plastic_strain", None))
     """By component, "xx" to "xy" [-]; read when asked for; empty if not stored."""
     stress: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("stress", None))
@@ -202,7 +204,7 @@ class Snapshot:
         return bool(np.any(self.contact.pressure > 0.0))
 
 
-_SCALARS = ("residual_displacement", "equivalent_plastic_strain", "von_mises_stress")
+_SCALARS = ("residual_displacement", "worn_depth", "equivalent_plastic_strain", "von_mises_stress")
 """Fields of a body that are no tensors."""
 
 
@@ -268,16 +270,19 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
     residual = read("residual_displacement")
     strain = read("equivalent_plastic_strain")
     von_mises = read("von_mises_stress")
-    nz, ny, nx = _shape(strain if strain is not None else von_mises, residual)
+    worn = read("worn_depth")
+    nz, ny, nx = _shape(strain if strain is not None else von_mises, residual if residual is not None else worn)
+    is_rigid = residual is None and nz == 0
     spacing, origin = group.attrs["spacing"], group.attrs["origin"]
     return BodyFields(
         x=_axis(origin[0], spacing[0], nx),
         y=_axis(origin[1], spacing[1], ny),
         z=_axis(origin[2], spacing[2], nz),
         contact_x=float(group.attrs["contact_x"]),
-        residual_displacement=residual if residual is not None else np.zeros((ny, nx)),
+        residual_displacement=residual if residual is not None else np.zeros((0, 0) if is_rigid else (ny, nx)),
         equivalent_plastic_strain=strain if strain is not None else np.zeros((nz, ny, nx)),
         von_mises_stress=von_mises,
+        worn_depth=worn,
         plastic_strain=components("plastic_strain"),
         stress=components("stress"),
     )

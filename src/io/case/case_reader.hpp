@@ -100,6 +100,9 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
                      Case& c);
 
+/// Coefficients that no solid has.
+void warn_of_wear(const elastoplastic::WearLaw& wear, Case& c);
+
 /// The boundaries of a domain, and its period along the axes that have one.
 /// @param both  whether the scenario can be computed with both axes periodic, or with x alone
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);

@@ -121,6 +121,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
     warn_of_table(reader, name, c);
     warn_of_heights(name, body->texture, c);
   }
+  std::visit([&](const simulation::Numerics& numerics) { warn_of_wear(numerics.wear, c); }, c.scenario);
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
   if (const auto reason = simulation::reason_against_contact(lower, upper, domain))

@@ -5,7 +5,6 @@
 #include "schema_parts.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -107,73 +106,6 @@ std::vector<Entry> grid_entries()
              .text = "Factor on the first extent of the grids around contact and plastic zone; they grow where that is "
                      "not enough."},
             &Numerics::extent),
-  };
-}
-
-std::vector<Entry> interface_entries()
-{
-  using elastoplastic::Friction;
-  const auto slides = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
-  { return std::derived_from<typename ScenarioCase::Record, simulation::FrictionRecord>; };
-  const Condition sliding{"scenario", scenarios_with(slides)};
-  const auto entry = [&](Entry given, auto member)
-  {
-    given.when = sliding;
-    return bound(std::move(given), &simulation::Numerics::friction, member);
-  };
-  return {
-      entry({.key = "interface.friction",
-             .range = at_least(0.0),
-             .text =
-                 "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
-                 "pressure on each of them, against its motion over the other, as far as it can carry it. "
-                 "In rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
-                 "lifted off. In fretting the surfaces stick where less shear is enough."},
-            &Friction::coefficient),
-      entry({.key = "interface.shear_limit",
-             .dimension = dimension::pressure,
-             .range = above(0.0),
-             .unset = "the shear yield stress of the softer surface as it is, hardening included",
-             .text = "Largest shear that a surface can carry."},
-            &Friction::shear_limit),
-      entry({.key = "interface.coupling",
-             .text =
-                 "Whether the shear moves the surfaces apart or together where the two materials differ. false: as if "
-                 "both moved alike under it."},
-            &Friction::coupling),
-  };
-}
-
-/// The heat of friction, in scenarios whose rows tell of it.
-std::vector<Entry> heat_entries()
-{
-  using elastoplastic::HeatSettings;
-  const auto warms = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
-  { return std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>; };
-  const Condition heated{"scenario", scenarios_with(warms)};
-  const auto entry = [&](Entry given, auto member)
-  {
-    given.when = heated;
-    return bound(std::move(given), &simulation::Numerics::heat, member);
-  };
-  return {
-      entry({.key = "interface.heat_fraction",
-             .range = between(0.0, 1.0),
-             .text = "Share of the friction power that warms the two bodies, where they have thermal constants."},
-            &HeatSettings::fraction),
-      entry({.key = "thermal.partition",
-             .range = between(0.0, 1.0),
-             .unset = "both surfaces have one temperature where they touch",
-             .text = "Share of the lower body in the heat of friction, everywhere in the contact. Between two bodies "
-                     "that conduct."},
-            &HeatSettings::partition),
-      entry({.key = "thermal.displacement",
-             .text = "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion "
-                     "there."},
-            &HeatSettings::displacement),
-      entry({.key = "thermal.stress",
-             .text = "Whether thermal stress counts when the material yields. false: as if it had no expansion there."},
-            &HeatSettings::stress),
   };
 }
 

@@ -73,6 +73,7 @@ constexpr std::array named_dimensions{
     NamedDimension{dimension::conductivity, "thermal conductivity", "W/(m K)", "50 W/(m K)"},
     NamedDimension{dimension::density, "density", "kg/m^3", "7850 kg/m^3"},
     NamedDimension{dimension::specific_heat, "specific heat", "J/(kg K)", "460 J/(kg K)"},
+    NamedDimension{dimension::wear, "wear coefficient", "1/Pa", "1e-6 mm^3/(N m)"},
     NamedDimension{dimension::expansion, "thermal expansion", "1/K", "12e-6 1/K"},
 };
 

@@ -99,6 +99,8 @@ std::vector<Citation> citations(const Case& c)
             cite_option(sources, key, texture_options(),
                         std::get<std::string>(value) == "random" ? "spectra of rough surfaces"
                                                                  : "shape of dents and bumps");
+        if (scenario.wear.wears())
+          sources.add("archard1953", "worn depth by pressure and slip");
         cite_hardening(sources, "lower", scenario.lower.material);
         cite_hardening(sources, "upper", scenario.upper.material);
         if (yields)

@@ -19,9 +19,9 @@ namespace
 /// What of a summary are results.
 struct Results
 {
-  std::vector<std::string> parts{"energy", "residual"};
-  std::set<std::string_view> others{"x_m",
-                                    "balance_error"}; ///< in these parts: where, which one, the energies' own error
+  std::vector<std::string> parts{"energy", "residual", "wear"};
+  /// In these parts: where, which one, the energies' own error, what goes with the steps.
+  std::set<std::string_view> others{"x_m", "balance_error", "max_depth_of_an_increment_m"};
 };
 
 Results results_of_all_scenarios()

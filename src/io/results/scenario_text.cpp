@@ -23,6 +23,17 @@ std::string friction_text(const simulation::RunTotals& s)
   return text + "\n";
 }
 
+/// Empty without wear.
+std::string wear_text(const simulation::RunTotals& s)
+{
+  if (s.worn_volume_lower == 0.0 && s.worn_volume_upper == 0.0)
+    return {};
+  return fmt::format(
+      "wear      {:>13.6e} m^3 of the lower body, up to {:.3e} m deep; {:.6e} m^3 of the upper one, up to "
+      "{:.3e} m\n",
+      s.worn_volume_lower, s.max_worn_depth_lower, s.worn_volume_upper, s.max_worn_depth_upper);
+}
+
 } // namespace
 
 std::string step_text(const Case& c, const simulation::AnyRecord& record)
@@ -38,7 +49,7 @@ std::string results_text(const Case& c, const simulation::AnySummary& summary)
       [&]<typename ScenarioCase>(const ScenarioCase& scenario)
       {
         const auto& s = summary_of<ScenarioCase>(summary);
-        return io_of(scenario).results(c, s) + friction_text(s);
+        return io_of(scenario).results(c, s) + friction_text(s) + wear_text(s);
       },
       c.scenario);
 }

@@ -203,6 +203,13 @@ Json energy_json(const simulation::RunTotals& s)
           {"balance_error", s.energy_balance_error}};
 }
 
+Json wear_json(const simulation::RunTotals& s)
+{
+  return {{"volume_lower_m3", s.worn_volume_lower},         {"volume_upper_m3", s.worn_volume_upper},
+          {"max_depth_lower_m", s.max_worn_depth_lower},    {"max_depth_upper_m", s.max_worn_depth_upper},
+          {"max_depth_of_an_increment_m", s.max_wear_step}, {"work_J", s.work_of_wear}};
+}
+
 Json heat_json(double fraction, const simulation::RunTotals& s, const simulation::HeatedRecord& last,
                const std::array<double, 2>& max_temperature)
 {

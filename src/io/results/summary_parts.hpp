@@ -24,6 +24,8 @@ using Json = nlohmann::ordered_json;
 /// @param max_temperature  of both surfaces in the run [deg C]
 [[nodiscard]] Json heat_json(double fraction, const simulation::RunTotals& s, const simulation::HeatedRecord& last,
                              const std::array<double, 2>& max_temperature);
+/// What both surfaces have lost.
+[[nodiscard]] Json wear_json(const simulation::RunTotals& s);
 [[nodiscard]] Json residual_json(const simulation::RunTotals& s);
 
 /// "hardness_Pa", "loading_stiffness_N_per_m": a name and, unless the number is pure, its unit.

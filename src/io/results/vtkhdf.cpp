@@ -243,6 +243,8 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
   block.begin("PointData");
   if (body.has_residual_displacement)
     block.add_surface("residual_displacement", which, unknown);
+  if (body.has_worn_depth)
+    block.add_surface("worn_depth", which, unknown);
   if (contact == nullptr)
     return;
   const auto add = [&](const char* name, double elsewhere)
@@ -264,7 +266,8 @@ BodyLayout layout_of(const simulation::BodySnapshot& body)
           .y0 = body.y0,
           .has_residual_displacement = !body.residual_displacement.empty(),
           .has_plastic_strain = !body.plastic_strain[0].empty(),
-          .has_stress = !body.stress[0].empty()};
+          .has_stress = !body.stress[0].empty(),
+          .has_worn_depth = !body.worn_depth.empty()};
 }
 
 } // namespace
@@ -282,6 +285,7 @@ void BodyLayout::exchange(Archive& archive)
   archive("has_residual_displacement", has_residual_displacement);
   archive("has_plastic_strain", has_plastic_strain);
   archive("has_stress", has_stress);
+  archive("has_worn_depth", has_worn_depth);
 }
 
 void ContactLayout::exchange(Archive& archive)
@@ -337,7 +341,7 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
   if (upper.has_plastic_strain || upper.has_stress)
     write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper, 1.0);
   write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, &contact);
-  if (upper.has_residual_displacement)
+  if (upper.has_residual_displacement || upper.has_worn_depth)
     write_surface(block("upper_surface", "upper"), &StateLayout::upper, upper, nullptr);
   if (states.size() > 1)
     Block(root, "Steps", "", count, states).imitate_steps();

@@ -18,7 +18,7 @@ struct BodyLayout
 {
   VolumeGrid grid;
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
-  bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false;
+  bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false, has_worn_depth = false;
 
   void exchange(Archive& archive);
 };

@@ -151,6 +151,8 @@ void summarise(Json& json, const Case& c, const FrettingCase& f, const FrettingP
   for (const FrettingCycle& cycle : s.cycles)
     json["cycles"].push_back(row_json(cycle));
   json["energy"] = energy_json(s);
+  if (f.wear.wears())
+    json["wear"] = wear_json(s);
   json["residual"] = residual_json(s);
 }
 

@@ -251,6 +251,8 @@ void summarise(Json& json, const Case& c, const RollingCase& r, const RollingPla
   json["energy"] = energy_json(s);
   if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0)
     json["heat"] = heat_json(r.heat.fraction, s, s.last, s.max_temperature);
+  if (r.wear.wears())
+    json["wear"] = wear_json(s);
   json["residual"] = residual_json(s);
   json["grid"]["shift_m"] = plan.shift;
 }

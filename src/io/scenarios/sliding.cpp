@@ -163,6 +163,8 @@ void summarise(Json& json, const Case& c, const SlidingCase& s, const SlidingPla
   for (const SlidingStroke& stroke : summary.strokes)
     json["strokes"].push_back(row_json(stroke));
   json["energy"] = energy_json(summary);
+  if (s.wear.wears())
+    json["wear"] = wear_json(summary);
   json["residual"] = residual_json(summary);
   json["grid"]["shift_m"] = plan.shift;
 }

@@ -47,6 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Good{"45 W/(m K)", 45.0, dimension::conductivity},
                     Good{"45W / ( m*K )", 45.0, dimension::conductivity},
                     Good{"0.46 kJ/(kg\u00b7K)", 460.0, dimension::specific_heat},
+                    Good{"1e-6 mm^3/(N m)", 1e-15, dimension::wear}, Good{"2e-15 1/Pa", 2e-15, dimension::wear},
+                    Good{"3e-4 mm^3/J", 3e-13, dimension::wear}, Good{"2e-15 m^2/N", 2e-15, dimension::wear},
                     Good{"12e-6 1/K", 12e-6, dimension::expansion}, Good{"12e-6/K", 12e-6, dimension::expansion},
                     Good{"12 um/m/K", 12e-6, dimension::expansion}, Good{"12 um/(m K)", 12e-6, dimension::expansion},
                     Good{"7850 kg/m^3", 7850.0, dimension::density}, Good{"3 ms", 3e-3, {.time = 1}}));

@@ -35,16 +35,24 @@ consteval std::size_t arity()
     return sizeof...(Values);
 }
 
-/// Members of what a row derives from: those of the totals without the coverage and the work of expansion, which is nothing where
-/// nothing heats, and its own beside this base.
-constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 2) + (arity<StepRecord>() - 1);
+/// Of the totals: both volumes and depths, the largest step and the work of wear.
+constexpr std::size_t members_of_wear = 6;
+
+/// Rows of scenarios in which the surfaces may wear.
+template <typename Row>
+constexpr bool wears =
+    std::same_as<Row, SlidingRecord> || std::same_as<Row, RollingRecord> || std::same_as<Row, FrettingRecord>;
+
+/// Members of what a row derives from: those of the totals without the coverage, the work of expansion, which is nothing where
+/// nothing heats, and what wears; and its own beside this base.
+constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 2 - members_of_wear) + (arity<StepRecord>() - 1);
 
 /// Some rows derive from those of sliding surfaces, and of them some from those that friction heats, with the work of expansion.
 template <typename Row>
 constexpr std::size_t members_of_row = members_of_all_rows +
                                        (std::derived_from<Row, FrictionRecord> ? arity<FrictionRecord>() - 1 : 0) +
                                        (std::derived_from<Row, HeatedRecord> ? arity<HeatedRecord>() : 0) +
-                                       (arity<Row>() - 1);
+                                       (wears<Row> ? members_of_wear : 0) + (arity<Row>() - 1);
 
 template <typename Record>
 class ColumnsOf : public testing::Test

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+
+#include <cmath>
+#include <vector>
+
+/// What wear adds to an increment: docs/theory/elastoplastic.md (wear).
+namespace brinell::elastoplastic
+{
+
+/// Where the surfaces slide everywhere the length is known beforehand. Where they may stick it comes with the solution.
+void CoupledContact::begin_wear(const Strategy& strategy)
+{
+  slid_ = strategy.slides ? strategy.slid : 0.0;
+  wear_->begin(pressure_);
+  if (partial_slip() == nullptr)
+    static_cast<void>(follow_wear());
+}
+
+/// What is worn by the slip of the trial. @returns by how much it changes the gap [m]
+double CoupledContact::follow_wear()
+{
+  const PartialSlip* partial = partial_slip();
+  const std::vector<double> length =
+      partial != nullptr ? partial->slipped() : std::vector<double>(pressure_.size(), slid_);
+  std::vector<double> shear(pressure_.size());
+  if (interface_)
+    for (const std::span<const double>& part : interface_->shears())
+      for (std::size_t i = 0; i < part.size(); ++i)
+        shear[i] = std::hypot(shear[i], part[i]);
+  return wear_->follow({.pressure = pressure_, .length = length, .shear = shear});
+}
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/wear.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "foundation/sharing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::elastoplastic
+{
+
+Wear::Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law)
+    : contact_(contact), law_(law), sides_{Side{lower, law.lower / law.sum(), std::vector<double>(lower.size())},
+                                           Side{upper, law.upper / law.sum(), std::vector<double>(upper.size())}},
+      compliance_(contact.size()), pressure_before_(contact.size())
+{
+}
+
+void Wear::begin(std::span<const double> pressure)
+{
+  pressure_before_.assign(pressure.begin(), pressure.end());
+  std::fill(compliance_.begin(), compliance_.end(), 0.0);
+}
+
+double Wear::follow(const Slip& slip)
+{
+  double change = 0.0;
+  for (std::size_t i = 0; i < compliance_.size(); ++i)
+  {
+    const double p = slip.pressure[i];
+    // Where nothing presses there is no ratio, and no wear.
+    const double ratio = law_.kind == WearLaw::Kind::archard ? 1.0 : (p > 0.0 ? slip.shear[i] / p : 0.0);
+    const double now = law_.sum() * slip.length[i] * ratio;
+    change = larger(change, std::abs(now - compliance_[i]) * p);
+    compliance_[i] = now;
+  }
+  return change;
+}
+
+double Wear::held_energy(std::span<const double> pressure) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < compliance_.size(); ++i)
+    sum += compliance_[i] * pressure[i] * pressure[i];
+  return -0.5 * sum * contact_.cell_area();
+}
+
+void Wear::settle(std::span<const double> pressure, const Placement& placement)
+{
+  std::vector<double> worn(compliance_.size());
+  double sum = 0.0, work = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < worn.size(); ++i)
+  {
+    worn[i] = compliance_[i] * pressure[i];
+    sum += worn[i];
+    work += 0.5 * (pressure_before_[i] + pressure[i]) * worn[i];
+    largest = std::max(largest, worn[i]);
+  }
+  work_ += work * contact_.cell_area();
+  largest_step_ = std::max(largest_step_, largest);
+  for (const auto& [side, place] : {std::pair{&sides_[0], &placement.lower}, {&sides_[1], &placement.upper}})
+  {
+    if (side->share == 0.0)
+      continue;
+    if (!spread_volume(contact_, worn, side->share, *place, side->grid, side->depth))
+      throw InternalError("Wear: what is worn lies beyond the grid of the body");
+    side->volume += side->share * sum * contact_.cell_area();
+  }
+}
+
+double Wear::largest_depth(std::size_t side) const
+{
+  const std::vector<double>& depth = sides_.at(side).depth;
+  return *std::max_element(depth.begin(), depth.end());
+}
+
+void Wear::add_depth(std::size_t side, const Place& place, std::span<double> out) const
+{
+  const Side& s = sides_.at(side);
+  if (s.volume > 0.0)
+    elastoplastic::add_depth(s.grid, s.depth, {}, place, contact_, out);
+}
+
+void Wear::exchange(Archive& archive)
+{
+  for (const auto& [name, side] : {std::pair{"lower", &sides_[0]}, {"upper", &sides_[1]}})
+  {
+    archive(std::string(name) + ".depth", side->depth);
+    archive(std::string(name) + ".volume", side->volume);
+  }
+  archive("work", work_);
+  archive("largest_step", largest_step_);
+}
+
+void Wear::embed(const Wear& smaller)
+{
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+  {
+    const Side& from = smaller.sides_[i];
+    embed_field(from.grid, from.depth, sides_[i].grid, sides_[i].depth);
+    sides_[i].volume = from.volume;
+  }
+  work_ = smaller.work_;
+  largest_step_ = smaller.largest_step_;
+}
+
+} // namespace brinell::elastoplastic

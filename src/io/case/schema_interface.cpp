@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scenarios/scenario_io.hpp"
+#include "schema_parts.hpp"
+
+#include <algorithm>
+#include <concepts>
+
+/// Keys of what is between the surfaces: friction, its heat, wear.
+namespace brinell::io
+{
+
+namespace
+{
+
+std::vector<Entry> friction_entries()
+{
+  using elastoplastic::Friction;
+  const auto slides = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
+  { return std::derived_from<typename ScenarioCase::Record, simulation::FrictionRecord>; };
+  const Condition sliding{"scenario", scenarios_with(slides)};
+  const auto entry = [&](Entry given, auto member)
+  {
+    given.when = sliding;
+    return bound(std::move(given), &simulation::Numerics::friction, member);
+  };
+  return {
+      entry({.key = "interface.friction",
+             .range = at_least(0.0),
+             .text =
+                 "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
+                 "pressure on each of them, against its motion over the other, as far as it can carry it. "
+                 "In rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
+                 "lifted off. In fretting the surfaces stick where less shear is enough."},
+            &Friction::coefficient),
+      entry({.key = "interface.shear_limit",
+             .dimension = dimension::pressure,
+             .range = above(0.0),
+             .unset = "the shear yield stress of the softer surface as it is, hardening included",
+             .text = "Largest shear that a surface can carry."},
+            &Friction::shear_limit),
+      entry({.key = "interface.coupling",
+             .text =
+                 "Whether the shear moves the surfaces apart or together where the two materials differ. false: as if "
+                 "both moved alike under it."},
+            &Friction::coupling),
+  };
+}
+
+/// A key of the heat of friction, in scenarios whose rows tell of it.
+template <typename Member>
+Entry of_heat(Entry given, Member member)
+{
+  const auto warms = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
+  { return std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>; };
+  given.when = {"scenario", scenarios_with(warms)};
+  return bound(std::move(given), &simulation::Numerics::heat, member);
+}
+
+std::vector<Entry> heat_fraction_entries()
+{
+  return {of_heat({.key = "interface.heat_fraction",
+                   .range = between(0.0, 1.0),
+                   .text = "Share of the friction power that warms the two bodies, where they have thermal constants."},
+                  &elastoplastic::HeatSettings::fraction)};
+}
+
+/// Wear, in scenarios whose rows tell of it.
+std::vector<Entry> wear_entries()
+{
+  using elastoplastic::WearLaw;
+  const auto wears = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
+  {
+    const auto& all = simulation::columns<typename ScenarioCase::Record>;
+    return std::any_of(all.begin(), all.end(), [](const auto& column) { return column.name == "worn_volume_lower"; });
+  };
+  const Condition wearing{"scenario", scenarios_with(wears)};
+  const auto entry = [&](Entry given, auto member)
+  {
+    given.when = wearing;
+    return bound(std::move(given), &simulation::Numerics::wear, member);
+  };
+  const auto coefficient = [&](const char* key, const char* text, auto member)
+  {
+    return entry({.key = std::string("interface.wear.") + key,
+                  .dimension = dimension::wear,
+                  .range = at_least(0.0),
+                  .text = text,
+                  .hint = "dry steel on steel has 1e-9 to 1e-4 mm^3/(N m), which is 1e-18 to 1e-13 1/Pa"},
+                 member);
+  };
+  return {
+      coefficient("lower",
+                  "Wear coefficient of the lower surface: the depth that it loses, per pressure and length slipped; in "
+                  "1/Pa, or as text in mm^3/(N m). A rigid body may wear, too. In rolling only with a slide_to_roll "
+                  "other than 0.",
+                  &WearLaw::lower),
+      coefficient("upper", "The same of the upper surface.", &WearLaw::upper),
+      entry({.key = "interface.wear.law",
+             .choices = {"archard", "energy"},
+             .text = "What wears. archard: worn depth = coefficient x pressure x length slipped; energy: coefficient x "
+                     "friction work per area, shear x length slipped."},
+            &WearLaw::kind),
+  };
+}
+
+} // namespace
+
+std::vector<Entry> interface_entries()
+{
+  std::vector<Entry> entries = friction_entries();
+  for (auto part : {heat_fraction_entries(), wear_entries()})
+    entries.insert(entries.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+  return entries;
+}
+
+std::vector<Entry> heat_entries()
+{
+  using elastoplastic::HeatSettings;
+  return {
+      of_heat({.key = "thermal.partition",
+               .range = between(0.0, 1.0),
+               .unset = "both surfaces have one temperature where they touch",
+               .text = "Share of the lower body in the heat of friction, everywhere in the contact. Between two bodies "
+                       "that conduct."},
+              &HeatSettings::partition),
+      of_heat({.key = "thermal.displacement",
+               .text = "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion "
+                       "there."},
+              &HeatSettings::displacement),
+      of_heat(
+          {.key = "thermal.stress",
+           .text = "Whether thermal stress counts when the material yields. false: as if it had no expansion there."},
+          &HeatSettings::stress),
+  };
+}
+
+} // namespace brinell::io

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A layer between the surfaces that gives way in proportion to the local pressure.
+#include "brinell/contact/elastic_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace brinell::contact
+{
+namespace
+{
+
+// A wave that is pressed until it touches everywhere is an eigenvector of the compliance, and of the layer.
+TEST(ContactLayer, AddsToTheComplianceOfAWave)
+{
+  constexpr int cells = 16;
+  constexpr double dx = 1e-6, modulus = 100e9, amplitude = 1e-9;
+  const SurfaceGrid grid{cells, cells, dx, dx, Boundary::periodic, Boundary::periodic};
+  const halfspace::SurfaceCompliance compliance(grid, modulus);
+  std::vector<double> wave(grid.size()), image(grid.size());
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i)
+      wave[grid.index(i, j)] = std::cos(2.0 * std::numbers::pi * i / cells);
+  auto scratch = compliance.make_scratch();
+  compliance.apply({.pressure = wave}, {.z = image}, scratch);
+  const double elastic = image[0]; // displacement per pressure of this wave
+  ElasticContact contact(compliance);
+  for (const double ratio : {0.0, 1.0, 1e3})
+  {
+    const double layer = ratio * elastic;
+    const double wave_pressure = amplitude / (elastic + layer), mean_pressure = 2.0 * wave_pressure;
+    std::vector<double> distance(grid.size()), pressure(grid.size()), gap(grid.size());
+    for (std::size_t n = 0; n < distance.size(); ++n)
+      distance[n] = amplitude * (1.0 - wave[n]);
+    const std::vector<double> layers(grid.size(), layer);
+    const Report report =
+        contact.solve(distance, {Drive::Kind::load, mean_pressure * static_cast<double>(grid.size()) * dx * dx},
+                      1e-10 * amplitude, 2000, pressure, gap, {}, layers);
+    EXPECT_TRUE(report.converged) << ratio;
+    EXPECT_NEAR(report.approach, amplitude + layer * mean_pressure, 1e-8 * amplitude * (1.0 + ratio));
+    for (std::size_t n = 0; n < distance.size(); ++n)
+      ASSERT_NEAR(pressure[n], mean_pressure + wave_pressure * wave[n], 1e-7 * mean_pressure) << ratio;
+  }
+}
+
+} // namespace
+} // namespace brinell::contact

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wear in sliding, fretting and rolling: what is refused, and what it shares with itself.
+#include "brinell/foundation/error.hpp"
+#include "brinell/simulation/fretting.hpp"
+#include "brinell/simulation/rolling.hpp"
+#include "brinell/simulation/run.hpp"
+#include "brinell/simulation/sliding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+using Kind = contact::Drive::Kind;
+using elastoplastic::WearLaw;
+
+const constitutive::Material steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
+const constitutive::Material soft{{120e9, 0.34}, constitutive::LinearHardening{0.4e9, 5e9}};
+
+constexpr double period = 33e-6;
+
+/// Waves on both of two steels, in a period.
+SlidingCase waves()
+{
+  SlidingCase c;
+  c.lower = {Plane{}, soft};
+  c.upper = {Plane{}, steel};
+  c.lower.texture = Sinusoid{0.2e-6, period, period, 3e-6, -2e-6};
+  c.upper.texture = Sinusoid{0.1e-6, period, 0.5 * period, -5e-6, 1e-6};
+  c.domain.x = c.domain.y = {Boundary::periodic, period, 15};
+  c.press = {Kind::load, 0.2};
+  c.press_steps = 2;
+  c.distance = 4.0 * period / 15;
+  c.friction.coefficient = 0.2;
+  c.wear = {.lower = 2e-13, .upper = 1e-13};
+  return c;
+}
+
+/// A ball on a flat of another steel.
+SlidingCase ball()
+{
+  SlidingCase c;
+  c.lower = {Plane{}, soft};
+  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.press = {Kind::load, 2.0};
+  c.press_steps = 2;
+  c.distance = 30e-6;
+  c.resolution = 3.0;
+  c.friction.coefficient = 0.2;
+  c.wear = {.lower = 2e-13, .upper = 1e-13};
+  return c;
+}
+
+FrettingCase fretting()
+{
+  FrettingCase c;
+  c.lower = {Plane{}, soft};
+  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.press = {Kind::load, 2.0};
+  c.press_steps = 2;
+  c.amplitude = 3e-7;
+  c.steps_per_cycle = 8;
+  c.resolution = 3.0;
+  c.friction.coefficient = 0.3;
+  c.wear = {.lower = 4e-13, .upper = 1e-13};
+  return c;
+}
+
+RollingCase rolling()
+{
+  RollingCase c;
+  c.lower = {Plane{}, soft};
+  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.drive = {Kind::load, 2.0};
+  c.load_steps = 2;
+  c.distance = 30e-6;
+  c.resolution = 3.0;
+  c.slide_to_roll = 0.4;
+  c.friction.coefficient = 0.2;
+  c.wear = {.lower = 2e-13, .upper = 1e-13};
+  return c;
+}
+
+template <typename Case>
+struct Result
+{
+  std::vector<typename Case::Record> history;
+  typename Case::Summary summary;
+};
+
+template <typename Case>
+Result<Case> computed(const Case& c)
+{
+  Result<Case> result;
+  simulation::Run run(c);
+  while (!run.is_done())
+    result.history.push_back(run.step());
+  result.summary = run.summary();
+  return result;
+}
+
+double volume_of(const BodySnapshot& body)
+{
+  return std::accumulate(body.worn_depth.begin(), body.worn_depth.end(), 0.0) * body.grid.surface.cell_area();
+}
+
+template <typename Case>
+void expect_refused(const std::string& key, const std::string& part, Case c)
+{
+  try
+  {
+    static_cast<void>(plan(c));
+    ADD_FAILURE() << "not refused: " << key;
+  }
+  catch (const KeyError& error)
+  {
+    EXPECT_EQ(error.key(), key) << error.what();
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(WearTest, IsRefusedWhereItMakesNoSense)
+{
+  SlidingCase s = waves();
+  s.wear.lower = -1e-15;
+  expect_refused("interface.wear.lower", "-1e-15", s);
+  s = waves();
+  s.wear.upper = std::numeric_limits<double>::infinity();
+  expect_refused("interface.wear.upper", "inf", s);
+  s = waves();
+  s.press = {Kind::mean_gap, 1e-7};
+  expect_refused("interface.wear.lower", "mean gap", s);
+  s = waves();
+  s.wear.kind = WearLaw::Kind::energy;
+  s.friction.coefficient = 0.0;
+  expect_refused("interface.wear.law", "interface.friction = 0", s);
+  RollingCase r = rolling();
+  r.slide_to_roll = 0.0;
+  r.friction.coefficient = 0.0;
+  r.wear.lower = 0.0;
+  expect_refused("interface.wear.upper", "rolling.slide_to_roll = 0", r);
+  r = rolling();
+  r.slide_to_roll = 0.0;
+  r.creepage = Creepage{.longitudinal = 1e-3};
+  expect_refused("interface.wear.lower", "rolling.slide_to_roll in place of", r);
+  FrettingCase f = fretting();
+  f.amplitude = 0.0;
+  expect_refused("interface.wear.lower", "nothing slides", f);
+  f = fretting();
+  f.cycles = 0;
+  expect_refused("interface.wear.lower", "nothing slides", f);
+}
+
+// Of what slides everywhere under a constant load the volume is coefficient x load x way, however it is shared out.
+TEST(WearTest, OfSlidingBalancesLoadTimesWay)
+{
+  for (SlidingCase c : {waves(), ball()})
+  {
+    c.shift = 0.7 * (c.domain.is_periodic() ? period / 15 : 5e-6); // between the columns of the upper body
+    const Result<SlidingCase> r = computed(c);
+    const double way = r.history.back().way, load = c.press.value;
+    EXPECT_NEAR(r.history.back().worn_volume_lower / (c.wear.lower * load * way), 1.0, 1e-12);
+    EXPECT_NEAR(r.history.back().worn_volume_upper / (c.wear.upper * load * way), 1.0, 1e-12);
+    const Snapshot& end = r.summary.final_state;
+    EXPECT_NEAR(volume_of(end.lower) / r.history.back().worn_volume_lower, 1.0, 1e-12);
+    EXPECT_NEAR(volume_of(end.upper) / r.history.back().worn_volume_upper, 1.0, 1e-12);
+    for (const BodySnapshot* body : {&end.lower, &end.upper})
+      EXPECT_GE(*std::min_element(body->worn_depth.begin(), body->worn_depth.end()), 0.0);
+    EXPECT_EQ(r.summary.max_worn_depth_lower,
+              *std::max_element(end.lower.worn_depth.begin(), end.lower.worn_depth.end()));
+    EXPECT_GT(r.summary.work_of_wear, 0.0);
+  }
+}
+
+TEST(WearTest, OfRollingBalancesLoadTimesSlip)
+{
+  const RollingCase c = rolling();
+  const Result<RollingCase> r = computed(c);
+  // Under load alone the surfaces slip by (1 - share) times the way: load steps press, and nothing slides in them.
+  const double slipped = (1.0 - upper_share(c)) * c.distance;
+  const RollingPlan p = plan(c);
+  EXPECT_NEAR(p.rolling_steps * p.shift, c.distance, 0.5 * p.shift * 2.0);
+  const double way = slipped * p.rolling_steps * p.shift / c.distance;
+  EXPECT_NEAR(r.summary.worn_volume_lower / (c.wear.lower * c.drive.value * way), 1.0, 1e-12);
+  EXPECT_NEAR(volume_of(r.summary.final_state.lower) / r.summary.worn_volume_lower, 1.0, 1e-12);
+  EXPECT_NEAR(volume_of(r.summary.final_state.upper) / r.summary.worn_volume_upper, 1.0, 1e-12);
+  EXPECT_NEAR(r.summary.worn_volume_lower, 2.0 * r.summary.worn_volume_upper, 1e-12 * r.summary.worn_volume_lower);
+}
+
+// With the energy law the volume is coefficient x heat of friction: of the work of the shear at the end of each increment, so to
+// first order in the step.
+TEST(WearTest, OfFrictionWorkFollowsTheHeat)
+{
+  SlidingCase s = waves();
+  s.wear.kind = WearLaw::Kind::energy;
+  const Result<SlidingCase> slid = computed(s);
+  double work = 0.0; // of a constant load, but for what the shear does on the deformation
+  for (std::size_t i = 1; i < slid.history.size(); ++i)
+    work += slid.history[i].F_friction * (slid.history[i].way - slid.history[i - 1].way);
+  EXPECT_NEAR(slid.summary.worn_volume_lower / (s.wear.lower * work), 1.0, 1e-12);
+
+  FrettingCase f = fretting();
+  f.wear.kind = WearLaw::Kind::energy;
+  f.steps_per_cycle = 40;
+  f.lower.material.hardening.reset();
+  f.upper.material.hardening.reset();
+  const Result<FrettingCase> fretted = computed(f);
+  EXPECT_NEAR(fretted.summary.worn_volume_lower / (f.wear.lower * fretted.summary.dissipation_friction), 1.0, 0.03);
+}
+
+template <typename Case>
+void expect_taken_up(const Case& c)
+{
+  simulation::Run<Case> whole(c);
+  std::vector<Archive::Fields> checkpoints;
+  while (!whole.is_done())
+  {
+    whole.step();
+    checkpoints.push_back(whole.checkpoint());
+  }
+  const Snapshot expected = whole.snapshot();
+  for (const std::size_t at : {std::size_t{0}, checkpoints.size() / 3, checkpoints.size() / 2})
+  {
+    simulation::Run<Case> later(c, {}, &checkpoints[at]);
+    while (!later.is_done())
+      later.step();
+    EXPECT_EQ(later.snapshot().lower.worn_depth, expected.lower.worn_depth) << at;
+    EXPECT_EQ(later.snapshot().upper.worn_depth, expected.upper.worn_depth) << at;
+    EXPECT_EQ(later.summary().worn_volume_upper, whole.summary().worn_volume_upper) << at;
+    EXPECT_EQ(later.summary().work_of_wear, whole.summary().work_of_wear) << at;
+    EXPECT_EQ(later.summary().max_wear_step, whole.summary().max_wear_step) << at;
+  }
+}
+
+TEST(WearTest, GoesOnFromACheckpointToTheLastDigit)
+{
+  expect_taken_up(waves());
+  expect_taken_up(ball());
+  expect_taken_up(fretting());
+  expect_taken_up(rolling());
+}
+
+// What does not wear keeps its surface; and without wear nothing has changed, to the last digit.
+TEST(WearTest, LeavesAloneWhatHasNoCoefficient)
+{
+  SlidingCase one = ball();
+  one.wear.lower = 0.0;
+  const Result<SlidingCase> r = computed(one);
+  EXPECT_EQ(r.summary.worn_volume_lower, 0.0);
+  EXPECT_EQ(r.summary.max_worn_depth_lower, 0.0);
+  EXPECT_GT(r.summary.worn_volume_upper, 0.0);
+  SlidingCase none = ball();
+  none.wear = {};
+  const Result<SlidingCase> without = computed(none);
+  EXPECT_TRUE(without.summary.final_state.lower.worn_depth.empty());
+  EXPECT_EQ(without.summary.work_of_wear, 0.0);
+}
+
+// A coefficient so small that nothing it wears is seen by a double gives the run without wear, through all of its arithmetic.
+TEST(WearTest, OfNearlyNothingIsTheRunWithout)
+{
+  FrettingCase c = fretting();
+  c.solver.mirror = false;
+  c.wear = {.lower = 1e-40, .upper = 1e-40};
+  const Result<FrettingCase> nearly = computed(c);
+  c.wear = {};
+  const Result<FrettingCase> without = computed(c);
+  for (std::size_t i = 0; i < without.history.size(); ++i)
+  {
+    EXPECT_EQ(nearly.history[i].force, without.history[i].force) << i;
+    EXPECT_EQ(nearly.history[i].approach, without.history[i].approach) << i;
+    EXPECT_EQ(nearly.history[i].dissipation_lower, without.history[i].dissipation_lower) << i;
+  }
+  EXPECT_GT(nearly.summary.worn_volume_lower, 0.0);
+}
+
+TEST(WearTest, MirrorsWithTheBodies)
+{
+  const SlidingCase c = waves();
+  const Result<SlidingCase> upright = computed(c);
+  SlidingCase s = c;
+  // Upside down the upper body slides the other way: turned about the vertical axis as well, it is the same run.
+  std::swap(s.lower, s.upper);
+  std::swap(s.wear.lower, s.wear.upper);
+  for (ShapedBody* body : {&s.lower, &s.upper})
+    std::get<Sinusoid>(body->texture.parts.front()).x *= -1.0;
+  const Result<SlidingCase> turned = computed(s);
+  const double volume = upright.summary.worn_volume_lower;
+  EXPECT_NEAR(turned.summary.worn_volume_upper, volume, 1e-12 * volume);
+  // The tolerances of the solver.
+  EXPECT_NEAR(turned.summary.max_worn_depth_upper / upright.summary.max_worn_depth_lower, 1.0, 1e-3);
+  EXPECT_NEAR(turned.summary.max_worn_depth_lower / upright.summary.max_worn_depth_upper, 1.0, 1e-3);
+}
+
+TEST(WearTest, KeepsTheBalanceOfEnergy)
+{
+  SlidingCase c = ball();
+  c.lower.material.hardening.reset();
+  c.upper.material.hardening.reset();
+  c.wear = {.lower = 0.0, .upper = 2e-12};
+  const Result<SlidingCase> r = computed(c);
+  // The work of the pressure on what is worn is a large part of the whole: left out, the balance would be off by as much.
+  EXPECT_GT(r.summary.work_of_wear, 0.01 * r.summary.work);
+  EXPECT_LT(std::abs(r.summary.energy_balance_error), 0.1 * r.summary.work_of_wear / r.summary.work);
+}
+
+TEST(WearTest, IsToldWhereItIsAnEstimate)
+{
+  SlidingCase c = ball();
+  c.wear = {.lower = 0.0, .upper = 1e-10};
+  const Result<SlidingCase> r = computed(c);
+  const Quality q = quality(c, plan(c), r.summary);
+  const auto has = [&](const std::string& key)
+  { return std::any_of(q.warnings.begin(), q.warnings.end(), [&](const Warning& w) { return w.key == key; }); };
+  EXPECT_TRUE(has("long_wear_step"));
+  const Quality usual = quality(ball(), plan(ball()), computed(ball()).summary);
+  for (const Warning& w : usual.warnings)
+    EXPECT_NE(w.key, "long_wear_step") << w.text;
+}
+
+} // namespace
+} // namespace brinell::simulation
