@@ -54,7 +54,7 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
   // No law softens by strain: what lies within the first yield surface needs no look at its own, unless that has moved.
   const double initial = square(fraction * law.yield_stress_at(0.0));
   std::vector<double> squares(last - first);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(s.ny); ++j)
+  for (std::size_t j = 0; j < static_cast<std::size_t>(told_rows(s, symmetry_)); ++j)
   {
     const std::size_t row = layer * s.size() + j * static_cast<std::size_t>(s.nx);
     const std::ptrdiff_t carried = static_cast<std::ptrdiff_t>(row + first) - shift;

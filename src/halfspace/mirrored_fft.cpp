@@ -36,10 +36,10 @@ std::size_t MirroredFft::rows_size() const
          static_cast<std::size_t>(rows());
 }
 
-MirroredFft::Plane MirroredFft::plane(int plane, int layers)
+MirroredFft::Plane MirroredFft::plane(int number, int layers)
 {
-  const int first = plane / planes_of_group * layers_of_group;
-  const int place = plane % planes_of_group;
+  const int first = number / planes_of_group * layers_of_group;
+  const int place = number % planes_of_group;
   const auto part = [&](int layer, int component) { return layer < layers ? Part{layer, component} : Part{}; };
   if (place == planes_of_group - 1)
     return {part(first, Deviator::xz), part(first + 1, Deviator::xz), true};
@@ -146,10 +146,10 @@ void MirroredFft::complete(bool is_odd, ComplexLanes* spectrum) const
   }
 }
 
-void MirroredFft::rows_forward(const double* deviators, int plane_number, int layers, ComplexLanes* rows_out,
+void MirroredFft::rows_forward(const double* deviators, int number, int layers, ComplexLanes* out,
                                Scratch& scratch) const
 {
-  const Plane parts = plane(plane_number, layers);
+  const Plane parts = plane(number, layers);
   const std::ptrdiff_t nx = grid_.surface.nx;
   double* field = scratch.field.data();
   if (parts.is_shared)
@@ -161,13 +161,13 @@ void MirroredFft::rows_forward(const double* deviators, int plane_number, int la
   else
     pack(deviators + field_at(parts.first), deviators + field_at(parts.second), field);
   const int used = parts.is_shared && !parts.second.is_there() ? half_ : rows();
-  ComplexLanes* out = rows_out + static_cast<std::ptrdiff_t>(plane_number) * rows();
+  out += static_cast<std::ptrdiff_t>(number) * rows();
   for (int first = 0; first < used; first += RowFft::most_rows)
     rows_.forward(field + first * nx, std::min(RowFft::most_rows, used - first), out + first,
                   layout(planes_of_group * groups(grid_.nz)), scratch.row_work);
 }
 
-void MirroredFft::columns_forward(const ComplexLanes* rows_in, int block, int group, int layers, ComplexLanes* spectrum,
+void MirroredFft::columns_forward(const ComplexLanes* in, int block, int group, int layers, ComplexLanes* spectrum,
                                   int pitch, Scratch& scratch) const
 {
   const int ny = grid_.surface.ny;
@@ -178,22 +178,22 @@ void MirroredFft::columns_forward(const ComplexLanes* rows_in, int block, int gr
   {
     const int number = planes_of_group * group + place;
     const Plane parts = plane(number, layers);
-    const ComplexLanes* in = rows_in + (block * planes + number) * rows();
+    const ComplexLanes* series = in + (block * planes + number) * rows();
     if (parts.is_empty())
       continue;
     if (!parts.is_shared)
     {
-      columns_.forward(in, ny, scratch.spectrum.data(), scratch.column_work.data());
+      columns_.forward(series, ny, scratch.spectrum.data(), scratch.column_work.data());
       split(scratch.spectrum.data(), spectrum_of(parts.first), spectrum_of(parts.second));
       continue;
     }
     for (const auto& part : {parts.first, parts.second})
     {
       for (std::ptrdiff_t j = 0; part.is_there() && j < half_; ++j)
-        scratch.series[static_cast<std::size_t>(j)] = scratch.series[static_cast<std::size_t>(ny - 1 - j)] = in[j];
+        scratch.series[static_cast<std::size_t>(j)] = scratch.series[static_cast<std::size_t>(ny - 1 - j)] = series[j];
       if (part.is_there())
         columns_.forward(scratch.series.data(), ny, spectrum_of(part), scratch.column_work.data());
-      in += half_;
+      series += half_;
     }
   }
 }

@@ -49,7 +49,7 @@ public:
     [[nodiscard]] bool is_empty() const { return !first.is_there(); }
   };
   /// @param layers  of the field that are wanted
-  [[nodiscard]] static Plane plane(int plane, int layers);
+  [[nodiscard]] static Plane plane(int number, int layers);
 
   struct Scratch
   {
@@ -62,17 +62,18 @@ public:
   [[nodiscard]] Scratch make_scratch() const;
 
   /// Along x: one plane of a field of deviators.
-  void rows_forward(const double* deviators, int plane, int layers, ComplexLanes* rows, Scratch& scratch) const;
+  /// @param out  rows of all planes
+  void rows_forward(const double* deviators, int number, int layers, ComplexLanes* out, Scratch& scratch) const;
   /// Along y: the planes of one group in one block to the spectrum of the block at the wavenumbers >= 0,
   /// [layer][component][pitch].
-  void columns_forward(const ComplexLanes* rows, int block, int group, int layers, ComplexLanes* spectrum, int pitch,
+  void columns_forward(const ComplexLanes* in, int block, int group, int layers, ComplexLanes* spectrum, int pitch,
                        Scratch& scratch) const;
   /// The way back along y: the parts of a plane at the wavenumbers >= 0 in one block to its rows in the scratch.
   /// @param second  nullptr if there is none
-  void columns_inverse(const Plane& plane, const ComplexLanes* first, const ComplexLanes* second, int block,
+  void columns_inverse(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, int block,
                        Scratch& scratch) const;
   /// The way back along x: from the rows in the scratch to the told rows of the parts.
-  void rows_inverse(const Plane& plane, double* deviators, Scratch& scratch) const;
+  void rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const;
 
   /// The spectrum of one even or odd field at its wavenumbers < 0 along y, from those >= 0.
   void complete(bool is_odd, ComplexLanes* spectrum) const;

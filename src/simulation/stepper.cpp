@@ -113,7 +113,7 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
       elastoplastic::Textures{textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin()),
                               textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin())},
-      plan_.reference, setup_.sliding);
+      plan_.reference, setup_.sliding, plan_.symmetry);
 }
 
 void Stepper::exchange(Archive& archive)
