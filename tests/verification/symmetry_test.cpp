@@ -184,6 +184,34 @@ TEST(Symmetry, GrowingGrids)
   EXPECT_FALSE(summary.grid_changes.empty());
 }
 
+/// The state is that of whole bodies: a run stored with one position of the switch goes on with the other.
+TEST(Symmetry, ResumesAcrossTheSwitch)
+{
+  simulation::TuggingCase t = small_case(4.0);
+  t.upper = {ball(0.7), kinematic_material()};
+  t.friction.coefficient = 0.1;
+  t.solver.anderson_depth = 0;
+  t.solver.max_evaluations = 5000;
+  for (const bool first : {true, false})
+  {
+    t.solver.symmetry = first;
+    const auto whole = computed(t);
+    simulation::Run<simulation::TuggingCase> begun(t);
+    for (std::size_t step = 0; 2 * step < whole.history.size(); ++step)
+      static_cast<void>(begun.step());
+    EXPECT_GT(begun.summary().max_equivalent_plastic_strain, 0.0);
+    const Archive::Fields stored = begun.checkpoint();
+    t.solver.symmetry = !first;
+    const auto resumed = simulation::run(t, {}, &stored);
+    double pressure = 0.0;
+    for (const simulation::StepRecord& r : whole.history)
+      pressure = std::max(pressure, r.max_pressure);
+    EXPECT_LE(difference(resumed.final_state, whole.summary.final_state, pressure), 1e-11);
+    EXPECT_NEAR(resumed.peak_F_X, whole.summary.peak_F_X, 1e-11 * whole.summary.peak_F_X);
+    EXPECT_NEAR(resumed.work, whole.summary.work, 1e-11 * whole.summary.work);
+  }
+}
+
 TEST(Symmetry, Indentation)
 {
   const double first = critical().interference;
