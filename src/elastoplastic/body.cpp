@@ -91,22 +91,6 @@ void Body::exchange(Archive& archive)
     take_up_guess();
 }
 
-/// The cells whose q is not their stress.
-void Body::take_up_guess()
-{
-  const std::size_t n = grid().size();
-  guessed_cells_.clear();
-  guessed_q_.clear();
-  for (std::size_t cell = 0; cell < n; ++cell)
-  {
-    const Deviator q = deviator_at(stress_, n, cell);
-    if (q.v == deviator_at(state_.stress, n, cell).v)
-      continue;
-    guessed_cells_.push_back(cell);
-    guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
-  }
-}
-
 void Body::set_softening(std::span<const double> factor)
 {
   if (!factor.empty())
@@ -395,22 +379,6 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   state_.locked_in_energy = locked_in_energy(load);
   keep_guess();
   in_increment_ = false;
-}
-
-/// The q of the cells that are active now.
-void Body::keep_guess()
-{
-  guessed_cells_.clear();
-  guessed_q_.clear();
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    with_copies(a,
-                [&](std::size_t cell, const auto& seen)
-                {
-                  const Deviator q = seen(active_.mapped(a));
-                  store(q, stress_, grid().size(), cell);
-                  guessed_cells_.push_back(cell);
-                  guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
-                });
 }
 
 void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<const double> plastic_strain,
