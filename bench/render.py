@@ -19,6 +19,7 @@ END = "<!-- measured: end -->"
 QUESTIONS = {
     "tugging_paper": "The paper's case, all in all",
     "residual_stress": "One residual-stress evaluation, on 45 x 13 x 31 cells refined 1, 2 and 4 times",
+    "symmetric_residual_stress": "The same where both sides of y = 0 are mirror images: half of each field",
     "residual_stress_of_powers": "One residual-stress evaluation on powers of two, which strain the caches",
     "planning": "Planning a body's operators, on 45 x 13 x 31 cells refined 1 and 2 times",
     "contact_solution": "One elastic contact, from nothing (`warm:0`) and from the pressure before it (`warm:1`)",

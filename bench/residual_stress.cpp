@@ -64,7 +64,7 @@ void transform_all(const BlockedFft& fft, const BlockedFft& of_plane, const std:
   }
 }
 
-void evaluate(benchmark::State& state, const VolumeGrid& grid)
+void evaluate(benchmark::State& state, const VolumeGrid& grid, Symmetry symmetry = Symmetry::none)
 {
   using Clock = std::chrono::steady_clock;
   const double before = resident_bytes();
@@ -88,7 +88,8 @@ void evaluate(benchmark::State& state, const VolumeGrid& grid)
   for (auto _ : state)
   {
     const auto begin = Clock::now();
-    const halfspace::HalfSpace::Loaded loaded = half_space.load(strain, grid.nz, work);
+    const halfspace::HalfSpace::Loaded loaded =
+        half_space.load(strain, grid.nz, work, halfspace::Displacements::normal, symmetry);
     loaded.displacement({.z = displacement});
     loaded.stress({.pressure = pressure}, stress);
     const auto end = Clock::now();
@@ -118,6 +119,13 @@ BENCHMARK(residual_stress)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->Complexity(benchmark::oNLogN);
+
+/// Of a body whose two sides are mirror images: half of it is read and written.
+void symmetric_residual_stress(benchmark::State& state)
+{
+  evaluate(state, refined_grid(static_cast<int>(state.range(0))), Symmetry::in_y);
+}
+BENCHMARK(symmetric_residual_stress)->Arg(1)->Arg(2)->Arg(4)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 /// Powers of two in every direction: strides that fall into few sets of the caches.
 void residual_stress_of_powers(benchmark::State& state)

@@ -119,6 +119,7 @@ class Solver(_Table):
         anderson_depth: earlier iterates used to accelerate the iteration; 0: plain fixed point.
         integration: of the plastic strain in a step.
         mirror: whether bodies that are mirror images are solved once.
+        symmetry: whether one side of the plane y = 0 is solved where both are the same.
         shortcuts: whether the stress is computed only in the layers near yield within an increment.
     """
 
@@ -130,6 +131,7 @@ class Solver(_Table):
     anderson_depth: int | None = None
     integration: Literal["path", "backward_euler"] | None = None
     mirror: bool | None = None
+    symmetry: bool | None = None
     shortcuts: bool | None = None
 
 

@@ -15,6 +15,14 @@ auto as_vector(const std::vector<double>& v)
   return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
 }
 
+double product(const std::vector<double>& a, const std::vector<double>& b, std::span<const double> weights)
+{
+  if (weights.empty())
+    return as_vector(a).dot(as_vector(b));
+  const Eigen::Map<const Eigen::VectorXd> w(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  return as_vector(a).cwiseProduct(w).dot(as_vector(b));
+}
+
 } // namespace
 
 Anderson::Anderson(int depth)
@@ -22,10 +30,10 @@ Anderson::Anderson(int depth)
 {
 }
 
-void Anderson::advance(std::span<double> x, std::span<const double> g)
+void Anderson::advance(std::span<double> x, std::span<const double> g, std::span<const double> weights)
 {
   if (depth_ > 0)
-    remember(x, g);
+    remember(x, g, weights);
   std::copy(g.begin(), g.end(), x.begin());
   const std::size_t used = std::min(count_, depth_);
   if (depth_ > 0)
@@ -39,7 +47,7 @@ void Anderson::advance(std::span<double> x, std::span<const double> g)
   for (std::size_t a = 0; a < used; ++a)
   {
     const auto row = static_cast<Eigen::Index>(a);
-    right(row) = as_vector(df_[a]).dot(as_vector(previous_f_));
+    right(row) = product(df_[a], previous_f_, weights);
     for (std::size_t b = 0; b < used; ++b)
       gram(row, static_cast<Eigen::Index>(b)) = gram_[a * depth_ + b];
   }
@@ -57,7 +65,7 @@ void Anderson::advance(std::span<double> x, std::span<const double> g)
 }
 
 /// Adds the differences to the last evaluation to the history, and makes this evaluation the last.
-void Anderson::remember(std::span<const double> x, std::span<const double> g)
+void Anderson::remember(std::span<const double> x, std::span<const double> g, std::span<const double> weights)
 {
   const std::size_t size = x.size();
   for (std::size_t i = previous_g_.size(); i < size; ++i)
@@ -83,7 +91,7 @@ void Anderson::remember(std::span<const double> x, std::span<const double> g)
     previous_f_[i] = f;
   }
   for (std::size_t d = 0; d < std::min(count_, depth_); ++d)
-    gram_[slot * depth_ + d] = gram_[d * depth_ + slot] = as_vector(df_[slot]).dot(as_vector(df_[d]));
+    gram_[slot * depth_ + d] = gram_[d * depth_ + slot] = product(df_[slot], df_[d], weights);
 }
 
 } // namespace brinell::elastoplastic

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
+#include "with_copies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +41,10 @@ void BodyState::exchange(Archive& archive)
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-           const constitutive::Material& material, bool shortcuts, halfspace::Displacements displacements)
-    : grid_(grid), material_(material), half_space_(std::move(half_space)), shortcuts_(shortcuts), layers_(grid_.nz),
-      displacement_(grid_.surface.size(), 0.0)
+           const constitutive::Material& material, bool shortcuts, halfspace::Displacements displacements,
+           Symmetry symmetry)
+    : grid_(grid), material_(material), half_space_(std::move(half_space)), shortcuts_(shortcuts), symmetry_(symmetry),
+      layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
 {
   const std::size_t n = grid_.size();
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
@@ -62,7 +64,7 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
     yield_factor_.push_back(material.yield_factor.at(depth, 1.0));
     initial_stress_.push_back(material.initial_stress.at(depth, 0.0));
   }
-  add_initial_stress(grid_.nz, state_.stress);
+  add_initial_stress(grid_.nz, grid_.surface.ny, state_.stress);
 }
 
 /// A body that is rigid or stays elastic never has a trial of its own.
@@ -87,22 +89,6 @@ void Body::exchange(Archive& archive)
   thermal_stress_ = state_.thermal_stress;
   if (archive.gives())
     take_up_guess();
-}
-
-/// The cells whose q is not their stress.
-void Body::take_up_guess()
-{
-  const std::size_t n = grid().size();
-  guessed_cells_.clear();
-  guessed_q_.clear();
-  for (std::size_t cell = 0; cell < n; ++cell)
-  {
-    const Deviator q = deviator_at(stress_, n, cell);
-    if (q.v == deviator_at(state_.stress, n, cell).v)
-      continue;
-    guessed_cells_.push_back(cell);
-    guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
-  }
 }
 
 void Body::set_softening(std::span<const double> factor)
@@ -142,7 +128,8 @@ void Body::restore()
   in_increment_ = false;
   const std::size_t n = grid().size();
   for (std::size_t a = 0; a < active_.size(); ++a)
-    store(active_.start(a), state_.plastic_strain, n, active_.cell(a));
+    with_copies(a, [&](std::size_t cell, const auto& seen)
+                { store(seen(active_.start(a)), state_.plastic_strain, n, cell); });
   stress_ = state_.stress;
   for (std::size_t a = 0; a < guessed_cells_.size(); ++a)
     for (std::size_t c = 0; c < Deviator::size; ++c)
@@ -154,16 +141,19 @@ void Body::compute_all_layers()
   layers_ = grid().nz;
 }
 
-/// The deviator of xx = yy = sigma, zz = 0, in the layers [0, layers).
-void Body::add_initial_stress(int layers, std::span<double> stress) const
+/// The deviator of xx = yy = sigma, zz = 0.
+void Body::add_initial_stress(int layers, int rows, std::span<double> stress) const
 {
   if (material_.initial_stress.empty())
     return;
   const std::size_t n = grid().size();
-  const std::size_t per_layer = grid().surface.size();
-  for (std::size_t cell = 0; cell < static_cast<std::size_t>(layers) * per_layer; ++cell)
+  for (int layer = 0; layer < layers; ++layer)
     for (const std::size_t component : {Deviator::xx, Deviator::yy})
-      stress[component * n + cell] += initial_stress_[cell / per_layer] / 3.0;
+    {
+      const std::size_t first = component * n + grid().index(0, 0, layer);
+      for (std::size_t cell = first; cell < first + grid().surface.index(0, rows); ++cell)
+        stress[cell] += initial_stress_[static_cast<std::size_t>(layer)] / 3.0;
+    }
 }
 
 void Body::set_thermal_stress(std::span<const double> deviator)
@@ -172,15 +162,18 @@ void Body::set_thermal_stress(std::span<const double> deviator)
     thermal_stress_.assign(deviator.begin(), deviator.end());
 }
 
-void Body::add_thermal_stress(int layers, std::span<double> stress) const
+void Body::add_thermal_stress(int layers, int rows, std::span<double> stress) const
 {
   if (thermal_stress_.empty())
     return;
   const std::size_t n = grid().size();
-  const std::size_t cells = static_cast<std::size_t>(layers) * grid().surface.size();
   for (std::size_t component = 0; component < Deviator::size; ++component)
-    for (std::size_t cell = component * n; cell < component * n + cells; ++cell)
-      stress[cell] += thermal_stress_[cell];
+    for (int layer = 0; layer < layers; ++layer)
+    {
+      const std::size_t first = component * n + grid().index(0, 0, layer);
+      for (std::size_t cell = first; cell < first + grid().surface.index(0, rows); ++cell)
+        stress[cell] += thermal_stress_[cell];
+    }
 }
 
 Deviator Body::backstress(std::size_t cell, std::size_t term) const
@@ -233,7 +226,7 @@ void Body::integrate(Integration integration)
         }
       },
       *material_.hardening);
-  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, found_at_once()));
+  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, found_at_once(), symmetry_));
   loaded_->displacement(displacements_found_at_once());
 }
 
@@ -243,8 +236,9 @@ bool Body::update(const halfspace::SurfaceLoad& load)
     return false;
   const std::size_t n = grid().size();
   loaded_->stress(load, stress_);
-  add_initial_stress(layers_, stress_);
-  add_thermal_stress(layers_, stress_);
+  const int rows = told_rows(grid().surface, symmetry_);
+  add_initial_stress(layers_, rows, stress_);
+  add_thermal_stress(layers_, rows, stress_);
   std::visit(
       [&](const auto& law)
       {
@@ -343,7 +337,7 @@ double Body::thermal_work_of_trial() const
     Deviator mean = 0.5 * deviator_at(thermal_stress_, n, cell);
     if (!state_.thermal_stress.empty())
       mean = mean + 0.5 * deviator_at(state_.thermal_stress, n, cell);
-    work += contract(mean, deviator_at(state_.plastic_strain, n, cell) - active_.start(a));
+    work += copies(a) * contract(mean, deviator_at(state_.plastic_strain, n, cell) - active_.start(a));
   }
   return work * grid().cell_volume();
 }
@@ -354,7 +348,7 @@ double Body::energy(const halfspace::SurfaceLoad& load) const
     return 0.0;
   double dissipation = 0.0;
   for (std::size_t a = 0; a < active_.size(); ++a)
-    dissipation += active_.dissipation(a);
+    dissipation += copies(a) * active_.dissipation(a);
   const double of_heat = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
   return dissipation * grid().cell_volume() + locked_in_energy(load) - of_heat;
 }
@@ -366,13 +360,15 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   const std::size_t n = grid().size();
   for (std::size_t a = 0; a < active_.size(); ++a)
   {
-    state_.equivalent[active_.cell(a)] += active_.equivalent(a);
-    state_.dissipation += active_.dissipation(a) * grid().cell_volume();
-    if (active_.equivalent(a) > 0.0)
-      for (std::size_t term = 0; term < material_.kinematic.size(); ++term)
-        for (int c = 0; c < Deviator::size; ++c)
-          state_.backstress[(term * Deviator::size + static_cast<std::size_t>(c)) * n + active_.cell(a)] =
-              active_.backstress(a)[term][c];
+    state_.dissipation += copies(a) * active_.dissipation(a) * grid().cell_volume();
+    with_copies(a,
+                [&](std::size_t cell, const auto& seen)
+                {
+                  state_.equivalent[cell] += active_.equivalent(a);
+                  for (std::size_t term = 0; active_.equivalent(a) > 0.0 && term < material_.kinematic.size(); ++term)
+                    store(seen(active_.backstress(a)[term]),
+                          std::span(state_.backstress).subspan(term * Deviator::size * n, Deviator::size * n), n, cell);
+                });
   }
   state_.thermal_work += thermal_work_of_trial();
   state_.thermal_stress = thermal_stress_;
@@ -381,10 +377,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   state_.residual_displacement_x = displacement_x_;
   state_.residual_displacement_y = displacement_y_;
   state_.locked_in_energy = locked_in_energy(load);
-  guessed_cells_ = active_.cells();
-  guessed_q_ = active_.mapped();
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    store(active_.mapped(a), stress_, n, active_.cell(a));
+  keep_guess();
   in_increment_ = false;
 }
 
@@ -394,7 +387,7 @@ void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<const doubl
   if (work_.empty())
     work_ = half_space_->make_work();
   half_space_->full_stress(load, plastic_strain, work_, deviator, trace);
-  add_initial_stress(grid().nz, deviator);
+  add_initial_stress(grid().nz, grid().surface.ny, deviator);
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * initial_stress_[i / grid().surface.size()];
   if (!is_plastic())

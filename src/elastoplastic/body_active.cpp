@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
+#include "with_copies.hpp"
 
 #include <algorithm>
 
@@ -54,7 +55,7 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
   // No law softens by strain: what lies within the first yield surface needs no look at its own, unless that has moved.
   const double initial = square(fraction * law.yield_stress_at(0.0));
   std::vector<double> squares(last - first);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(s.ny); ++j)
+  for (std::size_t j = 0; j < static_cast<std::size_t>(told_rows(s, symmetry_)); ++j)
   {
     const std::size_t row = layer * s.size() + j * static_cast<std::size_t>(s.nx);
     const std::ptrdiff_t carried = static_cast<std::ptrdiff_t>(row + first) - shift;
@@ -100,6 +101,38 @@ void Body::collect_active(const std::vector<double>& q_field, int shift, double 
       const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
       active_.add(cell, q, deviator_at(state_.plastic_strain, n, cell));
     }
+}
+
+/// The cells whose q is not their stress.
+void Body::take_up_guess()
+{
+  const std::size_t n = grid().size();
+  guessed_cells_.clear();
+  guessed_q_.clear();
+  for (std::size_t cell = 0; cell < n; ++cell)
+  {
+    const Deviator q = deviator_at(stress_, n, cell);
+    if (q.v == deviator_at(state_.stress, n, cell).v)
+      continue;
+    guessed_cells_.push_back(cell);
+    guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
+  }
+}
+
+/// The q of the cells that are active now.
+void Body::keep_guess()
+{
+  guessed_cells_.clear();
+  guessed_q_.clear();
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    with_copies(a,
+                [&](std::size_t cell, const auto& seen)
+                {
+                  const Deviator q = seen(active_.mapped(a));
+                  store(q, stress_, grid().size(), cell);
+                  guessed_cells_.push_back(cell);
+                  guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
+                });
 }
 
 } // namespace brinell::elastoplastic

@@ -58,7 +58,8 @@ bool Body::may_yield_beneath() const
   if (weakest >= yield_factor_[last] && added == 0.0)
     return false; // the last layer is the first to yield
   const double yield = weakest * constitutive::initial_yield_stress(*material_.hardening);
-  for (std::size_t cell = last * grid().surface.size(); cell < n; ++cell)
+  const std::size_t first = last * grid().surface.size();
+  for (std::size_t cell = first; cell < first + told_cells(); ++cell)
     if (von_mises(deviator_at(stress_, n, cell) - centre(cell)) > softening(cell) * yield - added)
       return true;
   return false;

@@ -48,8 +48,8 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
       half_space_->load(state_.plastic_strain, grid().nz, work_, found_at_once());
   loaded.displacement(displacements_found_at_once());
   loaded.stress(load, stress_);
-  add_initial_stress(grid().nz, stress_);
-  add_thermal_stress(grid().nz, stress_);
+  add_initial_stress(grid().nz, grid().surface.ny, stress_);
+  add_thermal_stress(grid().nz, grid().surface.ny, stress_);
   state_.stress = stress_;
   state_.residual_displacement = displacement_;
   state_.residual_displacement_x = displacement_x_;

@@ -30,7 +30,7 @@ void Body::find_displacement_x()
   if (work_.empty())
     work_ = half_space_->make_work();
   loaded_.reset();
-  half_space_->load(state_.plastic_strain, 0, work_, halfspace::Displacements::along_x)
+  half_space_->load(state_.plastic_strain, 0, work_, halfspace::Displacements::along_x, symmetry_)
       .displacement({.x = displacement_x_});
 }
 

@@ -45,10 +45,11 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures, double reference,
-                               const Sliding& sliding)
+                               const Sliding& sliding, Symmetry symmetry)
     : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic), reference),
       contact_(compliance_), textures_(std::move(textures)), scales_(scales), settings_(settings), twin_(twin),
-      pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0), distance_(contact.size(), 0.0)
+      symmetry_(sliding.sticks ? Symmetry::none : symmetry), pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0),
+      distance_(contact.size(), 0.0)
 {
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
     if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy || s.boundary_x != contact.boundary_x ||
@@ -75,10 +76,11 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     wear_ = std::make_unique<Wear>(contact, lower.surface, upper.surface, sliding.wear);
   const auto half_space = operators(lower, lower_material.elastic);
   const halfspace::Displacements displacements = displacements_under(interface_.get());
-  sides_.push_back({Body(lower, half_space, lower_material, settings.shortcuts, displacements), &Placement::lower});
+  sides_.push_back(
+      {Body(lower, half_space, lower_material, settings.shortcuts, displacements, symmetry_), &Placement::lower});
   if (twin == Twin::none)
     sides_.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
-                                   upper_material, settings.shortcuts, displacements),
+                                   upper_material, settings.shortcuts, displacements, symmetry_),
                       .place = &Placement::upper,
                       .shear_sign = -1.0});
 }
@@ -261,6 +263,9 @@ void CoupledContact::press(const contact::Drive& drive, const Strategy& strategy
   const contact::Report contact =
       contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_,
                      strategy.wants_stop, wear_ ? wear_->compliance() : std::span<const double>{});
+  if (symmetry_ != Symmetry::none) // rounding shall not grow from step to step
+    for (std::vector<double>* field : {&pressure_, &gap_})
+      complete_in_y(grid(), 1.0, field->data(), field->size());
   report.contact_iterations += contact.iterations;
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;
@@ -402,7 +407,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     if (strategy.watch_energy)
     {
       for (Side& side : sides_)
-        side.body.find_displacement_x();
+        side.body.complete_trial();
       const double now = energy(imposed_approach(drive, report.approach));
       constexpr double rounding = 1e-10;
       report.energy_rose =
@@ -417,7 +422,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       break;
     unknowns.grow(sides_);
     unknowns.pack(sides_, x, g);
-    anderson.advance(x, g);
+    anderson.advance(x, g, unknowns.weights());
     unknowns.unpack(x, sides_);
   }
   return report;
@@ -455,7 +460,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.leaves_grid; }))
     throw GridError("the contact has reached the end of a material grid");
   for (Side& side : sides_)
-    side.body.find_displacement_x();
+    side.body.complete_trial();
   report.energy = energy(imposed_approach(drive, report.approach));
   for (Side& side : sides_)
     side.body.commit(side.load());

@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -23,6 +24,9 @@ concept Participant = requires(Part& part, const Part& fixed)
   {
     fixed.mapped()
     } -> std::same_as<const std::vector<double>&>;
+  {
+    fixed.copies_of_unknown(std::size_t{})
+    } -> std::same_as<int>; ///< its weight in products
 };
 static_assert(Participant<Body>);
 
@@ -37,9 +41,18 @@ public:
     places_.resize(sides.size());
     for (std::size_t part = 0; part < sides.size(); ++part)
       while (places_[part].size() < sides[part].body.unknowns())
+      {
+        weights_.push_back(sides[part].body.copies_of_unknown(places_[part].size()));
+        is_weighted_ = is_weighted_ || weights_.back() != weights_.front();
         places_[part].push_back(size_++);
+      }
   }
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// For products; empty if all are the same.
+  [[nodiscard]] std::span<const double> weights() const
+  {
+    return is_weighted_ ? std::span<const double>(weights_) : std::span<const double>();
+  }
 
   /// Trials to x, and what they are mapped to, to g.
   template <typename Sides>
@@ -71,6 +84,8 @@ public:
 
 private:
   std::vector<std::vector<std::size_t>> places_; ///< in the common vector: [participant][its unknown]
+  std::vector<double> weights_;
+  bool is_weighted_ = false;
   std::size_t size_ = 0;
 };
 

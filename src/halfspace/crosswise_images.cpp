@@ -177,8 +177,9 @@ void CrosswiseImages::take(const Columns& strain, int component, int layer, Resp
       .noalias() = along_.transpose() * strain;
 }
 
-void CrosswiseImages::respond(int layers, Response& response) const
+void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry) const
 {
+  const int parities = along_x_ && symmetry != Symmetry::none ? 1 : 2; // across the grid
   for (int e = 0; e < strains; ++e)
   {
     const ConstPlane of_layers(response.of_layers.data() + static_cast<std::ptrdiff_t>(e * grid_.nz * block()), block(),
@@ -188,11 +189,11 @@ void CrosswiseImages::respond(int layers, Response& response) const
   }
 #pragma omp parallel for schedule(static)
   for (int wave = 0; wave < waves_; ++wave)
-    multiply(wave, response);
+    multiply(wave, response, parities);
 }
 
 /// Moments of the strain for one wave -> coefficients of the stress, for u and v (see `couple`).
-void CrosswiseImages::multiply(int wave, Response& response) const
+void CrosswiseImages::multiply(int wave, Response& response, int parities) const
 {
   const MomentCoupling& coupling = coupling_[static_cast<std::size_t>(wave)];
   const std::span<double> sorted =
@@ -210,7 +211,7 @@ void CrosswiseImages::multiply(int wave, Response& response) const
     { return is_v && odd_along()[static_cast<std::size_t>(moment / (depth_.count * powers))] != 0 ? -1.0 : 1.0; };
     for (std::size_t i = 0; i < in.size(); ++i)
       in[i] = sign(coupling.columns()[i]) * response.moments[place(coupling.columns()[i])];
-    coupling.multiply(in.data(), out.data());
+    coupling.multiply(in.data(), out.data(), parities);
     for (std::size_t i = 0; i < out.size(); ++i)
       response.stress[place(coupling.rows()[i])] = sign(coupling.rows()[i]) * out[i];
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "halfspace/image_samples.hpp"
 #include "halfspace/moment_coupling.hpp"
@@ -44,7 +45,7 @@ public:
 
   /// As in ImageCorrection.
   void take(const Columns& strain, int component, int layer, Response& response) const;
-  void respond(int layers, Response& response) const;
+  void respond(int layers, Response& response, Symmetry symmetry) const;
   /// The stress of the images as a polynomial across the grid.
   [[nodiscard]] Columns stress(const Response& response, int component, int layer) const;
 
@@ -55,7 +56,7 @@ private:
   [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
   void couple(int c, int e, const std::vector<images::Powers>& terms, const std::vector<Eigen::MatrixXd>& values,
               MomentCoupling& coupling) const;
-  void multiply(int wave, Response& response) const;
+  void multiply(int wave, Response& response, int parities) const;
   [[nodiscard]] std::size_t sorted_size() const; ///< of one wave
   [[nodiscard]] const std::array<int, images::stresses>& odd_along() const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_across() const;

@@ -42,13 +42,14 @@ HalfSpace::Work HalfSpace::make_work() const
 }
 
 HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int layers, Work& work,
-                                  Displacements displacements) const
+                                  Displacements displacements, Symmetry symmetry) const
 {
   require_size("HalfSpace::load: the plastic strain", plastic_strain, Deviator::size * grid().size());
   if (layers < 0 || layers > grid().nz)
     throw InternalError(fmt::format("HalfSpace::load: {} layers are wanted, the grid has {}", layers, grid().nz));
   if (work.empty())
     throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
+  work.buffers_->symmetry = symmetry;
   operators_->load_strain(plastic_strain, layers, displacements, *work.buffers_, nullptr);
   return {*operators_, plastic_strain, *work.buffers_};
 }
@@ -86,7 +87,10 @@ void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviat
   require_size("HalfSpace::Loaded::stress: the stress", deviator, Deviator::size * op.grid.size());
   require_current("HalfSpace::Loaded::stress");
   op.load_surface(load, *buffers_);
-  op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
+  if (buffers_->symmetry == Symmetry::none)
+    op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
+  else
+    op.add_load_and_invert_mirrored(load, plastic_strain_, *buffers_, deviator);
 }
 
 void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
@@ -103,6 +107,7 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
   Work::Buffers& buffers = *work.buffers_;
   const BlockedFft& fft = op.trace_fft;
   AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
+  buffers.symmetry = Symmetry::none;
   op.load_strain(plastic_strain, grid.nz, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int layers_of_a_part = 2; ///< enough for all threads to have some, few enough for the parts to be small
+static_assert(layers_of_a_part == MirroredFft::layers_of_group);
 
 int parts_for(int layers)
 {
@@ -28,7 +29,8 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constan
       surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
-      eigenstrain_stress(volume, constants, surface_fft), image_correction(volume, constants, surface_fft)
+      mirrored_fft(volume, surface_fft.px(), surface_fft.py()), eigenstrain_stress(volume, constants, surface_fft),
+      image_correction(volume, constants, surface_fft)
 {
   static_cast<void>(kernels_of({true, false, false}));
 }
@@ -54,8 +56,8 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   auto work = std::make_unique<Work::Buffers>();
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
     work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
-                             AlignedVector<ComplexLanes>(surface_fft.rows_size())});
-  work->rows.resize(volume_fft.rows_size());
+                             AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
+  work->rows.resize(std::max(volume_fft.rows_size(), mirrored_fft.rows_size()));
   work->strain.resize(volume_fft.block_size());
   work->stress.resize(volume_fft.block_size() * blocks);
   work->displacement_parts.resize(static_cast<std::size_t>(part_at(parts_for(grid.nz), 0)));
@@ -65,13 +67,14 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   return work;
 }
 
-int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain) const
+int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const
 {
+  const auto told = static_cast<std::size_t>(grid.surface.nx * told_rows(grid.surface, symmetry));
   const auto has_strain = [&](int layer)
   {
     for (int c = 0; c < Deviator::size; ++c)
     {
-      const auto field = plastic_strain.subspan(field_at(c, layer), grid.surface.size());
+      const auto field = plastic_strain.subspan(field_at(c, layer), told);
       if (std::any_of(field.begin(), field.end(), [](double e) { return e != 0.0; }))
         return true;
     }
@@ -86,7 +89,7 @@ int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain
 void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements,
                                        Work::Buffers& work, ComplexLanes* trace) const
 {
-  const int strained = strained_layers(plastic_strain);
+  const int strained = strained_layers(plastic_strain, work.symmetry);
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.displacements = displacements;
@@ -96,7 +99,6 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     work.displacement_rows[t].resize(work.displacement_rows.front().size());
   }
   ++work.number;
-  const int planes = Deviator::size * strained;
   const auto threads = static_cast<int>(work.threads.size());
   const int rows = volume_fft.py() / 2 + 1;
   const int parts = parts_for(strained);
@@ -104,12 +106,12 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
 #pragma omp parallel num_threads(threads)
   {
     Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())];
-    transform_strain(plastic_strain, planes, work, scratch.fft);
+    transform_strain(plastic_strain, strained, work, scratch);
     for (int block = 0; block < volume_fft.blocks(); ++block)
     {
 #pragma omp for schedule(static)
       for (int part = 0; part < parts; ++part)
-        transform_layers(block, part, strained, kernels, work, scratch.fft);
+        transform_layers(block, part, strained, kernels, work, scratch);
       const EigenstrainStress::Spectra spectra{work.strain.data(), strained,
                                                work.stress.data() + volume_fft.plane_at(block, 0), layers,
                                                trace == nullptr ? nullptr : trace + trace_fft.plane_at(block, 0)};
@@ -117,7 +119,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
       for (int first = 0; first < rows; first += SpectrumRows::most)
       {
         const SpectrumRows own{first, std::min(SpectrumRows::most, rows - first)};
-        for (const SpectrumRows& tile : {own, mirrored(own)})
+        for (const SpectrumRows& tile : {own, work.symmetry == Symmetry::none ? mirrored(own) : SpectrumRows{}})
         {
           eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
           sum_displacement(block, tile, parts, kernels, work);
@@ -127,24 +129,30 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft.blocks(); ++block)
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-        surface_fft.columns_inverse(work.surface[t].data() + surface_fft.plane_at(block, 0), block, 0,
-                                    work.displacement_rows[t].data(), scratch.fft);
+      {
+        ComplexLanes* spectrum = work.surface[t].data() + surface_fft.plane_at(block, 0);
+        if (work.symmetry != Symmetry::none)
+          mirrored_fft.complete(tractions[t] == Traction::shear_y, spectrum);
+        surface_fft.columns_inverse(spectrum, block, 0, work.displacement_rows[t].data(), scratch.fft);
+      }
   }
-  image_correction.respond(strained, work.images);
+  image_correction.respond(strained, work.images, work.symmetry);
 }
 
 /// Along x, and what else is to be taken from each plane. To be called by all threads.
-void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int planes, Work::Buffers& work,
-                                            BlockedFft::Scratch& scratch) const
+void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
+                                            Work::Buffers::Scratch& scratch) const
 {
+  if (work.symmetry != Symmetry::none)
+    return transform_strain_mirrored(plastic_strain, layers, work, scratch.mirrored);
 #pragma omp for schedule(static)
-  for (int plane = 0; plane < planes; ++plane)
+  for (int plane = 0; plane < Deviator::size * layers; ++plane)
   {
     const int component = plane % Deviator::size;
     const int layer = plane / Deviator::size;
     const double* strain = plastic_strain.data() + field_at(component, layer);
-    image_correction.take(strain, component, layer, work.images);
-    volume_fft.rows_forward(strain, plane, work.rows.data(), scratch);
+    image_correction.take(strain, component, layer, Symmetry::none, work.images);
+    volume_fft.rows_forward(strain, plane, work.rows.data(), scratch.fft);
   }
 }
 
@@ -160,8 +168,12 @@ SpectrumRows HalfSpace::Operators::mirrored(const SpectrumRows& rows) const
 /// Along y, and to the displacement of the surface while a plane is in the cache.
 void HalfSpace::Operators::transform_layers(int block, int part, int layers,
                                             const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
-                                            BlockedFft::Scratch& scratch) const
+                                            Work::Buffers::Scratch& scratch) const
 {
+  const bool is_mirrored = work.symmetry != Symmetry::none;
+  if (is_mirrored)
+    mirrored_fft.columns_forward(work.rows.data(), block, part, layers, work.strain.data(), volume_fft.pitch(),
+                                 scratch.mirrored);
   ComplexLanes* sums = work.displacement_parts.data() + part_at(part, 0);
   std::fill_n(sums, part_at(1, 0), ComplexLanes{});
   for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
@@ -169,9 +181,11 @@ void HalfSpace::Operators::transform_layers(int block, int part, int layers,
     {
       const int plane = Deviator::size * layer + component;
       ComplexLanes* strain = work.strain.data() + volume_fft.plane_at(0, plane);
-      volume_fft.columns_forward(work.rows.data(), block, plane, strain, scratch);
+      if (!is_mirrored)
+        volume_fft.columns_forward(work.rows.data(), block, plane, strain, scratch.fft);
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-        kernels[t]->add_displacement(block, component, layer, strain, sums + part_at(0, t));
+        kernels[t]->add_displacement(block, component, layer, spectrum_rows(work.symmetry), strain,
+                                     sums + part_at(0, t));
     }
 }
 
@@ -235,7 +249,8 @@ void HalfSpace::Operators::invert_plane(int component, int layer, const OfTracti
       if (kernels[t] != nullptr)
       {
         ComplexLanes* sum = scratch.fft.column.data();
-        kernels[t]->add(block, component, layer, work.surface[t].data() + surface_fft.plane_at(block, 0), column, sum);
+        kernels[t]->add(block, component, layer, fft.py(), work.surface[t].data() + surface_fft.plane_at(block, 0),
+                        column, sum);
         column = sum;
       }
     surface_fft.columns_inverse(column, block, 0, scratch.rows.data(), scratch.fft);
@@ -250,8 +265,9 @@ void HalfSpace::Operators::finish(int component, int layer, std::span<const doub
   std::array<const double*, Deviator::size> strain{};
   for (int c = 0; c < Deviator::size; ++c)
     strain[static_cast<std::size_t>(c)] = plastic_strain.data() + field_at(c, layer);
-  eigenstrain_stress.add_local(component, strain, grid.surface.size(), field);
-  image_correction.subtract(work.images, component, layer, field);
+  const int told = told_rows(grid.surface, work.symmetry);
+  eigenstrain_stress.add_local(component, strain, static_cast<std::size_t>(told * grid.surface.nx), field);
+  image_correction.subtract(work.images, component, layer, work.symmetry, field);
 }
 
 } // namespace brinell::halfspace

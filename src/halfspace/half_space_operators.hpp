@@ -4,6 +4,7 @@
 #include "brinell/halfspace/half_space.hpp"
 #include "eigenstrain_stress.hpp"
 #include "image_correction.hpp"
+#include "mirrored_fft.hpp"
 #include "traction_stress.hpp"
 
 #include <array>
@@ -40,6 +41,7 @@ struct HalfSpace::Work::Buffers
     BlockedFft::Scratch fft;
     EigenstrainStress::Scratch layers;
     AlignedVector<ComplexLanes> rows; ///< of one plane
+    MirroredFft::Scratch mirrored;
   };
   std::vector<Scratch> threads;       ///< one per thread
   AlignedVector<ComplexLanes> rows;   ///< of the strain
@@ -52,6 +54,7 @@ struct HalfSpace::Work::Buffers
   OfTraction<AlignedVector<ComplexLanes>> displacement_rows; ///< of the strain loaded
   OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
   ImageCorrection::Response images;
+  Symmetry symmetry = Symmetry::none;                  ///< of the strain loaded
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
   long number = 0;                                     ///< of the strain loaded
@@ -64,6 +67,7 @@ struct HalfSpace::Operators
   BlockedFft surface_fft; ///< of one plane
   BlockedFft volume_fft;  ///< of a deviator field
   BlockedFft trace_fft;   ///< of a scalar field
+  MirroredFft mirrored_fft;
   EigenstrainStress eigenstrain_stress;
   ImageCorrection image_correction;
 
@@ -80,6 +84,9 @@ struct HalfSpace::Operators
   void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
   void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
                            std::span<double> stress) const;
+  /// The same with symmetry.
+  void add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
+                                    Work::Buffers& work, std::span<double> stress) const;
   /// One component of the stress, or its trace, in one layer: that of the load on the surface comes to the spectra of the
   /// residual stress, given for all blocks, and all goes back to the grid.
   void invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
@@ -93,11 +100,13 @@ struct HalfSpace::Operators
     return static_cast<std::size_t>(component * grid.nz + layer) * grid.surface.size();
   }
   /// Layers from the surface down to the deepest one that holds plastic strain.
-  [[nodiscard]] int strained_layers(std::span<const double> plastic_strain) const;
+  [[nodiscard]] int strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const;
 
 private:
-  void transform_strain(std::span<const double> plastic_strain, int planes, Work::Buffers& work,
-                        BlockedFft::Scratch& scratch) const;
+  void transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
+                        Work::Buffers::Scratch& scratch) const;
+  void transform_strain_mirrored(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
+                                 MirroredFft::Scratch& scratch) const;
   [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
   /// Place of a part in `displacement_parts`.
   [[nodiscard]] std::ptrdiff_t part_at(int part, std::size_t traction) const
@@ -106,7 +115,15 @@ private:
            surface_fft.pitch();
   }
   void transform_layers(int block, int part, int layers, const OfTraction<const TractionStress*>& kernels,
-                        Work::Buffers& work, BlockedFft::Scratch& scratch) const;
+                        Work::Buffers& work, Work::Buffers::Scratch& scratch) const;
+  [[nodiscard]] const ComplexLanes* loaded(int block, const MirroredFft::Part& part,
+                                           const OfTraction<const TractionStress*>& kernels, const Work::Buffers& work,
+                                           ComplexLanes* sum) const;
+  /// Rows of a spectrum that are worked on: with symmetry those of the wavenumbers >= 0.
+  [[nodiscard]] int spectrum_rows(Symmetry symmetry) const
+  {
+    return symmetry == Symmetry::none ? volume_fft.py() : volume_fft.py() / 2 + 1;
+  }
   void sum_displacement(int block, const SpectrumRows& rows, int parts,
                         const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const;
   struct Kernels

@@ -20,6 +20,10 @@ constexpr double pi = std::numbers::pi;
 constexpr int enlargement = 2; ///< each lattice has periods this many times those of the one before
 constexpr int enlargements = 3;
 
+/// Parities of the moments: 1 for what is odd in x, 2 for what is odd in y.
+constexpr int odd_in_x_alone = 1;
+constexpr int odd_in_both = 3;
+
 /// Place of x^a y^b among the monomials.
 int monomial(int a, int b)
 {
@@ -214,17 +218,18 @@ ImageCorrection::Response ImageCorrection::make_response() const
           crosswise_ ? crosswise_->make_response() : CrosswiseImages::Response{}};
 }
 
-void ImageCorrection::respond(int layers, Response& response) const
+void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry) const
 {
   if (!has_images_)
     return;
   if (crosswise_)
-    crosswise_->respond(layers, response.crosswise);
+    crosswise_->respond(layers, response.crosswise, symmetry);
   find_moments(layers, response);
   const std::size_t columns = coupling_.columns().size();
   for (std::size_t i = 0; i < columns; ++i)
     response.sorted[i] = response.moments[static_cast<std::size_t>(coupling_.columns()[i])];
-  coupling_.multiply(response.sorted.data(), response.sorted.data() + columns);
+  coupling_.multiply(response.sorted.data(), response.sorted.data() + columns,
+                     symmetry == Symmetry::none ? odd_in_both + 1 : odd_in_x_alone + 1);
   for (std::size_t i = 0; i < coupling_.rows().size(); ++i)
     response.stress[static_cast<std::size_t>(coupling_.rows()[i])] = response.sorted[columns + i];
 }
@@ -242,13 +247,36 @@ void ImageCorrection::find_moments(int layers, Response& response) const
               depth_.means(layer, q) * of_layer(e, layer)[p];
 }
 
-/// Rows at the same distance from the middle are taken together: their sum has even powers of y, their difference odd ones.
-void ImageCorrection::take(const double* strain, int component, int layer, Response& response) const
+ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component, Symmetry symmetry)
+{
+  if (symmetry == Symmetry::none)
+    return PowersOfY::all;
+  return is_odd_in_y(component) ? PowersOfY::odd : PowersOfY::even;
+}
+
+void ImageCorrection::take(const double* strain, int component, int layer, Symmetry symmetry, Response& response) const
 {
   if (!has_images_)
     return;
+  switch (powers_of_y(component, symmetry))
+  {
+  case PowersOfY::all:
+    return take_powers<PowersOfY::all>(strain, component, layer, response);
+  case PowersOfY::even:
+    return take_powers<PowersOfY::even>(strain, component, layer, response);
+  case PowersOfY::odd:
+    return take_powers<PowersOfY::odd>(strain, component, layer, response);
+  }
+}
+
+/// Rows at the same distance from the middle are taken together: their sum has even powers of y, their difference odd ones.
+template <ImageCorrection::PowersOfY has>
+void ImageCorrection::take_powers(const double* strain, int component, int layer, Response& response) const
+{
+  constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
+  constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
-  CrosswiseImages::Columns columns(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
+  CrosswiseImages::Columns columns = CrosswiseImages::Columns::Zero(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
   std::array<Lanes, powers> sum{};
   for (int first = 0; first < s.nx; first += lane_count)
   {
@@ -258,49 +286,79 @@ void ImageCorrection::take(const double* strain, int component, int layer, Respo
     {
       const int mirrored = s.ny - 1 - j;
       const Lanes here = load_lanes(strain + s.nx * j + first, used);
-      const Lanes there = mirrored == j ? Lanes{} : load_lanes(strain + s.nx * mirrored + first, used);
-      const std::array<Lanes, 2> value{here + there, here - there};
-      for (int b = 0; b <= degree; ++b)
+      std::array<Lanes, 2> value{mirrored == j ? here : 2.0 * here, mirrored == j ? Lanes{} : 2.0 * here};
+      if (has == PowersOfY::all)
+      {
+        const Lanes there = mirrored == j ? Lanes{} : load_lanes(strain + s.nx * mirrored + first, used);
+        value = {here + there, here - there};
+      }
+      for (int b = first_power; b <= degree; b += next)
         of_columns[static_cast<std::size_t>(b)] += y_(j, b) * value[static_cast<std::size_t>(b % 2)];
     }
     for (int a = 0; a <= degree; ++a)
     {
       const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);
-      for (int b = 0; a + b <= degree; ++b)
+      for (int b = first_power; a + b <= degree; b += next)
         sum[static_cast<std::size_t>(monomial(a, b))] += x * of_columns[static_cast<std::size_t>(b)];
     }
-    for (int b = 0; crosswise_ && b < CrosswiseImages::powers; ++b)
+    for (int b = first_power; crosswise_ && b < CrosswiseImages::powers; b += next)
       store_lanes(of_columns[static_cast<std::size_t>(b)], used, columns.col(b).data() + first);
   }
   double* moment = response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers);
-  for (std::size_t p = 0; p < powers; ++p)
-  {
-    moment[p] = 0.0;
-    for (std::size_t lane = 0; lane < lane_count; ++lane)
-      moment[p] += sum[p][lane];
-  }
+  std::fill_n(moment, powers, 0.0);
+  for (int a = 0; a <= degree; ++a)
+    for (int b = first_power; a + b <= degree; b += next)
+      for (std::size_t lane = 0; lane < lane_count; ++lane)
+        moment[monomial(a, b)] += sum[static_cast<std::size_t>(monomial(a, b))][lane];
   if (crosswise_)
-    crosswise_->take(crosswise_->is_along_x() ? columns : along_y(strain), component, layer, response.crosswise);
+    crosswise_->take(crosswise_->is_along_x() ? columns : along_y(strain, has), component, layer, response.crosswise);
 }
 
 /// Of a grid that is long in y: sums over x, times powers of x.
-CrosswiseImages::Columns ImageCorrection::along_y(const double* field) const
+CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY has) const
 {
   const SurfaceGrid& s = grid_.surface;
-  return Eigen::Map<const Eigen::MatrixXd>(field, s.nx, s.ny).transpose() * x_.leftCols(CrosswiseImages::powers);
+  const int told = told_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
+  CrosswiseImages::Columns sums(s.ny, CrosswiseImages::powers);
+  sums.topRows(told).noalias() =
+      Eigen::Map<const Eigen::MatrixXd>(field, s.nx, told).transpose() * x_.leftCols(CrosswiseImages::powers);
+  for (int j = told; j < s.ny; ++j)
+    sums.row(j) = (has == PowersOfY::odd ? -1.0 : 1.0) * sums.row(s.ny - 1 - j);
+  return sums;
 }
 
-void ImageCorrection::subtract(const Response& response, int component, int layer, double* stress) const
+void ImageCorrection::subtract(const Response& response, int component, int layer, Symmetry symmetry,
+                               double* stress) const
 {
   if (!has_images_)
     return;
+  switch (powers_of_y(component, symmetry))
+  {
+  case PowersOfY::all:
+    return subtract_powers<PowersOfY::all>(response, component, layer, stress);
+  case PowersOfY::even:
+    return subtract_powers<PowersOfY::even>(response, component, layer, stress);
+  case PowersOfY::odd:
+    return subtract_powers<PowersOfY::odd>(response, component, layer, stress);
+  }
+}
+
+template <ImageCorrection::PowersOfY has>
+void ImageCorrection::subtract_powers(const Response& response, int component, int layer, double* stress) const
+{
+  constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
+  constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
   CrosswiseImages::Columns along_x = CrosswiseImages::Columns::Zero(s.nx, CrosswiseImages::powers);
   if (crosswise_ && crosswise_->is_along_x())
     along_x = crosswise_->stress(response.crosswise, component, layer);
   else if (crosswise_)
-    Eigen::Map<Eigen::MatrixXd>(stress, s.nx, s.ny).noalias() -=
-        x_.leftCols(CrosswiseImages::powers) * crosswise_->stress(response.crosswise, component, layer).transpose();
+  {
+    const int told = told_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
+    Eigen::Map<Eigen::MatrixXd>(stress, s.nx, told).noalias() -=
+        x_.leftCols(CrosswiseImages::powers) *
+        crosswise_->stress(response.crosswise, component, layer).topRows(told).transpose();
+  }
   std::array<double, powers> of_depth{};
   for (int q = 0; q < depth_.count; ++q)
     for (int p = 0; p < powers; ++p)
@@ -311,22 +369,22 @@ void ImageCorrection::subtract(const Response& response, int component, int laye
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
     std::array<Lanes, degree + 1> of_columns{}; // coefficients of the powers of y
-    for (int b = 0; b < CrosswiseImages::powers; ++b)
+    for (int b = first_power; b < CrosswiseImages::powers; b += next)
       of_columns[static_cast<std::size_t>(b)] = load_lanes(along_x.col(b).data() + first, used);
     for (int a = 0; a <= degree; ++a)
     {
       const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);
-      for (int b = 0; a + b <= degree; ++b)
+      for (int b = first_power; a + b <= degree; b += next)
         of_columns[static_cast<std::size_t>(b)] += of_depth[static_cast<std::size_t>(monomial(a, b))] * x;
     }
     for (int j = 0; 2 * j < s.ny; ++j)
     {
       std::array<Lanes, 2> sum{}; // of even and of odd powers
-      for (int b = 0; b <= degree; ++b)
+      for (int b = first_power; b <= degree; b += next)
         sum[static_cast<std::size_t>(b % 2)] += y_(j, b) * of_columns[static_cast<std::size_t>(b)];
       const int mirrored = s.ny - 1 - j;
       subtract_lanes(sum[0] + sum[1], used, stress + s.nx * j + first);
-      if (mirrored != j)
+      if (has == PowersOfY::all && mirrored != j)
         subtract_lanes(sum[0] - sum[1], used, stress + s.nx * mirrored + first);
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/deviator.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "foundation/blocked_fft.hpp"
 #include "halfspace/crosswise_images.hpp"
@@ -43,12 +44,13 @@ public:
   [[nodiscard]] Response make_response() const;
 
   /// Takes the moments of one component of the strain in one layer, given on the grid: while other work has it in the cache.
-  void take(const double* strain, int component, int layer, Response& response) const;
+  /// @param symmetry  here and below: with one, the told rows are read and written
+  void take(const double* strain, int component, int layer, Symmetry symmetry, Response& response) const;
   /// Response to the strain, traceless, whose components in the layers [0, layers) have been taken; beneath there is none.
-  void respond(int layers, Response& response) const;
+  void respond(int layers, Response& response, Symmetry symmetry) const;
   static constexpr int trace = Deviator::size; ///< component index of the trace of the stress, after those of Deviator
   /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
-  void subtract(const Response& response, int component, int layer, double* stress) const;
+  void subtract(const Response& response, int component, int layer, Symmetry symmetry, double* stress) const;
 
 private:
   static constexpr int degree = 10;                              ///< largest power of x - x' and y - y' together
@@ -58,7 +60,19 @@ private:
   [[nodiscard]] MomentCoupling empty_coupling() const;
   void couple(int c, int e, const images::Powers& power, const Eigen::MatrixXd& value);
   void find_moments(int layers, Response& response) const;
-  [[nodiscard]] CrosswiseImages::Columns along_y(const double* field) const;
+  /// Powers of y that a field has.
+  enum class PowersOfY
+  {
+    all,
+    even,
+    odd
+  };
+  [[nodiscard]] static PowersOfY powers_of_y(int component, Symmetry symmetry);
+  template <PowersOfY has>
+  void take_powers(const double* strain, int component, int layer, Response& response) const;
+  template <PowersOfY has>
+  void subtract_powers(const Response& response, int component, int layer, double* stress) const;
+  [[nodiscard]] CrosswiseImages::Columns along_y(const double* field, PowersOfY has) const;
 
   VolumeGrid grid_;
   bool has_images_;                          ///< not where the body is periodic itself along both axes

@@ -30,7 +30,8 @@ MomentCoupling::MomentCoupling(const std::vector<Moment>& stress, std::vector<Mo
     const auto last = std::partition_point(strain.begin(), strain.end(), couples);
     row_of_[static_cast<std::size_t>(moment.index)] = rows_.size();
     rows_.push_back(moment.index);
-    row_.push_back({static_cast<std::size_t>(first - strain.begin()), static_cast<std::size_t>(last - first), values});
+    row_.push_back({static_cast<std::size_t>(first - strain.begin()), static_cast<std::size_t>(last - first), values,
+                    moment.parity});
     values += row_.back().columns;
   }
   value_.assign(values, 0.0);
@@ -45,11 +46,16 @@ void MomentCoupling::add(int stress, int strain, double value)
   value_[row.value + column - row.first_column] += value;
 }
 
-void MomentCoupling::multiply(const double* strain, double* stress) const
+void MomentCoupling::multiply(const double* strain, double* stress, int parities) const
 {
   for (std::size_t i = 0; i < row_.size(); ++i)
   {
     const Row& row = row_[i];
+    if (row.parity >= parities)
+    {
+      stress[i] = 0.0;
+      continue;
+    }
     const double* value = value_.data() + row.value;
     const double* from = strain + row.first_column;
     double sum = 0.0;

@@ -25,7 +25,8 @@ public:
   /// Adds to one entry, which must be one that may couple.
   void add(int stress, int strain, double value);
   /// Multiplies moments of strain in the order of `columns()` into those of stress in the order of `rows()`.
-  void multiply(const double* strain, double* stress) const;
+  /// @param parities  the moments of this parity and of larger ones are zero
+  void multiply(const double* strain, double* stress, int parities) const;
 
   [[nodiscard]] const std::vector<int>& rows() const { return rows_; }       ///< indices of moments of stress
   [[nodiscard]] const std::vector<int>& columns() const { return columns_; } ///< of strain
@@ -35,6 +36,7 @@ private:
   {
     std::size_t first_column, columns; ///< of strain, in the order of `columns()`
     std::size_t value;                 ///< of the first one
+    int parity;
   };
   std::vector<int> rows_, columns_;
   std::vector<std::size_t> row_of_, column_of_; ///< by index of the moment

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/sym_tensor.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace brinell::halfspace
@@ -176,7 +177,7 @@ void TractionStress::tabulate_waves(int layer, double poisson_ratio, const Padde
 
 /// @param factor  of a stored row
 template <bool is_imaginary, typename Factor>
-void TractionStress::add_rows(const Factor& factor, const ComplexLanes* traction, const ComplexLanes* stress,
+void TractionStress::add_rows(const Factor& factor, int rows, const ComplexLanes* traction, const ComplexLanes* stress,
                               ComplexLanes* total) const
 {
   const auto add_row = [&](int row, const Lanes& number)
@@ -184,14 +185,14 @@ void TractionStress::add_rows(const Factor& factor, const ComplexLanes* traction
     const ComplexLanes product = number * traction[row];
     total[row] = stress[row] + (is_imaginary ? times_i(product) : product);
   };
-  for (int row = 0; row < rows_; ++row)
+  for (int row = 0; row < std::min(rows, rows_); ++row)
     add_row(row, factor(row, 1.0));
-  for (int row = rows_; row < fft_.py(); ++row)
+  for (int row = rows_; row < rows; ++row)
     add_row(row, factor(fft_.folded(row), -1.0));
 }
 
-void TractionStress::add(int block, int component, int layer, const ComplexLanes* traction, const ComplexLanes* stress,
-                         ComplexLanes* total) const
+void TractionStress::add(int block, int component, int layer, int rows, const ComplexLanes* traction,
+                         const ComplexLanes* stress, ComplexLanes* total) const
 {
   const auto [odd_x, odd_y] = parity(component);
   if (component == xx || component == yy) // stored are differences from zz
@@ -200,16 +201,16 @@ void TractionStress::add(int block, int component, int layer, const ComplexLanes
     const Lanes* other = kernel(block, layer, component == xx ? yy : xx);
     const auto deviator = [=, is_odd = odd_y](int row, double sign)
     { return ((is_odd ? sign : 1.0) / 3.0) * (2.0 * own[row] - other[row]); };
-    return odd_x != odd_y ? add_rows<true>(deviator, traction, stress, total)
-                          : add_rows<false>(deviator, traction, stress, total);
+    return odd_x != odd_y ? add_rows<true>(deviator, rows, traction, stress, total)
+                          : add_rows<false>(deviator, rows, traction, stress, total);
   }
   const Lanes* own = kernel(block, layer, component);
   const auto plain = [=, is_odd = odd_y](int row, double sign) { return (is_odd ? sign : 1.0) * own[row]; };
-  return odd_x != odd_y ? add_rows<true>(plain, traction, stress, total)
-                        : add_rows<false>(plain, traction, stress, total);
+  return odd_x != odd_y ? add_rows<true>(plain, rows, traction, stress, total)
+                        : add_rows<false>(plain, rows, traction, stress, total);
 }
 
-void TractionStress::add_displacement(int block, int component, int layer, const ComplexLanes* strain,
+void TractionStress::add_displacement(int block, int component, int layer, int rows, const ComplexLanes* strain,
                                       ComplexLanes* displacement) const
 {
   const Parity parity_of = parity(component);
@@ -218,8 +219,8 @@ void TractionStress::add_displacement(int block, int component, int layer, const
   const double weight = (parity_of.is_imaginary() ? -1.0 : 1.0) * (is_shear ? 2.0 : 1.0) * grid_.dz;
   const Lanes* own = kernel(block, layer, component);
   const auto factor = [=](int row, double sign) { return (parity_of.odd_y ? sign * weight : weight) * own[row]; };
-  return parity_of.is_imaginary() ? add_rows<true>(factor, strain, displacement, displacement)
-                                  : add_rows<false>(factor, strain, displacement, displacement);
+  return parity_of.is_imaginary() ? add_rows<true>(factor, rows, strain, displacement, displacement)
+                                  : add_rows<false>(factor, rows, strain, displacement, displacement);
 }
 
 } // namespace brinell::halfspace

@@ -30,14 +30,15 @@ public:
 
   static constexpr int trace = Deviator::size; ///< component of the stress after those of its deviator
   /// Adds one component of the stress of the traction in one layer.
+  /// @param rows           of the spectra that are worked on, from the first one
   /// @param traction       [row]
   /// @param stress, total  [row] [Pa]; may be the same
-  void add(int block, int component, int layer, const ComplexLanes* traction, const ComplexLanes* stress,
+  void add(int block, int component, int layer, int rows, const ComplexLanes* traction, const ComplexLanes* stress,
            ComplexLanes* total) const;
   /// Adds the displacement of the surface [m] of one component of plastic strain in one layer: that which the traction
   /// works on. The sum over all components is that of a traceless strain.
   /// @param strain, displacement  [row]
-  void add_displacement(int block, int component, int layer, const ComplexLanes* strain,
+  void add_displacement(int block, int component, int layer, int rows, const ComplexLanes* strain,
                         ComplexLanes* displacement) const;
 
 private:
@@ -55,7 +56,7 @@ private:
   [[nodiscard]] const Lanes* kernel(int block, int layer, int which) const;
   [[nodiscard]] double& number(int row, int column, int layer, int which);
   template <bool is_imaginary, typename Factor>
-  void add_rows(const Factor& factor, const ComplexLanes* traction, const ComplexLanes* stress,
+  void add_rows(const Factor& factor, int rows, const ComplexLanes* traction, const ComplexLanes* stress,
                 ComplexLanes* total) const;
   void tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft);
   void tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft);

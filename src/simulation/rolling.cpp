@@ -10,6 +10,7 @@
 #include "heat.hpp"
 #include "judgement.hpp"
 #include "run_state.hpp"
+#include "symmetry.hpp"
 #include "track.hpp"
 #include "wear.hpp"
 
@@ -395,6 +396,7 @@ RollingPlan plan(const RollingCase& rolling)
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
                           "rolling.passes");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
+  plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
   const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
   const int shears = rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),

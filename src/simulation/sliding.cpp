@@ -12,6 +12,7 @@
 #include "pressing.hpp"
 #include "run_state.hpp"
 #include "stroke.hpp"
+#include "symmetry.hpp"
 #include "wear.hpp"
 
 #include <algorithm>
@@ -289,6 +290,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   require_press(sliding, plan.touching_gap);
   plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,
                           "sliding.strokes");
+  plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
   plan.memory_bytes = memory_bytes(plan, sliding.lower.material.is_plastic(), sliding.upper.material.is_plastic(),
                                    sliding.solver.anderson_depth, sliding.friction.coefficient > 0.0 ? 1 : 0);
   return plan;

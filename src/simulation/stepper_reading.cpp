@@ -172,6 +172,7 @@ void Stepper::fill(RunTotals& totals) const
 {
   totals.split_increments = split_increments_;
   totals.grid_changes = grid_changes_;
+  totals.symmetry = plan_.symmetry;
   totals.memory_bytes = plan_.memory_bytes;
 }
 

@@ -9,6 +9,7 @@
 #include "friction.hpp"
 #include "grid_layout.hpp"
 #include "heat.hpp"
+#include "symmetry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -261,6 +262,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   const double cells = relative_cells(tugging, dx);
   plan.twin =
       is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
+  plan.symmetry = symmetry_of(tugging.lower, tugging.upper, tugging, plan.contact, tugging.offset != 0.0);
   // Not so small a change of displacement that the tolerance of the contact hides it.
   plan.scales = {std::max(pair.first_yield, 1e-2 * pair.closest.interference), pair.closest.interference};
   plan.shift = 0.5 * cells * dx;

@@ -18,12 +18,13 @@ public:
 
   /// Replaces x by the next iterate, given g(x). Both may be longer than last time: unknowns that came in at the end
   /// have no history, as if they had always been converged.
-  void advance(std::span<double> x, std::span<const double> g);
+  /// @param weights  of the unknowns in the sum of squares that is smallest; empty: all the same
+  void advance(std::span<double> x, std::span<const double> g, std::span<const double> weights = {});
   /// Forgets the history.
   void reset() { count_ = 0; }
 
 private:
-  void remember(std::span<const double> x, std::span<const double> g);
+  void remember(std::span<const double> x, std::span<const double> g, std::span<const double> weights);
 
   std::size_t depth_;
   std::size_t count_ = 0;                       ///< evaluations seen since the last reset

@@ -5,6 +5,7 @@
 #include "brinell/elastoplastic/active_cells.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
 #include <memory>
@@ -55,9 +56,10 @@ public:
   ///                    Settings::shortcuts.
   /// @param displacements  those on which the loads work: along x with shear along x, all with shears along x and y. All are
   ///                    computed in each evaluation, along x only when asked for.
+  /// @param symmetry    of history and loads. With one, evaluations work on the told rows alone; in the state all rows agree.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
        const constitutive::Material& material, bool shortcuts = true,
-       halfspace::Displacements displacements = halfspace::Displacements::normal);
+       halfspace::Displacements displacements = halfspace::Displacements::normal, Symmetry symmetry = Symmetry::none);
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
@@ -92,9 +94,9 @@ public:
   /// Stress under `load` (on the whole surface grid) and, from it, the next fixed-point value g of q.
   /// @returns whether cells outside the active set yield; they have been added to it.
   bool update(const halfspace::SurfaceLoad& load);
-  /// Finds the displacement along x of the present trial, if the surface bears shear: `energy` and `commit` need it. Where all
-  /// displacements are kept it is known.
-  void find_displacement_x();
+  /// Finds what evaluations leave out, for `energy` and `commit`: the displacement along x of the present trial, if the surface
+  /// bears shear, where it is not known yet; and with symmetry the rows of the trial that are mirror images of others.
+  void complete_trial();
   /// Makes the present trial the new state.
   void commit(const halfspace::SurfaceLoad& load);
 
@@ -110,6 +112,8 @@ public:
   [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
+  /// In how many cells an unknown is the same, but for its sign: its weight in sums over the body.
+  [[nodiscard]] int copies_of_unknown(std::size_t unknown) const { return copies(unknown / Deviator::size); }
   [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
   /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
@@ -130,12 +134,19 @@ public:
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
 
 private:
-  void add_initial_stress(int layers, std::span<double> stress) const;
-  void add_thermal_stress(int layers, std::span<double> stress) const;
+  /// In the layers [0, layers) and the rows [0, rows) of each.
+  void add_initial_stress(int layers, int rows, std::span<double> stress) const;
+  void add_thermal_stress(int layers, int rows, std::span<double> stress) const;
+  [[nodiscard]] std::size_t told_cells() const; ///< of each layer
+  [[nodiscard]] int copies(std::size_t a) const;
+  template <typename Use>
+  void with_copies(std::size_t a, const Use& use) const;
+  void find_displacement_x();
   [[nodiscard]] double work_of(std::span<const double> stress_deviator, std::span<const double> strain) const;
   [[nodiscard]] double thermal_work_of_trial() const;
   void prepare_trial();
   void take_up_guess();
+  void keep_guess();
   void keep_active_layers();
   [[nodiscard]] double softening(std::size_t cell) const { return softening_.empty() ? 1.0 : softening_[cell]; }
   /// The law of a layer that is not softened.
@@ -174,6 +185,7 @@ private:
   std::vector<double> thermal_stress_;                ///< at the end of the increment at hand; empty without heat
   double stiffness_ = 0.0;                            ///< c [Pa]
   bool shortcuts_;
+  Symmetry symmetry_;
   int layers_; ///< layers whose stress is computed, from the surface
   ActiveCells active_;
   bool in_increment_ = false;

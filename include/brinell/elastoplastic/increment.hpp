@@ -120,10 +120,12 @@ public:
   /// @param twin  unless none, the upper body has the grid, material and history of the lower one (or their mirror image)
   ///              and keeps it: only the lower one is solved.
   /// @param reference  of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m].
+  /// @param symmetry   of both bodies, their surfaces, and all that will be asked of them. Half of each body is solved; not
+  ///                   where surfaces may stick.
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
                  const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {},
-                 double reference = 0.0, const Sliding& sliding = {});
+                 double reference = 0.0, const Sliding& sliding = {}, Symmetry symmetry = Symmetry::none);
 
   [[nodiscard]] BodyView lower() const { return {sides_.front().body, Twin::none, textures_.lower}; }
   [[nodiscard]] BodyView upper() const { return {sides_.back().body, twin_, textures_.upper}; }
@@ -254,6 +256,7 @@ private:
   Scales scales_;
   Settings settings_;
   Twin twin_;
+  Symmetry symmetry_;
   std::unique_ptr<Interface> interface_; ///< none without friction
   std::unique_ptr<Heating> heating_;     ///< none without heat
   std::unique_ptr<Wear> wear_;           ///< none without wear

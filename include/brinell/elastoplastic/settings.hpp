@@ -19,6 +19,8 @@ struct Settings
   Integration integration = Integration::path;
   /// Of two bodies that keep mirrored or equal fields, solve one: docs/theory/elastoplastic.md.
   bool mirror = true;
+  /// Where bodies, surfaces and motion are the same on both sides of y = 0, solve one side: docs/theory/elastoplastic.md.
+  bool symmetry = true;
   /// Compute the stress only down to the deepest active cell (near yield) and one layer more, until the increment is nearly
   /// solved; the evaluation that ends the increment computes all layers, and finds every cell that yields. false: all layers
   /// in every evaluation, every cell active.

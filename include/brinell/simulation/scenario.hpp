@@ -104,6 +104,7 @@ struct Plan
   VolumeGrid lower, upper;                              ///< material grids, wide enough for the whole track
   int steps = 0;                                        ///< estimate
   elastoplastic::Twin twin = elastoplastic::Twin::none; ///< other than none: one body is solved
+  Symmetry symmetry = Symmetry::none;                   ///< other than none: half of each body is solved
   double memory_bytes = 0.0;
   elastoplastic::Scales scales; ///< of the tolerances
   double reference = 0.0;       ///< of the displacement with one periodic axis [m]
@@ -233,6 +234,7 @@ struct RunTotals : RunningTotals
   /// (work - dissipation - stored energy) / largest work reached; with the works of expansion and of wear
   double energy_balance_error = 0.0;
   std::vector<GridChange> grid_changes; ///< in the course of the run
+  Symmetry symmetry = Symmetry::none;   ///< by which half of each body was solved
   double memory_bytes = 0.0;            ///< of the grids at the end, estimate
   Snapshot final_state;                 ///< has the grids of the end
 };

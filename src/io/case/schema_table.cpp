@@ -138,6 +138,10 @@ std::vector<Entry> solver_entries()
             "Two asperities that are alike stay mirror images of each other under exact kinematics, and bodies of one "
             "material have the same strain in pure rolling and indentation: solve one of them. false: solve both (a "
             "check; the results agree to the tolerances)."),
+      entry("symmetry", &Settings::symmetry, {},
+            "Where both bodies, their textures and the motion are the same on both sides of the plane y = 0, and the "
+            "surfaces do not stick, solve one side: half of the work, with the same result but for rounding. `brinell "
+            "check` tells whether it is so. false: solve both sides (a check)."),
       entry("shortcuts", &Settings::shortcuts, {},
             "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all "
             "of them, so that no yield is missed. false: every layer and every cell in every evaluation (a check; the "

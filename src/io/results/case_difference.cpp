@@ -38,7 +38,7 @@ Keys keys_of(std::string_view text)
     else if (const auto equals = line.find(" = "); equals != line.npos)
     {
       const std::string key = prefix + line.substr(0, equals);
-      if (key != "grid.extent" && key != "output.checkpoint_interval") // they change no result
+      if (key != "grid.extent" && key != "output.checkpoint_interval" && key != "solver.symmetry") // change no result
         keys.emplace_back(key, line.substr(equals + 3));
     }
   return keys;

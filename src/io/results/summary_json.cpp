@@ -66,6 +66,7 @@ Json grid_json(const RunTotals& s)
           {"contact_cells", Json::array({end.contact.nx, end.contact.ny})},
           {"lower_cells", cells(end.lower.grid)},
           {"upper_cells", cells(end.upper.grid)},
+          {"symmetric_in_y", s.symmetry == Symmetry::in_y},
           {"memory_bytes", s.memory_bytes},
           {"changes", std::move(changes)}};
 }

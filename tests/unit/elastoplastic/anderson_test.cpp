@@ -144,5 +144,29 @@ TEST(AndersonTest, ParallelDifferencesDoNoHarm)
   EXPECT_NEAR(x[0], 2.0, 1e-10);
 }
 
+/// An unknown of weight two does what two alike would.
+TEST(AndersonTest, WeightsStandForCopies)
+{
+  const std::size_t few = 4, alike = 2; // the first ones have copies
+  const Affine g(few);
+  Anderson with_weights(3), with_copies(3);
+  std::vector<double> x(few, 0.0), y(few + alike, 0.0);
+  const std::vector<double> weights{2.0, 2.0, 1.0, 1.0};
+  for (int step = 0; step < 6; ++step)
+  {
+    with_weights.advance(x, g(x), weights);
+    std::vector<double> image = g(std::vector<double>(y.begin(), y.begin() + few));
+    image.insert(image.end(), image.begin(), image.begin() + alike);
+    with_copies.advance(y, image);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      EXPECT_NEAR(y[i], x[i % few], 1e-9 * (1.0 + std::abs(x[i % few]))) << step;
+  }
+  Anderson without(3);
+  std::vector<double> z(few, 0.0);
+  for (int step = 0; step < 6; ++step)
+    without.advance(z, g(z));
+  EXPECT_GT(std::abs(z[0] - x[0]), 1e-6) << "the weights change nothing";
+}
+
 } // namespace
 } // namespace brinell::elastoplastic

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/body.hpp"
+#include "with_copies.hpp"
+
+/// What symmetry changes in a body: docs/theory/elastoplastic.md, section Symmetry.
+namespace brinell::elastoplastic
+{
+
+std::size_t Body::told_cells() const
+{
+  return grid().surface.index(0, told_rows(grid().surface, symmetry_));
+}
+
+int Body::copies(std::size_t a) const
+{
+  const auto nx = static_cast<std::size_t>(grid().surface.nx), ny = static_cast<std::size_t>(grid().surface.ny);
+  return copies_of_row(grid().surface, symmetry_, static_cast<int>(active_.cell(a) / nx % ny));
+}
+
+void Body::complete_trial()
+{
+  find_displacement_x();
+  if (!is_plastic() || symmetry_ == Symmetry::none)
+    return;
+  for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    const Deviator strain = deviator_at(state_.plastic_strain, grid().size(), active_.cell(a));
+    with_copies(a, [&](std::size_t cell, const auto& seen)
+                { store(seen(strain), state_.plastic_strain, grid().size(), cell); });
+  }
+  complete_in_y(grid(), stress_);
+}
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "half_space_operators.hpp"
+
+#include <omp.h>
+
+/// The parts of an evaluation that are not the same where both sides of the plane y = 0 are mirror images:
+/// docs/theory/half-space.md (symmetry).
+namespace brinell::halfspace
+{
+
+/// Along x, and what else is to be taken from each plane. To be called by all threads.
+void HalfSpace::Operators::transform_strain_mirrored(std::span<const double> plastic_strain, int layers,
+                                                     Work::Buffers& work, MirroredFft::Scratch& scratch) const
+{
+  const int planes = MirroredFft::planes_of_group * MirroredFft::groups(layers);
+#pragma omp for schedule(static)
+  for (int number = 0; number < planes; ++number)
+  {
+    const MirroredFft::Plane plane = MirroredFft::plane(number, layers);
+    for (const MirroredFft::Part& part : {plane.first, plane.second})
+      if (part.is_there())
+        image_correction.take(plastic_strain.data() + field_at(part.component, part.layer), part.component, part.layer,
+                              work.symmetry, work.images);
+    if (!plane.is_empty())
+      mirrored_fft.rows_forward(plastic_strain.data(), number, layers, work.rows.data(), scratch);
+  }
+}
+
+/// One component of the stress in one layer at the wavenumbers of one block, that of the load with that of the strain.
+/// @param sum  where it may be put
+const ComplexLanes* HalfSpace::Operators::loaded(int block, const MirroredFft::Part& part,
+                                                 const OfTraction<const TractionStress*>& kernels,
+                                                 const Work::Buffers& work, ComplexLanes* sum) const
+{
+  const ComplexLanes* column =
+      work.stress.data() + volume_fft.plane_at(block, Deviator::size * part.layer + part.component);
+  for (std::size_t t = 0; t < tractions.size(); ++t)
+    if (kernels[t] != nullptr)
+    {
+      kernels[t]->add(block, part.component, part.layer, spectrum_rows(work.symmetry),
+                      work.surface[t].data() + surface_fft.plane_at(block, 0), column, sum);
+      column = sum;
+    }
+  return column;
+}
+
+void HalfSpace::Operators::add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
+                                                        Work::Buffers& work, std::span<double> stress) const
+{
+  const auto kernels = kernels_of(parts_of(load));
+  const int planes = MirroredFft::planes_of_group * MirroredFft::groups(work.layers);
+  const auto threads = static_cast<int>(work.threads.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (int number = 0; number < planes; ++number)
+  {
+    const MirroredFft::Plane plane = MirroredFft::plane(number, work.layers);
+    if (plane.is_empty())
+      continue;
+    MirroredFft::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())].mirrored;
+    for (int block = 0; block < volume_fft.blocks(); ++block)
+    {
+      const ComplexLanes* first = loaded(block, plane.first, kernels, work, scratch.of_parts[0].data());
+      const ComplexLanes* second =
+          plane.second.is_there() ? loaded(block, plane.second, kernels, work, scratch.of_parts[1].data()) : nullptr;
+      mirrored_fft.columns_inverse(plane, first, second, block, scratch);
+    }
+    mirrored_fft.rows_inverse(plane, stress.data(), scratch);
+    for (const MirroredFft::Part& part : {plane.first, plane.second})
+      if (part.is_there())
+        finish(part.component, part.layer, plastic_strain, work, stress.data() + field_at(part.component, part.layer));
+  }
+}
+
+} // namespace brinell::halfspace

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/foundation/symmetry.hpp"
+#include "foundation/aligned.hpp"
+#include "foundation/lane_fft.hpp"
+#include "foundation/row_fft.hpp"
+
+#include <array>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// Transforms of deviator fields whose two sides about the plane y = 0 are mirror images (Symmetry::in_y): half the work of
+/// BlockedFft, from half of the rows to half of the wavenumbers along y and back.
+///
+/// Of a field that is even in y the spectrum at -n is w^n times that at n, of an odd one -w^n times, w = e^{2 pi i (ny - 1)/py}
+/// for the place of the plane y = 0. So an even and an odd field are transformed as one, their sum, whose spectrum tells both:
+///   even(n) = (both(n) + w^{-n} both(-n)) / 2      odd(n) = (both(n) - w^{-n} both(-n)) / 2
+/// Three components are even and two odd: in each layer xx goes with xy and yy with yz. What is left, the half rows of xz, is
+/// put together from two layers for the transform along x.
+class MirroredFft
+{
+public:
+  /// @param px, py  padded lengths
+  MirroredFft(const VolumeGrid& grid, int px, int py);
+
+  [[nodiscard]] int told_rows() const { return half_; } ///< of a field: those that are read and written
+  /// Of all planes, between the transforms along x and y.
+  [[nodiscard]] std::size_t rows_size() const;
+
+  /// Two layers share their planes.
+  static constexpr int layers_of_group = 2;
+  static constexpr int planes_of_group = 5;
+  [[nodiscard]] static int groups(int layers) { return (layers + layers_of_group - 1) / layers_of_group; }
+
+  /// A component of the field in one layer.
+  struct Part
+  {
+    int layer = -1, component = 0; ///< layer -1: none
+    [[nodiscard]] bool is_there() const { return layer >= 0; }
+  };
+  /// What a plane is made of: an even part and an odd one, or two even ones.
+  struct Plane
+  {
+    Part first, second;
+    bool is_shared; ///< each of them has half of the rows; else they have all of them together
+    [[nodiscard]] bool is_empty() const { return !first.is_there(); }
+  };
+  /// @param layers  of the field that are wanted
+  [[nodiscard]] static Plane plane(int number, int layers);
+
+  struct Scratch
+  {
+    RowFft::Work row_work;
+    AlignedVector<ComplexLanes> column_work;
+    AlignedVector<double> field;                         ///< of one plane
+    AlignedVector<ComplexLanes> rows, series, spectrum;  ///< of one plane
+    std::array<AlignedVector<ComplexLanes>, 2> of_parts; ///< spectra of the parts of a plane, for the caller
+  };
+  [[nodiscard]] Scratch make_scratch() const;
+
+  /// Along x: one plane of a field of deviators.
+  /// @param out  rows of all planes
+  void rows_forward(const double* deviators, int number, int layers, ComplexLanes* out, Scratch& scratch) const;
+  /// Along y: the planes of one group in one block to the spectrum of the block at the wavenumbers >= 0,
+  /// [layer][component][pitch].
+  void columns_forward(const ComplexLanes* in, int block, int group, int layers, ComplexLanes* spectrum, int pitch,
+                       Scratch& scratch) const;
+  /// The way back along y: the parts of a plane at the wavenumbers >= 0 in one block to its rows in the scratch.
+  /// @param second  nullptr if there is none
+  void columns_inverse(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, int block,
+                       Scratch& scratch) const;
+  /// The way back along x: from the rows in the scratch to the told rows of the parts.
+  void rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const;
+
+  /// The spectrum of one even or odd field at its wavenumbers < 0 along y, from those >= 0.
+  void complete(bool is_odd, ComplexLanes* spectrum) const;
+
+private:
+  [[nodiscard]] int py() const { return columns_.length(); }
+  [[nodiscard]] int rows() const { return 2 * half_; } ///< of a plane: even, so that half of them are the told ones
+  [[nodiscard]] RowFft::Spectra layout(int planes) const;
+  [[nodiscard]] std::ptrdiff_t field_at(const Part& part) const;
+  void pack(const double* even, const double* odd, double* plane) const;
+  void unpack(const double* plane, double* even, double* odd) const;
+  void split(const ComplexLanes* both, ComplexLanes* even, ComplexLanes* odd) const;
+  void join(const ComplexLanes* even, const ComplexLanes* odd, ComplexLanes* both) const;
+
+  VolumeGrid grid_;
+  int half_;
+  RowFft rows_;
+  LaneFft columns_;
+  std::vector<Complex> turn_; ///< w^n
+};
+
+} // namespace brinell::halfspace

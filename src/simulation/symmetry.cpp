@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "symmetry.hpp"
+
+#include "heat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+Dent mirrored(Dent dent)
+{
+  dent.y = -dent.y;
+  return dent;
+}
+
+HeightMap mirrored(HeightMap map)
+{
+  map.y = -map.y;
+  for (int j = 0; 2 * j + 1 < map.ny; ++j)
+    std::swap_ranges(map.heights.begin() + static_cast<std::ptrdiff_t>(j) * map.nx,
+                     map.heights.begin() + static_cast<std::ptrdiff_t>(j + 1) * map.nx,
+                     map.heights.begin() + static_cast<std::ptrdiff_t>(map.ny - 1 - j) * map.nx);
+  return map;
+}
+
+/// A crest at y is one at -y, too, if whole waves are between them; without waves along y it is everywhere.
+Sinusoid mirrored(Sinusoid waves)
+{
+  if (std::isfinite(waves.wavelength_y) && std::remainder(2.0 * waves.y, waves.wavelength_y) != 0.0)
+    waves.y = -waves.y;
+  return waves;
+}
+
+} // namespace
+
+/// All shapes that there are: each is written out, so that a new one is thought of.
+bool is_symmetric_in_y(const Shape& shape)
+{
+  struct IsSymmetric
+  {
+    bool operator()(const Plane&) const { return true; }
+    bool operator()(const Paraboloid&) const { return true; } // its radii are along x and y
+    bool operator()(const Roller&) const { return true; }
+    bool operator()(const Cone&) const { return true; }
+    bool operator()(const Pyramid&) const { return true; } // one of its faces rises along x
+  };
+  return std::visit(IsSymmetric{}, shape);
+}
+
+/// Whether the texture has the mirror image of each part as often as the part.
+bool is_symmetric_in_y(const Texture& texture)
+{
+  const auto has_image = [&](const TexturePart& part)
+  {
+    if (std::holds_alternative<RandomSurface>(part))
+      return false;
+    const TexturePart image = std::visit(
+        []<typename Part>(const Part& p) -> TexturePart
+        {
+          if constexpr (std::is_same_v<Part, RandomSurface>)
+            return p;
+          else
+            return mirrored(p);
+        },
+        part);
+    const auto count = [&](const TexturePart& like)
+    { return std::count(texture.parts.begin(), texture.parts.end(), like); };
+    return count(image) == count(part);
+  };
+  return std::all_of(texture.parts.begin(), texture.parts.end(), has_image);
+}
+
+Symmetry symmetry_of(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
+                     const SurfaceGrid& contact, bool one_sided)
+{
+  const auto is_symmetric = [](const ShapedBody& body)
+  { return is_symmetric_in_y(body.shape) && is_symmetric_in_y(body.texture); };
+  const bool is_worth = contact.ny > 1 && (lower.material.is_plastic() || upper.material.is_plastic());
+  const bool is_one_sided = one_sided || is_heated(numerics, lower, upper);
+  return numerics.solver.symmetry && is_worth && !is_one_sided && is_symmetric(lower) && is_symmetric(upper)
+             ? Symmetry::in_y
+             : Symmetry::none;
+}
+
+} // namespace brinell::simulation

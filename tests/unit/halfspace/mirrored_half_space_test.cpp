@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/symmetry.hpp"
+#include "brinell/halfspace/half_space.hpp"
+#include "grid_fields.hpp"
+#include "periodic_grids.hpp"
+#include "random_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+/// An evaluation that is told of the symmetry in y against one that is not: docs/theory/half-space.md (symmetry).
+namespace brinell::halfspace
+{
+namespace
+{
+
+using test::largest;
+using Field = std::vector<double>;
+
+const Elastic elastic{1.3, 0.28};
+
+/// Random in the told rows, mirrored in the others; an odd field is zero on the plane y = 0.
+Field mirrored_field(const VolumeGrid& grid, unsigned seed, bool is_odd)
+{
+  const SurfaceGrid& s = grid.surface;
+  Field field = test::random_field(grid.size(), seed);
+  for (int k = 0; k < grid.nz; ++k)
+    for (int i = 0; is_odd && s.ny % 2 == 1 && i < s.nx; ++i)
+      field[grid.index(i, s.ny / 2, k)] = 0.0;
+  complete_in_y(s, is_odd ? -1.0 : 1.0, field.data(), field.size());
+  return field;
+}
+
+Field mirrored_strain(const VolumeGrid& grid, int layers)
+{
+  Field strain;
+  for (int c = 0; c < Deviator::size; ++c)
+  {
+    Field component = mirrored_field(grid, 10U + static_cast<unsigned>(c), is_odd_in_y(c));
+    for (std::size_t i = grid.surface.size() * static_cast<std::size_t>(layers); i < component.size(); ++i)
+      component[i] = 0.0;
+    strain.insert(strain.end(), component.begin(), component.end());
+  }
+  return strain;
+}
+
+/// The told rows stay, the others become `value`.
+Field without_other_rows(const VolumeGrid& grid, Field field, double value)
+{
+  const SurfaceGrid& s = grid.surface;
+  for (std::size_t cell = 0; cell < field.size(); ++cell)
+    if (static_cast<int>(cell / static_cast<std::size_t>(s.nx)) % s.ny >= told_rows(s, Symmetry::in_y))
+      field[cell] = value;
+  return field;
+}
+
+struct Answer
+{
+  Field stress, z, x, y;
+};
+
+Answer answer(const HalfSpace& half_space, const Field& strain, const SurfaceLoad& load, int layers, Symmetry symmetry)
+{
+  const VolumeGrid& grid = half_space.grid();
+  HalfSpace::Work work = half_space.make_work();
+  const std::size_t cells = grid.surface.size();
+  Answer result{Field(Deviator::size * grid.size()), Field(cells), Field(cells), Field(cells)};
+  for (int turn = 0; turn < 2; ++turn) // the second time the buffers are not new
+  {
+    const HalfSpace::Loaded loaded = half_space.load(strain, layers, work, Displacements::all, symmetry);
+    loaded.displacement({.z = result.z, .x = result.x, .y = result.y});
+    loaded.stress(load, result.stress);
+  }
+  if (symmetry != Symmetry::none)
+  {
+    result.stress = without_other_rows(grid, result.stress, 0.0);
+    complete_in_y(grid, result.stress);
+  }
+  return result;
+}
+
+double largest_difference(const Field& a, const Field& b)
+{
+  double difference = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+  return difference;
+}
+
+class MirroredHalfSpaceTest : public testing::TestWithParam<VolumeGrid>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Grids, MirroredHalfSpaceTest,
+    testing::Values(VolumeGrid{{33, 13, 0.5, 1.0}, 7, 0.25}, VolumeGrid{{20, 12, 0.7, 0.9}, 6, 0.4},
+                    VolumeGrid{{9, 40, 0.7, 0.9}, 4, 0.4}, // long in y
+                    VolumeGrid{{60, 7, 0.7, 0.9}, 3, 0.4}, // long in x
+                    VolumeGrid{{5, 1, 0.7, 0.9}, 3, 0.4}, VolumeGrid{{4, 2, 0.7, 0.9}, 1, 0.4},
+                    VolumeGrid{periodic(17, 11, 0.7, 0.9), 4, 0.6}, VolumeGrid{periodic(16, 10, 0.7, 0.9), 5, 0.6},
+                    VolumeGrid{periodic_in_y(12, 9, 0.7, 0.9), 4, 0.6},
+                    VolumeGrid{periodic_in_y(12, 34, 0.7, 0.9), 4, 0.6}, // 2 * 17: no fast length along y
+                    VolumeGrid{{12, 9, 0.7, 0.9, Boundary::periodic, Boundary::open}, 4, 0.6}));
+
+TEST_P(MirroredHalfSpaceTest, AnswersAsWithoutSymmetry)
+{
+  const VolumeGrid& grid = GetParam();
+  const HalfSpace half_space(grid, elastic);
+  const VolumeGrid surface{grid.surface, 1, grid.dz};
+  const Field pressure = mirrored_field(surface, 1, false);
+  const Field shear_x = mirrored_field(surface, 2, false);
+  const Field shear_y = mirrored_field(surface, 3, true);
+  const SurfaceLoad load{.pressure = pressure, .shear_x = shear_x, .shear_y = shear_y};
+  for (const int strained : {0, grid.nz / 2, grid.nz})
+    for (const int layers : {grid.nz, (grid.nz + 1) / 2})
+    {
+      const Field strain = mirrored_strain(grid, strained);
+      const Answer full = answer(half_space, strain, load, layers, Symmetry::none);
+      // What is not to be read is no number.
+      const Field half_strain = without_other_rows(grid, strain, std::numeric_limits<double>::quiet_NaN());
+      const Answer half = answer(half_space, half_strain, load, layers, Symmetry::in_y);
+      // Rounding of transforms of this length, over numbers of order one, and no more.
+      constexpr double rounding = 1e-13;
+      EXPECT_LE(largest_difference(full.stress, half.stress), rounding * largest(full.stress));
+      EXPECT_LE(largest_difference(full.z, half.z), rounding * largest(full.z));
+      EXPECT_LE(largest_difference(full.x, half.x), rounding * largest(full.x));
+      EXPECT_LE(largest_difference(full.y, half.y), rounding * largest(full.y));
+    }
+}
+
+TEST(MirroredHalfSpace, AsymmetricStrainIsNotTakenForItsHalf)
+{
+  const VolumeGrid grid{{9, 6, 0.7, 0.9}, 3, 0.4};
+  const HalfSpace half_space(grid, elastic);
+  const Field strain = test::random_field(Deviator::size * grid.size(), 5);
+  const Answer full = answer(half_space, strain, {}, grid.nz, Symmetry::none);
+  const Answer half = answer(half_space, strain, {}, grid.nz, Symmetry::in_y);
+  EXPECT_GT(largest_difference(full.stress, half.stress), 0.1 * largest(full.stress));
+}
+
+} // namespace
+} // namespace brinell::halfspace
