@@ -63,7 +63,7 @@ class Interface(_Table):
         friction: shear over pressure.
         shear_limit: largest shear that a surface can carry; the shear yield stress of the softer one if it is None.
         coupling: whether the shear moves the gap where the two materials differ.
-        heat_fraction: share of the friction power that warms bodies with thermal constants, in tugging and rolling.
+        heat_fraction: share of the friction power that warms bodies with thermal constants.
         wear: what the surfaces lose where they slip, `brinell.Wear` or a dictionary; in sliding, rolling and fretting.
     """
 
@@ -91,7 +91,7 @@ class Wear(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Heating(_Table):
-    """What the heat of friction does to bodies with thermal constants, in tugging and rolling.
+    """What the heat of friction does to bodies with thermal constants, in tugging, rolling and sliding.
 
     Attributes:
         partition: share of the lower body in it; both surfaces have one temperature where they touch if it is None.

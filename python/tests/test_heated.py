@@ -85,3 +85,24 @@ def test_hot_bodies_are_softer(run: Run) -> None:
 def test_what_cannot_be_is_refused(arguments: dict[str, object], message: str) -> None:
     with pytest.raises(InputError, match=message):
         tugging(**arguments).run(in_memory=True)
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_rough_flats_that_slide_grow_warm() -> None:
+    material = brinell.Material("200 GPa", 0.3, brinell.Linear("900 MPa", "20 GPa"), thermal=THERMAL)
+    case = brinell.Sliding(
+        brinell.Body(brinell.Flat(), material, brinell.Sinusoid("0.2 um", "20 um", "20 um")),
+        brinell.Body(brinell.Flat(), material, brinell.Sinusoid("0.1 um", "10 um", "20 um")),
+        "5 um",
+        pressure="200 MPa",
+        press_steps=2,
+        speed="1 m/s",
+        interface={"friction": 0.1},
+        thermal=brinell.Heating(partition=0.25),
+        grid=brinell.Grid(boundary="periodic", size=("20 um", "20 um"), cells=(16, 16)),
+    )
+    history = case.run(in_memory=True).history
+    heat = history["heat_lower"] + history["heat_upper"]
+    assert history["max_temperature_lower"].max() > 21.0
+    assert heat[-1] == pytest.approx(history["dissipation_friction"][-1], rel=1e-3)
+    assert history["heat_lower"][-1] == pytest.approx(0.25 * heat[-1], rel=1e-9)

@@ -76,7 +76,7 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
       is_stressed_(run.settings.stress && thermal_.expansion != 0.0 && material.is_plastic()),
       softening_law_(material.is_plastic() ? material.softening : std::nullopt),
       field_(grid_, thermal_, material.elastic, run.times,
-             material.elastic.is_rigid() ? std::vector<double>{} : depths_of(volume))
+             material.elastic.is_rigid() ? std::vector<double>{} : depths_of(volume), halfspace::HeatImages::coarse)
 {
   for (std::vector<double>* field :
        {&remaining_temperature_, &remaining_displacement_, &displacement_, &displacement_before_, &pressure_})
@@ -97,21 +97,21 @@ void BodyHeat::begin(std::span<const double> expected, const halfspace::HeatMoti
   if (!acts_in_layers())
     return;
   expected_.assign(expected.begin(), expected.end());
-  before_ = field_.heat();
-  field_.take_up(expected_, motion);
+  field_.take_up(expected_, motion, before_);
+  is_expected_ = true;
   find_layers(body);
 }
 
 void BodyHeat::settle(std::span<const double> flux)
 {
-  if (before_.empty())
+  if (!is_expected_)
     field_.take_up(flux, motion_);
   else
   {
     for (std::size_t i = 0; i < flux.size(); ++i)
       expected_[i] = flux[i] - expected_[i];
     field_.amend(expected_, motion_);
-    before_ = {};
+    is_expected_ = false;
   }
   if (!swells_)
     return;
@@ -121,10 +121,10 @@ void BodyHeat::settle(std::span<const double> flux)
 
 void BodyHeat::restore()
 {
-  if (before_.empty())
+  if (!is_expected_)
     return;
   field_.go_back(before_);
-  before_ = {};
+  is_expected_ = false;
 }
 
 void BodyHeat::require_layers(const VolumeGrid& body) const
@@ -141,43 +141,50 @@ void BodyHeat::find_layers(const VolumeGrid& body)
     stress_.assign(Deviator::size * body.size(), 0.0);
   if (is_softened())
     softening_.assign(body.size(), 0.0);
-  layers(body, {.temperature = softening_, .deviator = stress_, .trace = {}});
+  layers(body, {.temperature = softening_, .deviator = stress_, .trace = {}}, room_);
   for (double& value : softening_) // so far the rise of the temperature
     value = constitutive::softening_factor(*softening_law_, bulk_ + value);
 }
 
 void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out) const
 {
+  std::vector<double> room;
+  layers(body, out, room);
+}
+
+/// @param room  where the fields come to be on the grid of the heat
+void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::vector<double>& room) const
+{
   if (field_.depths().empty())
     return;
   require_layers(body);
   const auto count = static_cast<std::size_t>(body.nz);
-  const auto fields_of = [&](std::span<double> wanted, std::size_t fields)
-  { return std::vector<double>(wanted.empty() ? 0 : fields * count * grid_.size()); };
-  std::vector<double> deviator = fields_of(out.deviator, Deviator::size), trace = fields_of(out.trace, 1),
-                      temperature = fields_of(out.temperature, 1);
-  const auto part = [&](std::vector<double>& all, std::size_t layer, std::size_t fields)
-  {
-    return all.empty() ? std::span<double>{}
-                       : std::span(all).subspan(layer * fields * grid_.size(), fields * grid_.size());
-  };
+  const std::size_t cells = grid_.size();
+  const std::size_t deviators = out.deviator.empty() ? 0 : Deviator::size, traces = out.trace.empty() ? 0 : 1,
+                    temperatures = out.temperature.empty() ? 0 : 1, fields = deviators + traces + temperatures;
+  room.resize(fields * count * cells);
   std::vector<halfspace::ThermalLayer> found;
   found.reserve(count);
   for (std::size_t k = 0; k < count; ++k)
-    found.push_back({part(temperature, k, 1), part(deviator, k, Deviator::size), part(trace, k, 1)});
+  {
+    const std::span<double> of_layer = std::span(room).subspan(k * fields * cells, fields * cells);
+    found.push_back({of_layer.subspan((deviators + traces) * cells), of_layer.first(deviators * cells),
+                     of_layer.subspan(deviators * cells, traces * cells)});
+  }
   field_.layers(0, found);
   const auto place = [&](std::span<const double> field, std::span<double> all, std::size_t number, std::size_t layer)
   {
-    const std::size_t cells = body.surface.size();
-    if (!all.empty())
-      fit(grid_, field, body.surface, all.subspan(number * body.size() + layer * cells, cells));
+    const std::size_t size = body.surface.size();
+    fit(grid_, field, body.surface, all.subspan(number * body.size() + layer * size, size));
   };
   for (std::size_t k = 0; k < count; ++k)
   {
-    for (std::size_t c = 0; c < Deviator::size && !out.deviator.empty(); ++c)
-      place(found[k].deviator.subspan(c * grid_.size(), grid_.size()), out.deviator, c, k);
-    place(found[k].trace, out.trace, 0, k);
-    place(found[k].temperature, out.temperature, 0, k);
+    for (std::size_t c = 0; c < deviators; ++c)
+      place(found[k].deviator.subspan(c * cells, cells), out.deviator, c, k);
+    if (traces > 0)
+      place(found[k].trace, out.trace, 0, k);
+    if (temperatures > 0)
+      place(found[k].temperature, out.temperature, 0, k);
   }
 }
 
@@ -241,10 +248,8 @@ std::vector<double> HeatedSide::on_body(std::span<const double> field, const cha
 
 void HeatedSide::plan(const halfspace::HeatMotion& motion)
 {
-  const auto known =
-      std::find_if(planned_.begin(), planned_.end(),
-                   [&](const Responses& r)
-                   { return r.motion.duration == motion.duration && r.motion.velocity_x == motion.velocity_x; });
+  const auto known = std::find_if(planned_.begin(), planned_.end(),
+                                  [&](const Responses& responses) { return responses.motion == motion; });
   if (known != planned_.end())
   {
     planned_.splice(planned_.begin(), planned_, known);

@@ -55,6 +55,7 @@ public:
 
 private:
   void find_layers(const VolumeGrid& body);
+  void layers(const VolumeGrid& body, const Heating::Layers& out, std::vector<double>& room) const;
   void require_layers(const VolumeGrid& body) const;
 
   SurfaceGrid grid_;
@@ -63,10 +64,11 @@ private:
   bool swells_, is_stressed_; ///< whether its displacement counts in the gap, its thermal stress when it yields
   std::optional<constitutive::SofteningLaw> softening_law_; ///< none: it does not count
   halfspace::ThermalField field_;
-  Hidden<halfspace::ThermalField::Heat> before_{}; ///< the step at hand, if its expected flux is taken up
+  Hidden<halfspace::ThermalField::Heat> before_{}; ///< the step at hand
+  bool is_expected_ = false;                       ///< whether the expected flux of the step at hand is taken up
   halfspace::HeatMotion motion_{};
   std::vector<double> expected_;
-  std::vector<double> remaining_temperature_, remaining_displacement_, stress_, softening_;
+  std::vector<double> remaining_temperature_, remaining_displacement_, stress_, softening_, room_;
   std::vector<double> displacement_, displacement_before_, pressure_; ///< at the end of the last step
 };
 
@@ -90,6 +92,9 @@ public:
 
   /// Temperature at the end of the step [deg C] without the flux of the step.
   [[nodiscard]] const std::vector<double>& remaining() const { return remaining_; }
+  /// Of the step at hand: how the flux moves, and what it does to the temperature.
+  [[nodiscard]] const halfspace::HeatMotion& motion() const { return planned_.front().motion; }
+  [[nodiscard]] const halfspace::HeatResponse& temperature_response() const { return planned_.front().temperature; }
   /// What the flux of a step adds to the temperature.
   void warm(std::span<const double> flux, std::span<double> rise);
   /// The flux of the step at hand, and what it displaces. @returns the largest change of displacement

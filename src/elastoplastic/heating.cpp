@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <list>
 
 namespace brinell::elastoplastic
 {
@@ -19,15 +20,24 @@ struct Heating::State
   HeatSettings settings;
   std::array<HeatedSide, 2> sides;
   double twins; ///< bodies for which one that is solved stands
+  /// What a flux into both bodies adds to the sum of their temperatures, for a pair of motions.
+  struct BothResponses
+  {
+    std::array<halfspace::HeatMotion, 2> motions;
+    halfspace::HeatResponse response;
+    halfspace::HeatResponse::Scratch scratch;
+  };
+  std::list<BothResponses> planned{}; ///< the one of the last use is the first
   // Of the increment at hand
   double duration = 0.0, slid = 0.0;
   std::vector<double> shear_before{};
   // Since the start [J]
   double heat_of_friction = 0.0, work_on_pressure = 0.0;
 
-  [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure);
+  [[nodiscard]] BothResponses& of_both();
+  [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
   [[nodiscard]] std::vector<double> flux_of_one_temperature(const std::vector<double>& heat,
-                                                            std::span<const double> pressure);
+                                                            std::span<const double> pressure, Sharing sharing);
 };
 
 namespace
@@ -79,13 +89,32 @@ void Heating::begin(const Start& start)
     s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration);
 }
 
+Heating::State::BothResponses& Heating::State::of_both()
+{
+  const std::array<halfspace::HeatMotion, 2> motions{sides[0].motion(), sides[1].motion()};
+  const auto known =
+      std::find_if(planned.begin(), planned.end(), [&](const BothResponses& both) { return both.motions == motions; });
+  if (known != planned.end())
+  {
+    planned.splice(planned.begin(), planned, known);
+    return planned.front();
+  }
+  constexpr std::size_t most = 6;
+  if (planned.size() == most)
+    planned.pop_back();
+  auto response = halfspace::HeatResponse::of_both(sides[0].temperature_response(), sides[1].temperature_response());
+  auto scratch = response.make_scratch();
+  planned.push_front({motions, std::move(response), std::move(scratch)});
+  return planned.front();
+}
+
 /// The flux into the lower body with which both surfaces have one temperature where they touch:
 ///   T_lower + R_lower q_lower = T_upper + R_upper (q - q_lower).
 std::vector<double> Heating::State::flux_of_one_temperature(const std::vector<double>& heat,
-                                                            std::span<const double> pressure)
+                                                            std::span<const double> pressure, Sharing sharing)
 {
   HeatedSide &lower = sides[0], &upper = sides[1];
-  std::vector<double> rhs(heat.size()), other(heat.size());
+  std::vector<double> rhs(heat.size());
   std::vector<bool> pressed(heat.size());
   upper.warm(heat, rhs);
   double largest = 0.0;
@@ -96,22 +125,18 @@ std::vector<double> Heating::State::flux_of_one_temperature(const std::vector<do
     if (pressed[i])
       largest = std::max(largest, std::abs(rhs[i]));
   }
-  const FieldOperator both = [&](std::span<const double> in, std::span<double> out)
-  {
-    lower.warm(in, out);
-    upper.warm(in, other);
-    for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] += other[i];
-  };
-  constexpr double tolerance = 1e-6; // of the difference that the shares make up for
+  BothResponses& both = of_both();
+  const FieldOperator warm_both = [&](std::span<const double> in, std::span<double> out)
+  { both.response.apply(in, out, both.scratch); };
+  const double tolerance = sharing == Sharing::fine ? 1e-6 : 1e-3; // of the difference that the shares make up for
   std::vector<double> flux = lower.flux();
-  if (!solve_in_cells(both, rhs, pressed, tolerance * largest, flux))
+  if (!solve_in_cells(warm_both, rhs, pressed, tolerance * largest, flux))
     throw ConvergenceError("the surfaces have not come to one temperature where they touch");
   return flux;
 }
 
 /// Shares the heat, a flux [W/m^2]. @returns the largest change of the displacement [m]
-double Heating::State::share_flux(const std::vector<double>& heat, std::span<const double> pressure)
+double Heating::State::share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing)
 {
   auto& [lower, upper] = sides;
   std::vector<double> into_lower(heat.size());
@@ -120,14 +145,14 @@ double Heating::State::share_flux(const std::vector<double>& heat, std::span<con
   else if (settings.partition && lower.conducts())
     std::transform(heat.begin(), heat.end(), into_lower.begin(), [&](double q) { return *settings.partition * q; });
   else if (lower.conducts())
-    into_lower = flux_of_one_temperature(heat, pressure);
+    into_lower = flux_of_one_temperature(heat, pressure, sharing);
   std::vector<double> into_upper(heat.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
     into_upper[i] = heat[i] - into_lower[i];
   return lower.set_flux(into_lower) + upper.set_flux(into_upper);
 }
 
-double Heating::follow(std::span<const double> pressure, std::span<const double> shear)
+double Heating::follow(std::span<const double> pressure, std::span<const double> shear, Sharing sharing)
 {
   State& s = *state_;
   if (s.duration == 0.0)
@@ -136,8 +161,8 @@ double Heating::follow(std::span<const double> pressure, std::span<const double>
   const double factor = 0.5 * s.settings.fraction * s.slid / s.duration;
   std::vector<double> heat(pressure.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] = factor * std::abs(s.shear_before[i] + shear[i]);
-  return s.share_flux(heat, pressure);
+    heat[i] = factor * (std::abs(s.shear_before[i]) + std::abs(shear[i]));
+  return s.share_flux(heat, pressure, sharing);
 }
 
 void Heating::add_to_gap(std::span<double> gap) const
@@ -154,7 +179,7 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
   std::vector<double> heat(heat_per_area.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
     heat[i] = s.settings.fraction * heat_per_area[i] / s.duration;
-  static_cast<void>(s.share_flux(heat, pressure));
+  static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
   s.heat_of_friction += sum(heat) * s.duration * s.contact.cell_area();
   for (HeatedSide& side : s.sides)
     side.settle();
@@ -235,6 +260,7 @@ void Heating::move_to(const SurfaceGrid& contact)
 {
   for (HeatedSide& side : state_->sides)
     side.move_to(contact);
+  state_->planned.clear();
   state_->contact = contact;
 }
 

@@ -244,13 +244,14 @@ double largest_change(std::span<const double> a, const std::vector<double>& b)
 
 /// Gap and pressure of the surfaces with the residual displacements of the present trial.
 void CoupledContact::solve_contact(std::span<const double> distance, const contact::Drive& drive,
-                                   const Placement& placement, const Strategy& strategy, IncrementReport& report)
+                                   const Placement& placement, const Strategy& strategy, bool closing,
+                                   IncrementReport& report)
 {
   std::copy(distance.begin(), distance.end(), distance_.begin());
   add_lower_depth(placement.lower, distance_);
   add_upper_depth(placement.upper, distance_);
   if (interface_)
-    solve_frictional_contact(drive, placement, strategy, report);
+    solve_frictional_contact(drive, placement, strategy, closing, report);
   else
     press(drive, strategy, report);
   spread(placement);
@@ -383,7 +384,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       report.displacement_error =
           larger(report.displacement_error, largest_change(body.residual_displacement(), displacement));
     }
-    solve_contact(distance, drive, placement, strategy, report);
+    solve_contact(distance, drive, placement, strategy, closing, report);
     bool grew = false;
     report.yield_error = 0.0;
     for (Side& side : sides_)

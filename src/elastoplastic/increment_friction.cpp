@@ -147,8 +147,9 @@ bool CoupledContact::carries_off(const Placement& placement) const
 }
 
 /// Pressure and shear by turns, until the shear no longer moves the gap. Where it never does, one turn.
+/// @param closing  whether the increment may end with this evaluation. Before, the heat follows the plastic strain a turn behind.
 void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,
-                                              const Strategy& strategy, IncrementReport& report)
+                                              const Strategy& strategy, bool closing, IncrementReport& report)
 {
   constexpr int most_turns = 60;
   const double tolerance = settings_.contact_tolerance * scales_.gap;
@@ -162,12 +163,15 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
       heating_->add_to_gap(distance_);
     press(drive, strategy, report);
     Interface::Change change = follow(placement);
-    if (heating_ && !strategy.watch_energy)
-      change.gap = larger(change.gap, follow_heat());
+    const double by_heat = heating_ && !strategy.watch_energy
+                               ? follow_heat(closing ? Heating::Sharing::fine : Heating::Sharing::rough)
+                               : 0.0;
+    if (closing)
+      change.gap = larger(change.gap, by_heat);
     if (wear_ && !strategy.watch_energy)
       change.gap = larger(change.gap, follow_wear());
     report.overloaded = change.is_overloaded;
-    report.contact_converged = report.contact_converged && change.is_solved;
+    report.contact_converged = report.contact_converged && change.is_solved && by_heat <= tolerance;
     if (change.gap <= tolerance)
       return;
     report.contact_converged = false;
@@ -197,7 +201,7 @@ bool CoupledContact::renews_law(IncrementReport& report)
     return false;
   Interface::Change change = interface_->renew({.pressure = pressure_, .lower_x = {}, .upper_x = {}});
   if (heating_)
-    change.gap = larger(change.gap, follow_heat());
+    change.gap = larger(change.gap, follow_heat(Heating::Sharing::fine));
   if (wear_)
     change.gap = larger(change.gap, follow_wear());
   const contact::ConstAlongSurface shears = interface_->shears();

@@ -25,9 +25,9 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
 }
 
 /// The fluxes that belong to the pressure of the trial. @returns by how much they change the gap [m]
-double CoupledContact::follow_heat()
+double CoupledContact::follow_heat(Heating::Sharing sharing)
 {
-  return heating_->follow(pressure_, interface_->shears()[0]);
+  return heating_->follow(pressure_, interface_->shears()[0], sharing);
 }
 
 void CoupledContact::settle_heating(const Strategy& strategy)

@@ -171,11 +171,12 @@ void SlidingInterface::settle(const Bodies& bodies)
   state_.work = before_.work + sum(work_per_area_) * grid.cell_area();
 }
 
+/// Where the motion turns, the shear turns before the surfaces slide: it always resists them.
 std::vector<double> SlidingInterface::heat_per_area(double slid) const
 {
   std::vector<double> heat(state_.shear.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] = 0.5 * slid * std::abs(before_.shear[i] + state_.shear[i]) - work_per_area_[i];
+    heat[i] = 0.5 * slid * (std::abs(before_.shear[i]) + std::abs(state_.shear[i])) - work_per_area_[i];
   return heat;
 }
 

@@ -2,6 +2,8 @@
 #include "foundation/fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/lane_fft.hpp"
+#include "foundation/lane_functions.hpp"
 #include "foundation/planner_lock.hpp"
 
 #include <algorithm>
@@ -38,14 +40,15 @@ int fast_length(int n)
   return m;
 }
 
-/// FFTW plans on one plane: rows between real scratch and complex plane, columns in place. Only the rows that hold data
-/// are transformed along x; the zero padding costs nothing there.
+/// FFTW plans on one plane: rows between real scratch and complex plane. Only the rows that hold data are transformed along x; the
+/// zero padding costs nothing there. Columns pass eight by eight in lanes, which read and write the rows that hold data alone.
 struct PaddedFft::Plans
 {
   fftw_plan rows_forward = nullptr, rows_inverse = nullptr, all_rows_forward = nullptr;
-  fftw_plan columns_forward = nullptr, columns_inverse = nullptr;
+  fftw_plan columns_forward = nullptr;
+  LaneFft columns;
 
-  Plans(int px, int py, int ny, std::size_t plane)
+  Plans(int px, int py, int ny, std::size_t plane) : columns(py)
   {
     // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
     const unsigned flags = FFTW_ESTIMATE;
@@ -61,14 +64,13 @@ struct PaddedFft::Plans
     all_rows_forward = rows(py);
     rows_inverse = fftw_plan_many_dft_c2r(1, &px, ny, c, nullptr, 1, kx, r, nullptr, 1, px, flags | FFTW_DESTROY_INPUT);
     columns_forward = fftw_plan_many_dft(1, &py, kx, c, nullptr, kx, 1, c, nullptr, kx, 1, FFTW_FORWARD, flags);
-    columns_inverse = fftw_plan_many_dft(1, &py, kx, c, nullptr, kx, 1, c, nullptr, kx, 1, FFTW_BACKWARD, flags);
-    if (!rows_forward || !all_rows_forward || !rows_inverse || !columns_forward || !columns_inverse)
+    if (!rows_forward || !all_rows_forward || !rows_inverse || !columns_forward)
       throw InternalError("FFTW made no plan");
   }
   ~Plans()
   {
     const auto lock = planner_lock();
-    for (fftw_plan p : {rows_forward, rows_inverse, all_rows_forward, columns_forward, columns_inverse})
+    for (fftw_plan p : {rows_forward, rows_inverse, all_rows_forward, columns_forward})
       fftw_destroy_plan(p);
   }
   Plans(const Plans&) = delete;
@@ -126,6 +128,44 @@ double PaddedFft::wavenumber_y(int j) const
   return 2.0 * std::numbers::pi * (j <= py_ / 2 ? j : j - py_) / (py_ * grid_.dy);
 }
 
+namespace
+{
+
+/// Real values of the rows, on whole cache lines.
+std::size_t rows_size(int px, int ny)
+{
+  return (static_cast<std::size_t>(px) * static_cast<std::size_t>(ny) + lane_count - 1) / lane_count * lane_count;
+}
+
+/// Neighbouring values of one row, in lanes; beyond the last column there are zeros.
+ComplexLanes load_row(const Complex* from, int count)
+{
+  if (count >= lane_count)
+    return load_lanes(from);
+  ComplexLanes value;
+  for (int lane = 0; lane < count; ++lane)
+  {
+    value.re[lane] = from[lane].real();
+    value.im[lane] = from[lane].imag();
+  }
+  return value;
+}
+void store_row(const ComplexLanes& value, int count, Complex* to)
+{
+  if (count >= lane_count)
+    return store_lanes(value, to);
+  for (int lane = 0; lane < count; ++lane)
+    to[lane] = {value.re[lane], value.im[lane]};
+}
+
+} // namespace
+
+std::size_t PaddedFft::scratch_size() const
+{
+  constexpr std::size_t values = 2 * lane_count; // of ComplexLanes
+  return rows_size(px_, grid_.ny) + values * (2 * static_cast<std::size_t>(py_) + plans_->columns.work_size());
+}
+
 void PaddedFft::forward(const double* field, Complex* spectrum, std::span<double> scratch) const
 {
   const std::ptrdiff_t nx = grid_.nx;
@@ -135,14 +175,32 @@ void PaddedFft::forward(const double* field, Complex* spectrum, std::span<double
     std::fill_n(row, px_ - nx, 0.0);
   }
   fftw_execute_dft_r2c(plans_->rows_forward, scratch.data(), as_fftw(spectrum));
-  const std::ptrdiff_t used = static_cast<std::ptrdiff_t>(grid_.ny) * kx();
-  std::fill_n(spectrum + used, static_cast<std::ptrdiff_t>(py_) * kx() - used, Complex{});
-  fftw_execute_dft(plans_->columns_forward, as_fftw(spectrum), as_fftw(spectrum));
+  auto* column = reinterpret_cast<ComplexLanes*>(scratch.data() + rows_size(px_, grid_.ny));
+  ComplexLanes *transformed = column + py_, *work = transformed + py_;
+  for (int first = 0; first < kx(); first += lane_count)
+  {
+    const int count = kx() - first;
+    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
+      column[j] = load_row(spectrum + j * kx() + first, count);
+    plans_->columns.forward(column, grid_.ny, transformed, work);
+    for (std::ptrdiff_t j = 0; j < py_; ++j)
+      store_row(transformed[j], count, spectrum + j * kx() + first);
+  }
 }
 
 void PaddedFft::inverse(Complex* spectrum, double* field, std::span<double> scratch) const
 {
-  fftw_execute_dft(plans_->columns_inverse, as_fftw(spectrum), as_fftw(spectrum));
+  auto* column = reinterpret_cast<ComplexLanes*>(scratch.data() + rows_size(px_, grid_.ny));
+  ComplexLanes *transformed = column + py_, *work = transformed + py_;
+  for (int first = 0; first < kx(); first += lane_count)
+  {
+    const int count = kx() - first;
+    for (std::ptrdiff_t j = 0; j < py_; ++j)
+      column[j] = load_row(spectrum + j * kx() + first, count);
+    plans_->columns.inverse(column, transformed, grid_.ny, work);
+    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
+      store_row(transformed[j], count, spectrum + j * kx() + first);
+  }
   fftw_execute_dft_c2r(plans_->rows_inverse, as_fftw(spectrum), scratch.data());
   const double scale = 1.0 / (static_cast<double>(px_) * py_);
   for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)

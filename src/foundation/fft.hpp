@@ -52,10 +52,7 @@ public:
   [[nodiscard]] double wavenumber_y(int j) const;
 
   /// Real values that `forward` and `inverse` need to work in; one AlignedVector of this size per thread.
-  [[nodiscard]] std::size_t scratch_size() const
-  {
-    return static_cast<std::size_t>(px_) * static_cast<std::size_t>(grid_.ny);
-  }
+  [[nodiscard]] std::size_t scratch_size() const;
   /// Spectrum of one real field on the grid (unnormalised: sum of f e^{-i k x}).
   void forward(const double* field, Complex* spectrum, std::span<double> scratch) const;
   /// Real field on the grid of one spectrum (scaled by 1/(px py)); the spectrum is destroyed.

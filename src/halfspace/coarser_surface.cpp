@@ -23,19 +23,21 @@ double weight(bool is_first_half, std::size_t n)
 
 } // namespace
 
-CoarserSurface::CoarserSurface(const SurfaceGrid& finer, int finer_margin) : fine_(finer), coarse_(finer)
+CoarserSurface::CoarserSurface(const SurfaceGrid& finer, const std::array<int, 2>& margins,
+                               const std::array<bool, 2>& coarser)
+    : fine_(finer), coarse_(finer)
 {
-  const auto halve = [&](bool is_periodic, int& cells, double& size, Axis& axis)
+  const auto halve = [](bool is_coarser, int fine_margin, int& cells, double& size, Axis& axis)
   {
-    axis = {cells, cells, finer_margin, !is_periodic};
-    if (is_periodic)
+    axis = {cells, cells, fine_margin, is_coarser};
+    if (!is_coarser)
       return;
-    const int inner = cells - 2 * finer_margin;
+    const int inner = cells - 2 * fine_margin;
     cells = axis.coarse = (inner + 1) / 2 + 2 * margin;
     size *= 2.0;
   };
-  halve(finer.is_periodic_x(), coarse_.nx, coarse_.dx, x_);
-  halve(finer.is_periodic_y(), coarse_.ny, coarse_.dy, y_);
+  halve(coarser[0] && !finer.is_periodic_x(), margins[0], coarse_.nx, coarse_.dx, x_);
+  halve(coarser[1] && !finer.is_periodic_y(), margins[1], coarse_.ny, coarse_.dy, y_);
 }
 
 int CoarserSurface::Axis::first_of(int cell) const
@@ -105,10 +107,21 @@ std::vector<double> CoarserSurface::to_finer(std::span<const double> field) cons
   return result;
 }
 
-int memory_length(int cells)
+int memory_length(int cells, bool begins_coarser)
 {
   constexpr int ends = 2 * CoarserSurface::margin;
-  return fast_length(std::max(2 * cells, cells + 2 + 2 * ends));
+  if (!begins_coarser)
+    return fast_length(std::max(2 * cells, cells + 2 + 2 * ends));
+  int length = (2 * cells + 3) / 4 * 4;
+  while (fast_length(length) != length)
+    length += 4;
+  return length;
+}
+
+bool is_long(int cells)
+{
+  constexpr int ends = 2 * CoarserSurface::margin;
+  return 2 * cells >= cells + 6 + 4 * ends; // a quarter of which holds the ends of cells that are four times as long
 }
 
 } // namespace brinell::halfspace

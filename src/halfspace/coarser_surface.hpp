@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -17,10 +18,17 @@ class CoarserSurface
 public:
   static constexpr int margin = 4;
 
-  /// @param finer_margin  cells that the fine grid itself has beyond the ends of what it stands for: 0 or `margin`
-  CoarserSurface(const SurfaceGrid& finer, int finer_margin);
+  CoarserSurface(const SurfaceGrid& finer, int finer_margin)
+      : CoarserSurface(finer, {finer_margin, finer_margin}, {true, true})
+  {
+  }
+  /// @param margins  cells that the fine grid itself has beyond the ends of what it stands for, along x and y: 0 or `margin`
+  /// @param coarser  along which axes the cells become twice as long; of a periodic one they never do
+  CoarserSurface(const SurfaceGrid& finer, const std::array<int, 2>& margins, const std::array<bool, 2>& coarser);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return coarse_; }
+  /// That of this grid, to go on from.
+  [[nodiscard]] std::array<int, 2> margins() const { return {x_.coarse_margin(), y_.coarse_margin()}; }
   [[nodiscard]] std::vector<double> from_finer(std::span<const double> load) const; ///< mean over the coarse cells
   [[nodiscard]] std::vector<double> to_finer(std::span<const double> field) const;
 
@@ -31,13 +39,17 @@ private:
     int fine = 0, coarse = 0, fine_margin = 0;
     bool is_coarser = false;
     [[nodiscard]] int first_of(int cell) const; ///< of four coarse cells about a fine one
+    [[nodiscard]] int coarse_margin() const { return is_coarser ? margin : fine_margin; }
   };
 
   SurfaceGrid fine_, coarse_;
   Axis x_, y_;
 };
 
-/// Cells of an open axis with its padding: an even number that holds all loads on coarser and coarser cells in half of them.
-[[nodiscard]] int memory_length(int cells);
+/// Cells of an open axis with its padding: a number that holds all loads on coarser and coarser cells in half of them.
+/// @param begins_coarser  in a quarter, on cells that are twice as coarse from the first ones on: a multiple of four
+[[nodiscard]] int memory_length(int cells, bool begins_coarser = false);
+/// Whether that takes no more than twice the cells.
+[[nodiscard]] bool is_long(int cells);
 
 } // namespace brinell::halfspace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <iterator>
 #include <numbers>
 
@@ -71,30 +70,50 @@ double DepthWaves::beyond(int power) const
   return 1.0 / std::expm1((power - 1) * step);
 }
 
-TurnedWave turned_wave(double x, double step)
+namespace
+{
+
+// Off the real axis, along u + i angle, e^{ix} decays and the integral ends.
+constexpr double angle = 0.3;
+
+} // namespace
+
+TurnedWaves::TurnedWaves(double step)
 {
   // The mean with a kernel K(u) over u = ln x. Its transform is 1 up to frequencies somewhat below pi/step and 0 beyond: those of the
-  // waves are told apart. Off the real axis, along u + i angle, e^{ix} decays and the integral ends.
-  constexpr double softness = 0.2, angle = 0.3;
+  // waves are told apart.
+  constexpr double softness = 0.2;
   const double band = std::numbers::pi / step, width = 1.0 / (softness * band);
-  if (x == 0.0)
-    return {1.0, 0.0};
   const double spacing = 0.1 * step, reach = 10.0 * width;
-  std::complex<double> cosine{}, sine{};
   for (double u = -reach; u <= reach; u += spacing)
   {
     const std::complex<double> shifted{u, angle};
     const std::complex<double> stretch = std::exp(shifted);
-    const std::complex<double> phase = std::complex<double>{0.0, x} * stretch;
-    if (phase.real() < -40.0)
-      break;
     const std::complex<double> kernel =
         std::sin(band * shifted) / (std::numbers::pi * shifted) * std::exp(-0.25 * shifted * shifted / (width * width));
-    const std::complex<double> term = kernel * std::exp(phase) * stretch;
-    cosine += term;
-    sine += term * stretch;
+    points_.push_back({std::exp(u), spacing * kernel * stretch, spacing * kernel * stretch * stretch});
   }
-  return {spacing * cosine.real(), spacing * sine.imag()};
+}
+
+TurnedWave TurnedWaves::operator()(double x) const
+{
+  constexpr double too_often = 300.0; // the mean is below 1e-10
+  if (x == 0.0)
+    return {1.0, 0.0};
+  if (x > too_often)
+    return {0.0, 0.0};
+  const double decay = -x * std::sin(angle), turn = x * std::cos(angle);
+  TurnedWave mean{0.0, 0.0};
+  for (const Point& point : points_)
+  {
+    if (decay * point.stretch < -40.0)
+      break;
+    const double left = std::exp(decay * point.stretch), phase = turn * point.stretch;
+    const double re = left * std::cos(phase), im = left * std::sin(phase);
+    mean.cosine += re * point.of_cosine.real() - im * point.of_cosine.imag();
+    mean.sine += re * point.of_sine.imag() + im * point.of_sine.real();
+  }
+  return mean;
 }
 
 } // namespace brinell::halfspace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -49,6 +50,21 @@ struct TurnedWave
 {
   double cosine, sine; ///< the latter for sums that go with s ds
 };
-[[nodiscard]] TurnedWave turned_wave(double x, double step);
+class TurnedWaves
+{
+public:
+  /// @param step  of ln s
+  explicit TurnedWaves(double step);
+  [[nodiscard]] TurnedWave operator()(double x) const;
+
+private:
+  /// A point of the path of integration: e^u, and the weights of both means there.
+  struct Point
+  {
+    double stretch;
+    std::complex<double> of_cosine, of_sine;
+  };
+  std::vector<Point> points_;
+};
 
 } // namespace brinell::halfspace

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heat_memory.hpp"
 
+#include "foundation/lane_functions.hpp"
 #include "foundation/sharing.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace brinell::halfspace
 {
 
 namespace
 {
-
-/// (1 - e^{-x})/x
-/// @param left  e^{-x}
-Complex mean_decay(Complex x, Complex left)
-{
-  if (std::norm(x) < 1e-6)
-    return 1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0));
-  return (1.0 - left) * std::conj(x) / std::norm(x);
-}
 
 /// Share of a wave in what is uniform in a cell, over which its phase changes by `angle`.
 double cell_mean(double angle)
@@ -29,74 +21,19 @@ double cell_mean(double angle)
 
 } // namespace
 
-DepthFactors depth_factors(const DepthWaves& waves, double depth)
-{
-  DepthFactors factors{depth, {}, {}, {}, {}};
-  for (const DepthWave& wave : waves.waves)
-  {
-    const TurnedWave turned = turned_wave(wave.number * depth, waves.step);
-    factors.temperature.push_back(wave.weight * turned.cosine);
-    factors.potential.push_back(wave.weight * turned.cosine);
-    factors.slope.push_back(-wave.weight * wave.number * turned.sine);
-    factors.at_surface.push_back(wave.weight);
-  }
-  // Of a flux that they are at rest in, waves faster than the first have 1/s^2; the potential, 1/s^4. Only at the surface they count.
-  const double more = 1.0 + waves.beyond(4);
-  factors.at_surface.front() *= more;
-  if (depth == 0.0)
-  {
-    factors.temperature.front() *= 1.0 + waves.beyond(2);
-    factors.potential.front() *= more;
-  }
-  return factors;
-}
-
-/// What the waves in depth add up to at one depth in one row, column by column; real and imaginary parts in turn.
-struct HeatMemory::Sums
-{
-  std::vector<double> temperature, potential, slope; ///< the potential without its factor k
-
-  explicit Sums(std::size_t parts) : temperature(parts), potential(parts), slope(parts) {}
-  /// One wave in depth.
-  /// @param heat, integrated  of the wave, and divided by k^2 + s^2
-  void add(const double* heat, const double* integrated, double of_temperature, double of_potential, double of_slope)
-  {
-#pragma omp simd
-    for (std::size_t n = 0; n < temperature.size(); ++n)
-    {
-      temperature[n] += of_temperature * heat[n];
-      potential[n] += of_potential * integrated[n];
-      slope[n] += of_slope * integrated[n];
-    }
-  }
-};
-
-/// One row of waves, and their sums at some depths.
-struct HeatMemory::Row
-{
-  std::vector<SurfaceWave> waves;
-  std::vector<Sums> sums;
-  std::vector<double> at_surface; ///< potential without its factor k, the same for all depths
-
-  [[nodiscard]] HeatAtDepth at(std::size_t depth, std::size_t i) const
-  {
-    const auto value = [i](const std::vector<double>& parts) { return Complex{parts[2 * i], parts[2 * i + 1]}; };
-    const Sums& all = sums[depth];
-    const double k = waves[i].k;
-    return {value(all.temperature), k * value(all.potential), value(all.slope), k * value(at_surface)};
-  }
-};
-
 HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves)
     : fft_(grid, px, py), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
       waves_(std::move(waves)), heat_(waves_.waves.size() * fft_.plane())
 {
-  if (!waves_.has_fields)
-    return;
-  slow_share_.resize(fft_.plane());
   for (int row = 0; row < fft_.py(); ++row)
     for (int i = 0; i < fft_.kx(); ++i)
-      slow_share_[index(row, i)] = waves_.slow_share(surface_wave(row, i).k);
+    {
+      const double kx = fft_.wavenumber_x(i), ky = fft_.wavenumber_y(row);
+      along_.push_back({kx, ky, std::hypot(kx, ky), 2 * i == fft_.px() ? 0.0 : kx, 2 * row == fft_.py() ? 0.0 : ky});
+    }
+  if (waves_.has_fields)
+    for (const SurfaceWave& wave : along_)
+      slow_share_.push_back(waves_.slow_share(wave.k));
 }
 
 std::size_t HeatMemory::index(int row, int column) const
@@ -104,36 +41,45 @@ std::size_t HeatMemory::index(int row, int column) const
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(fft_.kx()) + static_cast<std::size_t>(column);
 }
 
-double HeatMemory::in_plane(int row, int column) const
+std::span<const SurfaceWave> HeatMemory::row_of_waves(int row) const
 {
-  return diffusivity_ * (std::pow(fft_.wavenumber_x(column), 2) + std::pow(fft_.wavenumber_y(row), 2));
+  return std::span(along_).subspan(index(row, 0), static_cast<std::size_t>(fft_.kx()));
 }
 
-SurfaceWave HeatMemory::surface_wave(int row, int column) const
+std::vector<double> HeatMemory::left_in_depth(double duration) const
 {
-  const double kx = fft_.wavenumber_x(column), ky = fft_.wavenumber_y(row);
-  return {kx, ky, std::hypot(kx, ky), 2 * column == fft_.px() ? 0.0 : kx, 2 * row == fft_.py() ? 0.0 : ky};
+  std::vector<double> left;
+  for (const DepthWave& wave : waves_.waves)
+    left.push_back(std::exp(-diffusivity_ * wave.number * wave.number * duration));
+  return left;
 }
 
 void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid& heated,
                                std::span<double> temperature) const
 {
   AlignedVector<Complex> sum(fft_.plane());
-  std::vector<double> left;
-  left.reserve(waves_.waves.size());
-  for (const DepthWave& wave : waves_.waves)
-    left.push_back(factor * wave.weight * std::exp(-diffusivity_ * wave.number * wave.number * duration));
+  const std::vector<double> left = left_in_depth(duration);
+  constexpr double nothing = 1e-20;
 #pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
   for (int row = 0; row < fft_.py(); ++row)
-    for (int i = 0; i < fft_.kx(); ++i)
+  {
+    const std::span<const SurfaceWave> along = row_of_waves(row);
+    auto* all = reinterpret_cast<double*>(sum.data() + index(row, 0));
+    for (std::size_t w = 0; w < waves_.waves.size(); ++w)
     {
-      const std::size_t at = index(row, i);
-      Complex all{};
-      for (std::size_t w = 0; w < waves_.waves.size(); ++w)
-        all += left[w] * heat_[w * fft_.plane() + at];
-      sum[at] = std::exp(-in_plane(row, i) * duration) * cell_mean(fft_.wavenumber_x(i) * heated.dx) *
-                cell_mean(fft_.wavenumber_y(row) * heated.dy) * all;
+      if (left[w] <= nothing)
+        continue;
+      const auto* heat = reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + index(row, 0));
+      const double weight = factor * waves_.waves[w].weight * left[w];
+#pragma omp simd
+      for (std::size_t n = 0; n < 2 * along.size(); ++n)
+        all[n] += weight * heat[n];
     }
+    const double mean_y = cell_mean(along.front().ky * heated.dy);
+    for (std::size_t i = 0; i < along.size(); ++i)
+      sum[index(row, 0) + i] *=
+          std::exp(-diffusivity_ * along[i].k * along[i].k * duration) * cell_mean(along[i].kx * heated.dx) * mean_y;
+  }
   AlignedVector<double> scratch(fft_.scratch_size());
   std::vector<double> field(grid().size());
   fft_.inverse(sum.data(), field.data(), scratch);
@@ -141,118 +87,199 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
     temperature[n] += field[n];
 }
 
-HeatMemory::Row HeatMemory::gather(int row, double duration, std::span<const DepthFactors> depths) const
+HeatMemory::RowEnd HeatMemory::row_end(int row, double duration, double factor) const
 {
-  const auto columns = static_cast<std::size_t>(fft_.kx());
-  Row result{{}, std::vector<Sums>(depths.size(), Sums(2 * columns)), std::vector<double>(2 * columns)};
-  std::vector<double> k2(2 * columns), integrated(2 * columns);
-  for (std::size_t i = 0; i < columns; ++i)
-  {
-    result.waves.push_back(surface_wave(row, static_cast<int>(i)));
-    k2[2 * i] = k2[2 * i + 1] = std::pow(result.waves[i].k, 2);
-  }
-  // Factors are those of all waves, of which this memory has the last ones.
-  const std::size_t skipped = depths.front().temperature.size() - waves_.waves.size();
-  const std::size_t slowest = waves_.waves.size() - 1;
-  constexpr double nothing = 1e-20;
-  for (std::size_t w = 0; w < slowest; ++w)
-  {
-    const double s2 = std::pow(waves_.waves[w].number, 2), left = std::exp(-diffusivity_ * s2 * duration);
-    if (left <= nothing)
-      continue;
-    const auto* heat = reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + index(row, 0));
-    const std::size_t f = skipped + w;
-    const double of_surface = left * depths.front().at_surface[f];
-#pragma omp simd
-    for (std::size_t n = 0; n < k2.size(); ++n)
-    {
-      integrated[n] = heat[n] / (k2[n] + s2);
-      result.at_surface[n] += of_surface * integrated[n];
-    }
-    for (std::size_t d = 0; d < depths.size(); ++d)
-      result.sums[d].add(heat, integrated.data(), left * depths[d].temperature[f], left * depths[d].potential[f],
-                         left * depths[d].slope[f]);
-  }
-  return result;
+  const std::span<const SurfaceWave> along = row_of_waves(row);
+  const std::size_t at = index(row, 0);
+  RowEnd end{std::vector<double>(along.size(), factor),
+             std::span(heat_).subspan((waves_.waves.size() - 1) * fft_.plane() + at, along.size()),
+             std::span(slow_share_).subspan(at, along.size())};
+  for (std::size_t i = 0; i < along.size() && duration > 0.0; ++i)
+    end.left[i] *= std::exp(-diffusivity_ * along[i].k * along[i].k * duration);
+  return end;
 }
 
-/// Waves that hardly turn in depth: cos(s z) = 1, s sin(s z) = s^2 z.
-void HeatMemory::add_slowest(std::size_t at, double k, double depth, HeatAtDepth& sum) const
+namespace
 {
-  const double weight = waves_.waves.back().weight, share = slow_share_[at];
-  const Complex heat = heat_[(waves_.waves.size() - 1) * fft_.plane() + at];
-  sum.temperature += weight * heat;
-  sum.slope -= depth * (weight - k * share) * heat;
-  sum.potential += share * heat;
-  sum.potential_at_surface += share * heat;
+
+std::span<Complex> complex_values(AlignedVector<double>& parts, std::size_t first, std::size_t count)
+{
+  return parts.empty() ? std::span<Complex>{} : std::span(reinterpret_cast<Complex*>(parts.data() + first), count);
 }
 
-void HeatMemory::add_fields(double duration, double factor, std::span<const DepthFactors> depths,
-                            const FieldsOfHeat& fields_of_heat, std::vector<std::vector<double>>& fields) const
+} // namespace
+
+/// The slowest waves hardly turn in depth: cos(s z) = 1, s sin(s z) = s^2 z.
+void HeatMemory::finish_surface(std::span<const SurfaceWave> along, const RowEnd& end, DepthSums::Row& sums) const
 {
-  const std::size_t count = fields.size() / depths.size();
-  std::vector<AlignedVector<Complex>> spectra(fields.size(), AlignedVector<Complex>(fft_.plane()));
-#pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
-  for (int row = 0; row < fft_.py(); ++row)
+  const std::span<Complex> potential = complex_values(sums.at_surface, 0, along.size());
+  for (std::size_t i = 0; i < along.size(); ++i)
+    potential[i] = end.left[i] * (along[i].k * potential[i] + end.slow_share[i] * end.slowest[i]);
+}
+
+/// @param number  of the depth among those together
+void HeatMemory::finish(double depth, std::span<const SurfaceWave> along, const RowEnd& end, std::size_t number,
+                        DepthSums::Row& sums) const
+{
+  const std::size_t first = number * sums.pitch;
+  const std::span<Complex> temperature = complex_values(sums.temperature, first, along.size());
+  const std::span<Complex> potential = complex_values(sums.potential, first, along.size());
+  const std::span<Complex> slope = complex_values(sums.slope, first, along.size());
+  const double weight = waves_.waves.back().weight;
+  for (std::size_t i = 0; i < along.size(); ++i)
   {
-    const Row gathered = gather(row, duration, depths);
-    std::vector<Complex> values(count);
-    for (std::size_t i = 0; i < gathered.waves.size(); ++i)
+    const double k = along[i].k, share = end.slow_share[i];
+    const Complex heat = end.slowest[i];
+    temperature[i] = end.left[i] * (temperature[i] + weight * heat);
+    potential[i] = end.left[i] * (k * potential[i] + share * heat);
+    slope[i] = end.left[i] * (slope[i] - (depth * (weight - k * share)) * heat);
+  }
+}
+
+void HeatMemory::add_row(int row, const RowOfFields& wanted, DepthSums::Row& sums) const
+{
+  const std::span<const SurfaceWave> along = row_of_waves(row);
+  const RowEnd end = row_end(row, wanted.duration, wanted.factor);
+  wanted.sums.gather(along, heat_.data() + index(row, 0), fft_.plane(), sums);
+  finish_surface(along, end, sums);
+  const std::size_t count = wanted.spectra.size() / wanted.depths.size();
+  std::vector<Complex*> out(count);
+  for (std::size_t first = 0; first < wanted.depths.size(); first += DepthSums::together)
+  {
+    const double least = wanted.depths[first].depth;
+    if (wanted.sums.has_layers())
+      wanted.sums.sum(first, columns_that_reach(least, along), sums);
+    for (std::size_t d = first; d < std::min(first + DepthSums::together, wanted.depths.size()); ++d)
     {
-      const SurfaceWave& wave = gathered.waves[i];
-      const std::size_t at = index(row, static_cast<int>(i));
-      const double left = factor * std::exp(-diffusivity_ * wave.k * wave.k * duration);
-      for (std::size_t d = 0; d < depths.size(); ++d)
-      {
-        HeatAtDepth heat = gathered.at(d, i);
-        add_slowest(at, wave.k, depths[d].depth, heat);
-        fields_of_heat(depths[d].depth, wave, heat, values);
-        for (std::size_t f = 0; f < count; ++f)
-          spectra[d * count + f][at] = left * values[f];
-      }
+      const double depth = wanted.depths[d].depth;
+      const std::size_t columns = columns_that_reach(depth, along), at = (d - first) * sums.pitch;
+      if (wanted.sums.has_layers())
+        finish(depth, along.first(columns), end, d - first, sums);
+      for (std::size_t f = 0; f < count; ++f)
+        out[f] = wanted.spectra[d * count + f].data() + index(row, 0);
+      wanted.fields_of_heat({depth, along.first(columns), complex_values(sums.temperature, at, columns),
+                             complex_values(sums.potential, at, columns), complex_values(sums.slope, at, columns),
+                             complex_values(sums.at_surface, 0, columns)},
+                            out);
     }
+  }
+}
+
+void HeatMemory::fields(double duration, double factor, std::span<const DepthFactors> depths,
+                        const FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out, bool adds) const
+{
+  std::vector<AlignedVector<Complex>> spectra(out.size(), AlignedVector<Complex>(fft_.plane()));
+  const DepthSums sums(waves_.waves, depths, left_in_depth(duration));
+  const RowOfFields wanted{duration, factor, sums, depths, fields_of_heat, spectra};
+#pragma omp parallel if (is_shared(fft_.plane()))
+  {
+    DepthSums::Row of_row = sums.make_row(static_cast<std::size_t>(fft_.kx()));
+#pragma omp for schedule(static)
+    for (int row = 0; row < fft_.py(); ++row)
+      add_row(row, wanted, of_row);
   }
   AlignedVector<double> scratch(fft_.scratch_size());
-  std::vector<double> field(grid().size());
-  for (std::size_t f = 0; f < fields.size(); ++f)
+  std::vector<double> field(adds ? grid().size() : 0);
+  for (std::size_t f = 0; f < out.size(); ++f)
   {
-    fft_.inverse(spectra[f].data(), field.data(), scratch);
+    fft_.inverse(spectra[f].data(), adds ? field.data() : out[f].data(), scratch);
     for (std::size_t n = 0; n < field.size(); ++n)
-      fields[f][n] += field[n];
+      out[f][n] += field[n];
   }
 }
 
-void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, bool decays)
+namespace
+{
+
+/// What the waves along the surface do to a flux in one step: real and imaginary parts apart, of a whole plane.
+struct FluxInPlane
+{
+  std::vector<double> rate, turn;             ///< in the plane, z = rate + i turn, both times the duration
+  std::vector<double> left, left_re, left_im; ///< e^{-rate} and e^{-z}
+  std::vector<double> in_re, in_im;           ///< heat that comes in
+};
+
+/// @param scale  of the spectrum of the flux [K m]
+FluxInPlane flux_in_plane(std::span<const SurfaceWave> along, const AlignedVector<Complex>& flux, double scale,
+                          double diffusivity, const HeatMotion& motion)
+{
+  FluxInPlane plane;
+  for (std::vector<double>* part :
+       {&plane.rate, &plane.turn, &plane.left, &plane.left_re, &plane.left_im, &plane.in_re, &plane.in_im})
+    part->resize(flux.size());
+#pragma omp parallel for schedule(static) if (is_shared(flux.size()))
+  for (std::size_t i = 0; i < along.size(); ++i)
+  {
+    const SurfaceWave& wave = along[i];
+    const double way = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
+    plane.rate[i] = diffusivity * wave.k * wave.k * motion.duration;
+    plane.turn[i] = -way;
+    plane.left[i] = std::exp(-plane.rate[i]);
+    plane.left_re[i] = plane.left[i] * std::cos(way);
+    plane.left_im[i] = plane.left[i] * std::sin(way);
+    plane.in_re[i] = scale * flux[i].real();
+    plane.in_im[i] = scale * flux[i].imag();
+  }
+  return plane;
+}
+
+/// One wave in depth takes up its neighbours in the plane: remains before + (1 - e^{-x})/x in, with x = rate + z.
+/// @param decays  whether what was there has decayed; otherwise all of it stays
+ComplexLanes taken_up(const FluxInPlane& plane, std::size_t i, double rate, double left_in_depth, bool decays,
+                      const ComplexLanes& before)
+{
+  const auto of = [i](const std::vector<double>& part) { return load_lanes(part.data() + i); };
+  const Lanes x = rate + of(plane.rate), y = of(plane.turn), norm = x * x + y * y;
+  // (1 - e^{-x})/x, by its series where x is small.
+  const auto is_small = norm < 1e-6;
+  const Lanes inverse = 1.0 / (is_small ? Lanes{} + 1.0 : norm);
+  const Lanes a = 1.0 - left_in_depth * of(plane.left_re), b = -left_in_depth * of(plane.left_im);
+  const Lanes square_re = x * x - y * y, square_im = 2.0 * x * y;
+  const Lanes gain_re = is_small ? 1.0 - 0.5 * x + square_re * (1.0 / 6.0) : (a * x + b * y) * inverse;
+  const Lanes gain_im = is_small ? -0.5 * y + square_im * (1.0 / 6.0) : (b * x - a * y) * inverse;
+  const Lanes remains = decays ? left_in_depth * of(plane.left) : Lanes{} + 1.0;
+  const Lanes in_re = of(plane.in_re), in_im = of(plane.in_im);
+  return {remains * before.re + gain_re * in_re - gain_im * in_im,
+          remains * before.im + gain_re * in_im + gain_im * in_re};
+}
+
+} // namespace
+
+void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, AlignedVector<Complex>* before)
+{
+  if (before == nullptr)
+    return take_up_from(heat_, flux, motion, true);
+  before->resize(heat_.size());
+  heat_.swap(*before);
+  take_up_from(*before, flux, motion, true);
+}
+
+void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
+{
+  take_up_from(heat_, flux, motion, false);
+}
+
+/// @param before  the heat itself, or all of it as it was
+void HeatMemory::take_up_from(const AlignedVector<Complex>& before, std::span<const double> flux,
+                              const HeatMotion& motion, bool decays)
 {
   AlignedVector<Complex> spectrum(fft_.plane());
   AlignedVector<double> scratch(fft_.scratch_size());
   fft_.forward(flux.data(), spectrum.data(), scratch);
-  const double duration = motion.duration;
-  const double scale = diffusivity_ / conductivity_ * duration;
-  std::vector<double> rates, left_in_depth;
-  for (const DepthWave& wave : waves_.waves)
-  {
-    rates.push_back(diffusivity_ * wave.number * wave.number * duration);
-    left_in_depth.push_back(std::exp(-rates.back()));
-  }
+  const double scale = diffusivity_ / conductivity_ * motion.duration;
+  const std::vector<double> left = left_in_depth(motion.duration);
+  const FluxInPlane plane = flux_in_plane(along_, spectrum, scale, diffusivity_, motion);
+  const std::size_t waves = waves_.waves.size();
 #pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
-  for (int row = 0; row < fft_.py(); ++row)
-    for (int i = 0; i < fft_.kx(); ++i)
+  for (std::size_t w = 0; w < waves; ++w)
+  {
+    const double rate = diffusivity_ * std::pow(waves_.waves[w].number, 2) * motion.duration;
+    for (std::size_t i = 0; i < fft_.plane(); i += lane_count) // a plane has whole cache lines
     {
-      const SurfaceWave wave = surface_wave(row, i);
-      const double way = wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y;
-      const Complex in_plane_rate{in_plane(row, i) * duration, -way * duration};
-      const double left = std::exp(-in_plane_rate.real());
-      const Complex left_moved = left * Complex{std::cos(in_plane_rate.imag()), -std::sin(in_plane_rate.imag())};
-      const std::size_t at = index(row, i);
-      const Complex in = scale * spectrum[at];
-      for (std::size_t w = 0; w < waves_.waves.size(); ++w)
-      {
-        Complex& heat = heat_[w * fft_.plane() + at];
-        const double remains = decays ? left * left_in_depth[w] : 1.0;
-        heat = remains * heat + mean_decay(rates[w] + in_plane_rate, left_in_depth[w] * left_moved) * in;
-      }
+      const std::size_t at = w * fft_.plane() + i;
+      store_lanes(taken_up(plane, i, rate, left[w], decays, load_lanes(before.data() + at)), heat_.data() + at);
     }
+  }
 }
 
 } // namespace brinell::halfspace

@@ -2,38 +2,26 @@
 #pragma once
 
 #include "brinell/halfspace/heat_response.hpp"
-#include "depth_waves.hpp"
+#include "depth_sums.hpp"
 #include "foundation/fft.hpp"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace brinell::halfspace
 {
 
-/// One wave along the surface.
-struct SurfaceWave
-{
-  double kx, ky, k; ///< [rad/m]
-  double odd_x,
-      odd_y; ///< kx, ky for what is odd in them: 0 for the shortest wave of an even number of cells, which cannot tell
-};
-
-/// One wave of the temperature at one depth, and what its potential psi, lap(psi) = -T with d psi/dz = 0 at the surface, is there.
-struct HeatAtDepth
-{
-  Complex temperature;          ///< [K]
-  Complex potential, slope;     ///< k psi and d psi/dz [K m]
-  Complex potential_at_surface; ///< k psi for z = 0 [K m]
-};
-
-/// The weights of the waves in depth at one depth, in the sums of `HeatAtDepth`.
-struct DepthFactors
+/// A row of waves of the temperature at one depth, and what its potential psi, lap(psi) = -T with d psi/dz = 0 at the surface, is
+/// there.
+struct HeatRow
 {
   double depth; ///< [m]
-  std::vector<double> temperature, potential, slope, at_surface;
+  std::span<const SurfaceWave> waves;
+  std::span<const Complex> temperature;          ///< [K]
+  std::span<const Complex> potential, slope;     ///< k psi and d psi/dz [K m]
+  std::span<const Complex> potential_at_surface; ///< k psi for z = 0 [K m]
 };
-[[nodiscard]] DepthFactors depth_factors(const DepthWaves& waves, double depth);
 
 /// The memory of one periodic surface: for each wave in depth and in the plane, the heat that has decayed since it entered.
 class HeatMemory
@@ -43,42 +31,65 @@ public:
   HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
+  [[nodiscard]] int period_x() const { return fft_.px(); } ///< [cells]
+  [[nodiscard]] int period_y() const { return fft_.py(); }
+  [[nodiscard]] std::size_t spectrum_bytes() const { return fft_.plane() * sizeof(Complex); } ///< of one field
 
   /// Adds `factor` times the temperature of the surface that remains after `duration`, of cells with a uniform flux each.
   /// @param heated  those cells
   void add_remaining(double duration, double factor, const SurfaceGrid& heated, std::span<double> temperature) const;
 
-  /// The waves of some fields at one of several depths from that of the heat, one after the other.
-  using FieldsOfHeat = std::function<void(double depth, const SurfaceWave&, const HeatAtDepth&, std::span<Complex>)>;
-  /// Adds `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
+  /// A row of waves of some fields at one depth from those of the heat: to the beginning of each of `out`.
+  using FieldsOfHeat = std::function<void(const HeatRow&, std::span<Complex* const> out)>;
+  /// `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
   /// For duration = 0 they are those at the end of the last step.
   /// @param depths  factors of all waves, of which those of this memory are the last ones; for each depth
-  /// @param fields  as many at each depth, [depth][field][cell]
-  void add_fields(double duration, double factor, std::span<const DepthFactors> depths,
-                  const FieldsOfHeat& fields_of_heat, std::vector<std::vector<double>>& fields) const;
+  /// @param out   as many at each depth, [depth][field][cell]
+  /// @param adds  to what is there; otherwise it is overwritten
+  void fields(double duration, double factor, std::span<const DepthFactors> depths, const FieldsOfHeat& fields_of_heat,
+              const std::vector<std::span<double>>& out, bool adds) const;
 
   /// All decays over the motion, and its flux comes in.
-  void take_up(std::span<const double> flux, const HeatMotion& motion) { take_up(flux, motion, true); }
+  /// @param before  gets the heat as it was; nullptr: nothing does
+  void take_up(std::span<const double> flux, const HeatMotion& motion, AlignedVector<Complex>* before = nullptr);
   /// More flux comes in over the last motion, which all has decayed over already.
-  void amend(std::span<const double> flux, const HeatMotion& motion) { take_up(flux, motion, false); }
+  void amend(std::span<const double> flux, const HeatMotion& motion);
 
   [[nodiscard]] const AlignedVector<Complex>& heat() const { return heat_; }
   [[nodiscard]] AlignedVector<Complex>& heat() { return heat_; }
 
 private:
-  struct Row;
-  struct Sums;
   [[nodiscard]] std::size_t index(int row, int column) const;
-  [[nodiscard]] double in_plane(int row, int column) const; ///< kappa k^2 [1/s]
-  [[nodiscard]] SurfaceWave surface_wave(int row, int column) const;
-  [[nodiscard]] Row gather(int row, double duration, std::span<const DepthFactors> depths) const;
-
-  void take_up(std::span<const double> flux, const HeatMotion& motion, bool decays);
-  void add_slowest(std::size_t at, double k, double depth, HeatAtDepth& sum) const;
+  [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
+  /// What the sums of a row are finished with.
+  struct RowEnd
+  {
+    std::vector<double> left;         ///< of each wave along the surface
+    std::span<const Complex> slowest; ///< heat of the waves that hardly turn in depth
+    std::span<const double> slow_share;
+  };
+  /// What `fields` wants of every row.
+  struct RowOfFields
+  {
+    double duration, factor;
+    const DepthSums& sums;
+    std::span<const DepthFactors> depths;
+    const FieldsOfHeat& fields_of_heat;
+    std::vector<AlignedVector<Complex>>& spectra; ///< [depth][field]
+  };
+  [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
+  void add_row(int row, const RowOfFields& wanted, DepthSums::Row& sums) const;
+  [[nodiscard]] RowEnd row_end(int row, double duration, double factor) const;
+  void finish_surface(std::span<const SurfaceWave> along, const RowEnd& end, DepthSums::Row& sums) const;
+  void finish(double depth, std::span<const SurfaceWave> along, const RowEnd& end, std::size_t number,
+              DepthSums::Row& sums) const;
+  void take_up_from(const AlignedVector<Complex>& before, std::span<const double> flux, const HeatMotion& motion,
+                    bool decays);
 
   PaddedFft fft_;
   double diffusivity_, conductivity_;
   DepthWaves waves_;
+  std::vector<SurfaceWave> along_; ///< [plane]
   AlignedVector<Complex> heat_;    ///< [wave][plane] [K m]
   std::vector<double> slow_share_; ///< of each wavenumber, for fields
 };

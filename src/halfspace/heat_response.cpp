@@ -54,6 +54,12 @@ struct HeatResponse::Operator
     fft.forward_padded(response, spectrum.data());
   }
 
+  Operator(const Operator& one, const Operator& other) : fft(one.fft.grid()), spectrum(one.spectrum)
+  {
+    for (std::size_t i = 0; i < spectrum.size(); ++i)
+      spectrum[i] += other.spectrum[i];
+  }
+
   /// Temperature of a unit flux through one cell [K m^2/W].
   [[nodiscard]] AlignedVector<double> tabulate(const Thermal& thermal, const HeatMotion& motion) const
   {
@@ -106,6 +112,15 @@ HeatResponse::HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, cons
         "HeatResponse: there is no steady state of a body that is heated all along a periodic axis by a flux "
         "that never leaves; allowed: a duration, a velocity across the period, or open axes");
   operator_ = make_hidden<Operator>(grid, thermal, motion);
+}
+
+HeatResponse::HeatResponse(Hidden<Operator> given) : operator_(std::move(given)) {}
+
+HeatResponse HeatResponse::of_both(const HeatResponse& one, const HeatResponse& other)
+{
+  if (one.grid() != other.grid())
+    throw InputError("HeatResponse::of_both: the responses are on different grids");
+  return HeatResponse(make_hidden<Operator>(*one.operator_, *other.operator_));
 }
 
 const SurfaceGrid& HeatResponse::grid() const

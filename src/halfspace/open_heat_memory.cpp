@@ -17,10 +17,16 @@ namespace
 /// Heat has spread so many times sqrt(4 kappa t) where nothing of it is felt any more: e^{-9}, and further away besides.
 constexpr double reach = 3.0;
 
-/// Cells of one axis of the memory, with the padding of an open one.
-int period(int cells, bool is_periodic)
+/// Whether the images along an axis are taken off on cells four times as long from the beginning.
+bool begins_coarser(int cells, bool is_periodic, HeatImages images)
 {
-  return is_periodic ? cells : memory_length(cells);
+  return images == HeatImages::coarse && !is_periodic && is_long(cells);
+}
+
+/// Cells of one axis of the memory, with the padding of an open one.
+int period(int cells, bool is_periodic, HeatImages images)
+{
+  return is_periodic ? cells : memory_length(cells, begins_coarser(cells, is_periodic, images));
 }
 
 /// Whether images lie along one axis only, and their fields fall off as the second power of the distance.
@@ -54,22 +60,26 @@ DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Therm
 } // namespace
 
 OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
-                               const HeatTimes& times, double deepest)
-    : times_(times), waves_(planned_waves(owner, grid, thermal, times, deepest)),
-      near_(grid, period(grid.nx, grid.is_periodic_x()), period(grid.ny, grid.is_periodic_y()), thermal, waves_)
+                               const HeatTimes& times, const Wanted& wanted)
+    : times_(times), waves_(planned_waves(owner, grid, thermal, times, wanted.deepest)),
+      near_(grid, period(grid.nx, grid.is_periodic_x(), wanted.images),
+            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_)
 {
   if (!grid.is_periodic())
-    plan_images(thermal, period(grid.nx, grid.is_periodic_x()), period(grid.ny, grid.is_periodic_y()));
-  // Images are at least as far away as the grid is wide. With layers to that depth, as many points leave 1e-4 of what they give.
-  constexpr int points = 7;
-  for (int n = 0; n < points && deepest > 0.0 && !farther_.empty(); ++n)
-    image_depths_.push_back(
-        depth_factors(waves_, 0.5 * deepest * (1.0 - std::cos(std::numbers::pi * (n + 0.5) / points))));
+    plan_images(thermal, wanted.images);
+  // Images are at least as far away as the grid is wide. With layers to that depth, as many points leave 1e-4 of what they give; five,
+  // some 1e-3.
+  const int points = wanted.images == HeatImages::coarse ? 5 : 7;
+  std::vector<double> nodes;
+  for (int n = 0; n < points && wanted.deepest > 0.0 && !farther_.empty(); ++n)
+    nodes.push_back(0.5 * wanted.deepest * (1.0 - std::cos(std::numbers::pi * (n + 0.5) / points)));
+  image_depths_ = depth_factors(waves_, nodes);
 }
 
-void OpenHeatMemory::plan_images(const Thermal& thermal, int px, int py)
+void OpenHeatMemory::plan_images(const Thermal& thermal, HeatImages images)
 {
   const SurfaceGrid& grid = near_.grid();
+  const int px = near_.period_x(), py = near_.period_y();
   // The shortest way from the grid to an image of it.
   double clear = std::numeric_limits<double>::infinity();
   if (!grid.is_periodic_x())
@@ -83,16 +93,20 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, int px, int py)
   const double end = waves_.has_fields ? farther * std::max(spread, 1.5 * clear) : spread;
   // What decays before heat comes from the images tells nothing of them; of stress it tells little, as it stays at the surface.
   const double decayed = waves_.has_fields ? 600.0 : 2.0 * reach * reach;
-  SurfaceGrid finer = grid;
+  const bool x_is_coarser = begins_coarser(grid.nx, grid.is_periodic_x(), images),
+             y_is_coarser = begins_coarser(grid.ny, grid.is_periodic_y(), images);
+  if (clear < end && (x_is_coarser || y_is_coarser))
+    farther_.push_back({CoarserSurface(grid, {0, 0}, {x_is_coarser, y_is_coarser})});
+  const int twice_x = x_is_coarser ? px / 2 : px, twice_y = y_is_coarser ? py / 2 : py;
+  const int once_x = grid.is_periodic_x() ? px : twice_x / 2, once_y = grid.is_periodic_y() ? py : twice_y / 2;
   for (double distance = clear; distance < end; distance *= 2.0)
   {
-    CoarserSurface cells(finer, farther_.empty() ? 0 : CoarserSurface::margin);
-    const SurfaceGrid& coarse = cells.grid();
+    const CoarserSurface cells =
+        farther_.empty() ? CoarserSurface(grid, 0)
+                         : CoarserSurface(farther_.back().cells.grid(), farther_.back().cells.margins(), {true, true});
     const DepthWaves slow = waves_.slower_than(decayed / distance);
-    const int once_x = grid.is_periodic_x() ? px : px / 2, once_y = grid.is_periodic_y() ? py : py / 2;
-    HeatMemory twice(coarse, px, py, thermal, slow), once(coarse, once_x, once_y, thermal, slow);
-    finer = coarse;
-    farther_.push_back({cells, std::move(twice), std::move(once)});
+    farther_.push_back({cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow),
+                                        HeatMemory(cells.grid(), once_x, once_y, thermal, slow)}});
   }
 }
 
@@ -116,8 +130,11 @@ OpenHeatMemory::Fields OpenHeatMemory::sum_of_images(std::size_t count, double f
     const double factor = n + 1 == farther_.size() ? factor_of_farthest : 1.0;
     for (std::vector<double>& field : sums)
       field.resize(images.cells.grid().size());
-    add(images.twice, factor, sums);
-    add(images.once, -factor, sums);
+    if (images.lattices)
+    {
+      add(images.lattices->twice, factor, sums);
+      add(images.lattices->once, -factor, sums);
+    }
     for (std::vector<double>& field : sums)
       field = images.cells.to_finer(field);
   }
@@ -144,14 +161,15 @@ void OpenHeatMemory::fields(const char* function_name, double duration, std::spa
   if (duration != 0.0)
     require_step(function_name, duration);
   const std::size_t count = out.size() / depths.size();
-  constexpr std::size_t most_at_once = 8; // so that their spectra stay small
+  // So many that their spectra stay small, as the memory is read once for all of them.
+  constexpr std::size_t most_bytes = 16 * 1024 * 1024, least_at_once = 8;
+  const std::size_t most_at_once = std::max(least_at_once, most_bytes / (count * near_.spectrum_bytes()));
   for (std::size_t done = 0; done < depths.size(); done += most_at_once)
   {
     const auto some = depths.subspan(done, std::min(most_at_once, depths.size() - done));
-    Fields result(some.size() * count, std::vector<double>(grid().size()));
-    near_.add_fields(duration, 1.0, some, fields_of_heat, result);
-    for (std::size_t f = 0; f < result.size(); ++f)
-      std::copy(result[f].begin(), result[f].end(), out[done * count + f].begin());
+    const std::vector<std::span<double>> to(out.begin() + static_cast<std::ptrdiff_t>(done * count),
+                                            out.begin() + static_cast<std::ptrdiff_t>((done + some.size()) * count));
+    near_.fields(duration, 1.0, some, fields_of_heat, to, false);
   }
   if (!farther_.empty())
     add_images(duration, depths, fields_of_heat, out);
@@ -171,7 +189,10 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
   const double farthest = is_strip(grid()) ? 4.0 / 3.0 : 8.0 / 7.0;
   const Fields images = sum_of_images(nodes.size() * count, farthest,
                                       [&](const HeatMemory& memory, double factor, Fields& sums)
-                                      { memory.add_fields(duration, factor, nodes, fields_of_heat, sums); });
+                                      {
+                                        memory.fields(duration, factor, nodes, fields_of_heat,
+                                                      std::vector<std::span<double>>(sums.begin(), sums.end()), true);
+                                      });
   for (std::size_t d = 0; d < depths.size(); ++d)
     for (std::size_t n = 0; n < nodes.size(); ++n)
     {
@@ -195,16 +216,26 @@ void OpenHeatMemory::with_coarser(std::span<const double> flux, const Use& use)
   for (FartherImages& images : farther_)
   {
     coarse = images.cells.from_finer(coarse);
-    use(images.twice, coarse);
-    use(images.once, coarse);
+    if (!images.lattices)
+      continue;
+    use(images.lattices->twice, coarse);
+    use(images.lattices->once, coarse);
   }
 }
 
-void OpenHeatMemory::take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion)
+void OpenHeatMemory::take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
+                             Heat* before)
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
   require_step(function_name, motion.duration);
-  with_coarser(flux, [&](HeatMemory& memory, std::span<const double> given) { memory.take_up(given, motion); });
+  std::size_t lattice = 0;
+  if (before != nullptr)
+  {
+    before->lattices.resize(lattices().size());
+    before->time = time_;
+  }
+  with_coarser(flux, [&](HeatMemory& memory, std::span<const double> given)
+               { memory.take_up(given, motion, before != nullptr ? &before->lattices[lattice++] : nullptr); });
   time_ += motion.duration;
 }
 
@@ -218,8 +249,9 @@ std::vector<HeatMemory*> OpenHeatMemory::lattices()
 {
   std::vector<HeatMemory*> all{&near_};
   for (FartherImages& images : farther_)
-    for (HeatMemory* memory : {&images.twice, &images.once})
-      all.push_back(memory);
+    if (images.lattices)
+      for (HeatMemory* memory : {&images.lattices->twice, &images.lattices->once})
+        all.push_back(memory);
   return all;
 }
 
@@ -227,8 +259,9 @@ OpenHeatMemory::Heat OpenHeatMemory::heat() const
 {
   Heat result{{near_.heat()}, time_};
   for (const FartherImages& images : farther_)
-    for (const HeatMemory* memory : {&images.twice, &images.once})
-      result.lattices.push_back(memory->heat());
+    if (images.lattices)
+      for (const HeatMemory* memory : {&images.lattices->twice, &images.lattices->once})
+        result.lattices.push_back(memory->heat());
   return result;
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "brinell/foundation/archive.hpp"
-#include "brinell/halfspace/surface_temperature.hpp"
+#include "brinell/halfspace/thermal_field.hpp"
 #include "coarser_surface.hpp"
 #include "heat_memory.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace brinell::halfspace
@@ -18,10 +19,15 @@ namespace brinell::halfspace
 class OpenHeatMemory
 {
 public:
-  /// @param deepest  of fields in the body [m]; negative: only the temperature of the surface is wanted
+  /// What is wanted beside the temperature of the surface.
+  struct Wanted
+  {
+    double deepest = -1.0; ///< of fields in the body [m]; negative: none
+    HeatImages images = HeatImages::fine;
+  };
   /// @throws InputError if a constant or a time is not above 0
   OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                 double deepest);
+                 const Wanted& wanted);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return near_.grid(); }
   [[nodiscard]] double time() const { return time_; } ///< of all steps taken up [s]
@@ -33,7 +39,10 @@ public:
   /// @param out  as many at each depth, [depth][field]
   void fields(const char* function_name, double duration, std::span<const DepthFactors> depths,
               const HeatMemory::FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out) const;
-  void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
+  struct Heat;
+  /// @param before  gets what is remembered before the step; nullptr: nothing does
+  void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
+               Heat* before = nullptr);
   void amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
 
   /// What it remembers: of every lattice, and the time.
@@ -49,10 +58,14 @@ public:
 private:
   /// What the images of one lattice give, less those that a lattice with twice the period has, too: on cells as coarse as
   /// that far away suffices.
+  struct Lattices
+  {
+    HeatMemory twice, once;
+  };
   struct FartherImages
   {
     CoarserSurface cells;
-    HeatMemory twice, once;
+    std::optional<Lattices> lattices{}; ///< none: only the way to coarser cells
   };
   using Fields = std::vector<std::vector<double>>;
   using Add = std::function<void(const HeatMemory&, double factor, Fields&)>;
@@ -62,7 +75,7 @@ private:
   [[nodiscard]] std::vector<HeatMemory*> lattices();
   void add_images(double duration, std::span<const DepthFactors> depths, const HeatMemory::FieldsOfHeat& fields_of_heat,
                   const std::vector<std::span<double>>& out) const;
-  void plan_images(const Thermal& thermal, int px, int py);
+  void plan_images(const Thermal& thermal, HeatImages images);
   void require_step(const char* function_name, double duration) const;
   [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;
 

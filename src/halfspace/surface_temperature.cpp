@@ -12,7 +12,7 @@ struct SurfaceTemperature::State
 };
 
 SurfaceTemperature::SurfaceTemperature(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times)
-    : state_(make_hidden<State>(OpenHeatMemory("SurfaceTemperature", grid, thermal, times, -1.0)))
+    : state_(make_hidden<State>(OpenHeatMemory("SurfaceTemperature", grid, thermal, times, {})))
 {
 }
 

@@ -15,7 +15,11 @@ namespace brinell::halfspace
 namespace
 {
 
-constexpr Complex imaginary{0.0, 1.0};
+/// -i times a value.
+Complex divided_by_i(const Complex& value)
+{
+  return {value.imag(), -value.real()};
+}
 
 /// The stress of one wave at one depth, of a unit 2 mu alpha (1 + nu)/(1 - nu).
 struct StressWave
@@ -27,17 +31,18 @@ struct StressWave
 
 /// The potential of the temperature leaves a normal traction on the surface, and a pressure takes it off. In the body they
 /// cancel to what is left in zz, xz and yz.
-StressWave stress_wave(const SurfaceWave& wave, const HeatAtDepth& heat, double depth, double poisson_ratio)
+StressWave stress_wave(const HeatRow& heat, std::size_t i, double poisson_ratio)
 {
-  const double k = wave.k, kz = k * depth, decay = std::exp(-kz);
-  const Complex surface = decay * heat.potential_at_surface;
-  const Complex bent = heat.potential + (1.0 - 2.0 * poisson_ratio - kz) * surface;
-  const Complex all = -heat.temperature + 2.0 * poisson_ratio * k * surface;
-  const Complex slope = -imaginary * (heat.slope + kz * surface);
+  const SurfaceWave& wave = heat.waves[i];
+  const double k = wave.k, kz = k * heat.depth;
+  const Complex surface = std::exp(-kz) * heat.potential_at_surface[i];
+  const Complex bent = heat.potential[i] + (1.0 - 2.0 * poisson_ratio - kz) * surface;
+  const Complex all = 2.0 * poisson_ratio * k * surface - heat.temperature[i];
+  const Complex slope = divided_by_i(heat.slope[i] + kz * surface);
   const double inverse = k > 0.0 ? 1.0 / k : 0.0;
   return {all + wave.kx * wave.kx * inverse * bent,
           all + wave.ky * wave.ky * inverse * bent,
-          -k * (heat.potential - (1.0 + kz) * surface),
+          -k * (heat.potential[i] - (1.0 + kz) * surface),
           wave.odd_y * slope,
           wave.odd_x * slope,
           wave.odd_x * wave.odd_y * inverse * bent};
@@ -62,14 +67,13 @@ struct ThermalField::State
 
   void tabulate()
   {
-    surface = depth_factors(memory.waves(), 0.0);
-    for (const double depth : depths)
-      layers.push_back(depth_factors(memory.waves(), depth));
+    surface = surface_factors(memory.waves());
+    layers = depth_factors(memory.waves(), depths);
   }
 };
 
 ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
-                           const HeatTimes& times, std::vector<double> depths)
+                           const HeatTimes& times, std::vector<double> depths, HeatImages images)
 {
   for (const double depth : depths)
     if (!(depth >= 0.0) || std::isinf(depth))
@@ -79,8 +83,9 @@ ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, cons
   if (!std::isfinite(thermal.expansion))
     throw InputError(fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.expansion));
   const double nu = elastic.poisson_ratio, deepest = largest_of(depths);
-  state_ = make_hidden<State>(elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu),
-                              std::move(depths), OpenHeatMemory("ThermalField", grid, thermal, times, deepest));
+  state_ =
+      make_hidden<State>(elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu), std::move(depths),
+                         OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images}));
   state_->tabulate();
 }
 
@@ -119,6 +124,13 @@ Hidden<ThermalField::Heat> ThermalField::heat() const
   return make_hidden<Heat>(state_->memory.heat());
 }
 
+void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motion, Hidden<Heat>& before)
+{
+  if (before.empty())
+    before = make_hidden<Heat>();
+  state_->memory.take_up("ThermalField::take_up", flux, motion, &before->of_memory);
+}
+
 void ThermalField::go_back(const Hidden<Heat>& heat)
 {
   state_->memory.set_heat(heat->of_memory);
@@ -146,16 +158,21 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
   for (const std::span<double> part : {displacement.z, displacement.x, displacement.y})
     if (!part.empty())
       out.push_back(part);
-  const auto fields = [&](double, const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
+  const auto fields = [&](const HeatRow& heat, std::span<Complex* const> to)
   {
-    const double inverse = wave.k > 0.0 ? 1.0 / wave.k : 0.0;
-    auto value = values.begin();
-    if (!displacement.z.empty())
-      *value++ = (wave.k > 0.0 ? factor : of_uniform) * heat.potential_at_surface;
-    if (!displacement.x.empty())
-      *value++ = factor * inverse * wave.odd_x * imaginary * heat.potential_at_surface;
-    if (!displacement.y.empty())
-      *value++ = factor * inverse * wave.odd_y * imaginary * heat.potential_at_surface;
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const SurfaceWave& wave = heat.waves[i];
+      const Complex potential = (wave.k > 0.0 ? factor : of_uniform) * heat.potential_at_surface[i];
+      const Complex along = wave.k > 0.0 ? -1.0 / wave.k * divided_by_i(potential) : Complex{};
+      auto field = to.begin();
+      if (!displacement.z.empty())
+        (*field++)[i] = potential;
+      if (!displacement.x.empty())
+        (*field++)[i] = wave.odd_x * along;
+      if (!displacement.y.empty())
+        (*field++)[i] = wave.odd_y * along;
+    }
   };
   state.memory.fields(name, duration, {&state.surface, 1}, fields, out);
 }
@@ -196,20 +213,22 @@ void ThermalField::layers(std::size_t first, std::span<const ThermalLayer> out, 
   const double scale = 2.0 * state.elastic.shear_modulus() * state.strain;
   const bool has_temperature = !out.front().temperature.empty(), has_trace = !out.front().trace.empty(),
              has_deviator = !out.front().deviator.empty();
-  const auto fields_of_heat =
-      [&](double depth, const SurfaceWave& wave, const HeatAtDepth& heat, std::span<Complex> values)
+  const auto fields_of_heat = [&](const HeatRow& heat, std::span<Complex* const> to)
   {
-    const StressWave stress = stress_wave(wave, heat, depth, state.elastic.poisson_ratio);
-    const Complex trace = scale * stress.trace(), mean = trace / 3.0;
-    auto value = values.begin();
-    if (has_temperature)
-      *value++ = heat.temperature;
-    if (has_trace)
-      *value++ = trace;
-    if (has_deviator)
-      for (const Complex& component : {scale * stress.xx - mean, scale * stress.yy - mean, scale * stress.yz,
-                                       scale * stress.xz, scale * stress.xy})
-        *value++ = component;
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const StressWave stress = stress_wave(heat, i, state.elastic.poisson_ratio);
+      const Complex trace = scale * stress.trace(), mean = trace / 3.0;
+      auto field = to.begin();
+      if (has_temperature)
+        (*field++)[i] = heat.temperature[i];
+      if (has_trace)
+        (*field++)[i] = trace;
+      if (has_deviator)
+        for (const Complex& component : {scale * stress.xx - mean, scale * stress.yy - mean, scale * stress.yz,
+                                         scale * stress.xz, scale * stress.xy})
+          (*field++)[i] = component;
+    }
   };
   std::vector<std::span<double>> fields;
   for (const ThermalLayer& layer : out)

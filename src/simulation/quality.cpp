@@ -27,8 +27,9 @@ constexpr double largest_imbalance = 0.02;   ///< of the energies, over the larg
 constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
 constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
 constexpr double smallest_approach = 1e-9;   ///< [m], some atoms: no continuum
-constexpr double longest_share_of_radius = 0.25;     ///< of a step: 6 % of the net energy of a tugging
-constexpr double largest_wear_step = 0.05;           ///< in one increment, of the approach: the pressure there changes by that share
+constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
+constexpr double largest_wear_step =
+    0.05; ///< in one increment, of the approach: the pressure there changes by that share
 constexpr double largest_worn_share_of_layer = 0.25; ///< of the layer of cells under the surface, whose strain stays
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
 

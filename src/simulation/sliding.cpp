@@ -7,6 +7,7 @@
 #include "footprint.hpp"
 #include "friction.hpp"
 #include "grid_layout.hpp"
+#include "heat.hpp"
 #include "judgement.hpp"
 #include "period.hpp"
 #include "pressing.hpp"
@@ -51,6 +52,8 @@ public:
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(0.0));
     setup.sliding = {.friction = case_.friction, .wear = case_.wear};
+    if (is_heated(case_, case_.lower, case_.upper))
+      setup.sliding.heat = {case_.heat, heat_times()};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(slid(done_)); }
@@ -74,11 +77,13 @@ public:
       contact::TangentialDrive along;
       along.x.value = moves ? way(done_) : 0.0; // the direction
       Target target{centre(slid(done_ + t)), {case_.press.kind, pressed(done_ + t)}, moves, along};
+      target.time = time(done_ + t);
       target.slid = way_slid(done_ + t);
+      target.is_put_down = done_ == 0;
       return target;
     };
     const double cells = plan_.shift / plan_.contact.dx;
-    return {path, moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64,
+    return {path, moves ? std::min(1.0, 0.5 / cells) : finest_press,
             fmt::format("step {}, slid by {:g} m", done_, slid(done_ + 1.0))};
   }
 
@@ -146,6 +151,15 @@ private:
     }
   };
 
+  static constexpr double finest_press = 1.0 / 64; ///< piece of a step that does not slide
+  /// After some steps, since the start [s]; without a speed it stands still.
+  [[nodiscard]] double time(double steps) const { return case_.speed ? steps * plan_.shift / *case_.speed : 0.0; }
+  [[nodiscard]] halfspace::HeatTimes heat_times() const
+  {
+    const double finest = std::min(finest_press, 0.5 * plan_.contact.dx / plan_.shift);
+    constexpr double half = 0.5; // of the finest piece: steps are halved until they are below one and a half
+    return {half * finest * time(1.0), time(plan_.steps)};
+  }
   /// The steps that slide are those from the first to before the last.
   [[nodiscard]] int first() const { return case_.press_steps; }
   [[nodiscard]] int last() const { return first() + case_.strokes * plan_.sliding_steps; }
@@ -272,6 +286,7 @@ SlidingPlan plan(const SlidingCase& sliding)
                             ? "not computed at a mean gap that is kept; allowed with sliding.load, pressure or approach"
                             : "");
   require_motion(sliding);
+  require_heat(sliding, sliding.lower, sliding.upper, sliding.speed, "sliding.speed");
   const IndentationCase pressed = pressing(sliding);
   const Footprint f =
       footprint(sliding.lower, sliding.upper, largest_drive(pressed), sliding.domain, sliding.friction.coefficient);
@@ -291,8 +306,10 @@ SlidingPlan plan(const SlidingCase& sliding)
   plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,
                           "sliding.strokes");
   plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
+  const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
   plan.memory_bytes = memory_bytes(plan, sliding.lower.material.is_plastic(), sliding.upper.material.is_plastic(),
-                                   sliding.solver.anderson_depth, sliding.friction.coefficient > 0.0 ? 1 : 0);
+                                   sliding.solver.anderson_depth, sliding.friction.coefficient > 0.0 ? 1 : 0,
+                                   heats && sliding.lower.material.thermal, heats && sliding.upper.material.thermal);
   return plan;
 }
 

@@ -64,9 +64,15 @@ public:
     std::span<const double> shear_before{}; ///< along x, at the beginning [Pa]
   };
   void begin(const Start& start);
+  /// How well two surfaces that touch have one temperature.
+  enum class Sharing
+  {
+    rough, ///< to 1e-3 of the difference that the shares make up for: while the pressure is looked for
+    fine   ///< to 1e-6
+  };
   /// Sets the fluxes that belong to a pressure and a shear, and what they add to the gap.
   /// @returns by how much that changed at most [m]
-  double follow(std::span<const double> pressure, std::span<const double> shear);
+  double follow(std::span<const double> pressure, std::span<const double> shear, Sharing sharing);
   /// Adds what the surfaces have swollen by [m].
   void add_to_gap(std::span<double> gap) const;
   /// Ends an increment.

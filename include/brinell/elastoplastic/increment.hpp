@@ -215,12 +215,12 @@ private:
   };
 
   void solve_contact(std::span<const double> distance, const contact::Drive& drive, const Placement& placement,
-                     const Strategy& strategy, IncrementReport& report);
+                     const Strategy& strategy, bool closing, IncrementReport& report);
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
   [[nodiscard]] bool has_unknowns() const;
   void solve_frictional_contact(const contact::Drive& drive, const Placement& placement, const Strategy& strategy,
-                                IncrementReport& report);
+                                bool closing, IncrementReport& report);
   void press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report);
   [[nodiscard]] bool renews_law(IncrementReport& report);
   [[nodiscard]] double energy(double approach) const;
@@ -236,7 +236,7 @@ private:
   [[nodiscard]] double follow_wear();
   void begin_heating(const Placement& placement, const Strategy& strategy);
   void settle_heating(const Strategy& strategy);
-  [[nodiscard]] double follow_heat();
+  [[nodiscard]] double follow_heat(Heating::Sharing sharing);
   [[nodiscard]] std::vector<double> temperature(std::size_t side, const BodyView& view) const;
   void add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const;
   void settle_friction(const Placement& placement);

@@ -16,6 +16,8 @@ struct HeatMotion
 {
   double duration = std::numeric_limits<double>::infinity(); ///< [s], > 0; without end: the steady state
   double velocity_x = 0.0, velocity_y = 0.0;                 ///< of the flux over the body [m/s]
+
+  bool operator==(const HeatMotion&) const = default;
 };
 
 /// Flux into the surface of a half space -> rise of its temperature at the end, where the flux has been constant and has
@@ -30,6 +32,10 @@ public:
   ///         along a period, where an axis is periodic; or if a constant or the duration is not above 0
   HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion);
 
+  /// Of two bodies to the same flux: the sum of their temperatures.
+  /// @throws InputError if the grids are not the same
+  [[nodiscard]] static HeatResponse of_both(const HeatResponse& one, const HeatResponse& other);
+
   [[nodiscard]] const SurfaceGrid& grid() const;
 
   /// Buffers of one call; make one per concurrent caller, once.
@@ -42,6 +48,7 @@ public:
 
 private:
   struct Operator;
+  explicit HeatResponse(Hidden<Operator> given);
   Hidden<Operator> operator_;
 };
 

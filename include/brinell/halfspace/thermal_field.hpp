@@ -20,6 +20,14 @@ struct ThermalLayer
   std::span<double> trace{};       ///< of the stress [Pa]
 };
 
+/// How well the images of open axes are taken off: some 1e-4 of the largest value and better; or some 3e-4, with half of the memory and
+/// of the work.
+enum class HeatImages
+{
+  fine,
+  coarse
+};
+
 /// What the heat that has entered the surface of an elastic half space does to it: displacement of the surface, and temperature and
 /// stress in the body, step by step: docs/theory/heat.md (thermal-displacement, thermal-stress).
 ///
@@ -33,7 +41,7 @@ public:
   /// @param depths  of the layers [m], >= 0, in any order
   /// @throws InputError if a constant or a time is not above 0, a depth is below 0, or a rigid body has depths
   ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatTimes& times,
-               std::vector<double> depths = {});
+               std::vector<double> depths = {}, HeatImages images = HeatImages::fine);
 
   [[nodiscard]] const SurfaceGrid& grid() const;
   [[nodiscard]] const std::vector<double>& depths() const;
@@ -48,6 +56,8 @@ public:
   /// What it remembers, to go back to it.
   struct Heat;
   [[nodiscard]] Hidden<Heat> heat() const;
+  /// Takes up a step and leaves what it remembered before, without a copy: `before` may have room for it.
+  void take_up(std::span<const double> flux, const HeatMotion& motion, Hidden<Heat>& before);
   void go_back(const Hidden<Heat>& heat);
   /// Everything that later steps depend on.
   void exchange(Archive& archive);

@@ -28,6 +28,9 @@ struct SlidingCase : Numerics
   std::optional<double> shift; ///< by which it slides in a step [m]; default: one cell dx
   int strokes = 1;
   bool to_and_fro = false; ///< whether every other stroke goes back; otherwise each goes on where the one before ended
+  /// Of the upper body over the lower one [m/s], > 0; needed where friction heats. Each step of pressing and of parting takes as long
+  /// as one of sliding.
+  std::optional<double> speed;
 };
 
 struct SlidingPlan : Plan
@@ -41,7 +44,7 @@ struct SlidingPlan : Plan
 };
 
 /// One row of the history.
-struct SlidingRecord : FrictionRecord
+struct SlidingRecord : HeatedRecord
 {
   double slid = 0.0;        ///< displacement of the upper body over the lower one along x [m]
   double way = 0.0;         ///< length of the way slid since the start [m]
@@ -115,6 +118,11 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     {"nominal_pressure", "Pa", &SlidingRecord::nominal_pressure, "load over the area of the period"},
     {"mean_gap", "m", &SlidingRecord::mean_gap, "mean distance of the deformed surfaces over the period"},
     common::max_pressure,
+    common::heated[0],
+    common::heated[1],
+    common::heated[2],
+    common::heated[3],
+    common::heated[4],
     common::worn[0],
     common::worn[1],
     common::worn[2],

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from brinell.bodies import Body, Quantity
 from brinell.scenarios._case import ScenarioCase
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Interface, Output, Solver
+from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
@@ -41,7 +41,9 @@ class Sliding(ScenarioCase):
         to_and_fro: bool | None = None,
         shift: Quantity | None = None,
         press_steps: int | None = None,
+        speed: Quantity | None = None,
         interface: Interface | Mapping[str, Any] | None = None,
+        thermal: Heating | Mapping[str, Any] | None = None,
         title: str | None = None,
         grid: Grid | Mapping[str, Any] | None = None,
         solver: Solver | Mapping[str, Any] | None = None,
@@ -61,7 +63,9 @@ class Sliding(ScenarioCase):
             to_and_fro: whether every other stroke goes back; otherwise each goes on where the one before has ended.
             shift: by which it slides in a step.
             press_steps: in which the bodies are pressed together before, and parted after it.
+            speed: of the upper body over the lower one, such as "1 m/s"; needed where friction heats.
             interface: friction, `brinell.Interface` or a dictionary.
+            thermal: what its heat does, `brinell.Heating` or a dictionary.
             title: copied into the results.
             grid: its cells, `brinell.Grid` or a dictionary.
             solver: `brinell.Solver` or a dictionary.
@@ -80,8 +84,19 @@ class Sliding(ScenarioCase):
             "to_and_fro": to_and_fro,
             "shift": shift,
             "press_steps": press_steps,
+            "speed": speed,
         }
-        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output, interface=interface)
+        super().__init__(
+            lower,
+            upper,
+            table,
+            title=title,
+            grid=grid,
+            solver=solver,
+            output=output,
+            interface=interface,
+            thermal=thermal,
+        )
 
 
 @dataclass(frozen=True)

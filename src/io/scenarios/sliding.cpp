@@ -64,6 +64,13 @@ std::vector<Entry> keys()
                  "Whether every other stroke goes back. Otherwise each goes on where the one before has ended, which "
                  "takes a period along x."},
             &SlidingCase::to_and_fro),
+      bound({.key = "sliding.speed",
+             .dimension = dimension::velocity,
+             .range = above(0.0),
+             .unset = "none; needed where friction heats",
+             .text = "Speed of the upper body over the lower one, on which the heat of friction depends. A step of "
+                     "pressing or parting takes as long as one of sliding."},
+            &SlidingCase::speed),
   };
 }
 
@@ -163,6 +170,8 @@ void summarise(Json& json, const Case& c, const SlidingCase& s, const SlidingPla
   for (const SlidingStroke& stroke : summary.strokes)
     json["strokes"].push_back(row_json(stroke));
   json["energy"] = energy_json(summary);
+  if (summary.last.heat_lower != 0.0 || summary.last.heat_upper != 0.0)
+    json["heat"] = heat_json(s.heat.fraction, summary, summary.last, summary.max_temperature);
   if (s.wear.wears())
     json["wear"] = wear_json(summary);
   json["residual"] = residual_json(summary);

@@ -63,7 +63,7 @@ TEST(DepthWaves, SumsHoldAtAnyDepth)
   const DepthWaves waves = depth_waves(kappa, {1.0, 100.0, 30.0}, finest);
   for (const double z : {0.3, 1.0, 2.0, 5.0, 10.0, 30.0})
   {
-    const DepthFactors factors = depth_factors(waves, z);
+    const DepthFactors factors = depth_factors(waves, {&z, 1}).front();
     double error = 0.0;
     for (double t = 1.0; t <= 100.0; t *= 1.5)
       for (const double k : {0.0, 1e-3, 0.02, 0.3, 2.0})

@@ -325,6 +325,36 @@ TEST_P(HeatedSpot, StressIsThatOnALargerGrid)
   EXPECT_LT(error, 1e-3 * largest);
 }
 
+TEST_P(HeatedSpot, CoarseImagesAreNearFineOnes)
+{
+  const auto& [g, w, spread, steps] = GetParam();
+  const double duration = spread * spread / kappa;
+  const Field flux =
+      test::sampled(g, [&, grid = g, width = w](int i, int j)
+                    { return std::exp(-(grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / (width * width)); });
+  const auto heated_with = [&, grid = g, width = w](HeatImages images)
+  {
+    ThermalField field(grid, body, elastic, {duration, duration}, {0.0, width}, images);
+    field.take_up(flux, {duration});
+    return field;
+  };
+  const ThermalField fine = heated_with(HeatImages::fine), coarse = heated_with(HeatImages::coarse);
+  const Field u = displacement_of(fine);
+  const double of_displacement = largest_difference(u, displacement_of(coarse)) / test::largest(u);
+  double of_stress = 0.0;
+  const double stress = elastic.young_modulus * body.expansion * test::largest(layer_of(fine, 0).temperature);
+  for (const std::size_t layer : {0U, 1U})
+  {
+    const Layer a = layer_of(fine, layer), b = layer_of(coarse, layer);
+    for (std::size_t i = 0; i < a.stress.size(); ++i)
+      for (std::size_t c = 0; c < 6; ++c)
+        of_stress = std::max(of_stress, std::abs(a.stress[i][c] - b.stress[i][c]) / stress);
+  }
+  std::printf("spread %.3g, coarse images: displacement %.1e, stress %.1e\n", spread, of_displacement, of_stress);
+  EXPECT_LT(of_displacement, 3e-4);
+  EXPECT_LT(of_stress, 3e-4);
+}
+
 // The flux is 1e-5 of the largest at the edges.
 const SurfaceGrid cells{40, 40, 0.1, 0.1};
 INSTANTIATE_TEST_SUITE_P(All, HeatedSpot,

@@ -201,5 +201,27 @@ TEST(ThermalField, WhatCannotBe)
   EXPECT_NEAR(field.time(), 0.9, 1e-15);
 }
 
+TEST(ThermalField, RemembersAsMuchAfterManyStepsAsAfterOne)
+{
+  const SurfaceGrid g{12, 8, 0.25, 0.25};
+  ThermalField field(g, test::heated_body, test::heated_elastic, {0.1, 50.0}, {0.1, 0.4});
+  const std::vector<double> flux(g.size(), 1.0);
+  const auto numbers = [&]
+  {
+    Archive archive;
+    field.exchange(archive);
+    std::size_t count = 0;
+    for (const auto& [name, values] : archive.fields())
+      count += values.size();
+    return count;
+  };
+  field.take_up(flux, {0.1, 1.0});
+  const std::size_t after_one = numbers();
+  for (int step = 1; step < 500; ++step)
+    field.take_up(flux, {0.1, 1.0});
+  EXPECT_EQ(numbers(), after_one);
+  EXPECT_GT(after_one, g.size());
+}
+
 } // namespace
 } // namespace brinell::halfspace

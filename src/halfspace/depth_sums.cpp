@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth_sums.hpp"
+
+#include "foundation/lane_functions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+DepthFactors factors_at(const DepthWaves& waves, const TurnedWaves& turned_waves, double depth)
+{
+  DepthFactors factors = surface_factors(waves);
+  factors.depth = depth;
+  for (const DepthWave& wave : waves.waves)
+  {
+    const TurnedWave turned = turned_waves(wave.number * depth);
+    factors.temperature.push_back(wave.weight * turned.cosine);
+    factors.potential.push_back(wave.weight * turned.cosine);
+    factors.slope.push_back(-wave.weight * wave.number * turned.sine);
+  }
+  if (depth == 0.0)
+  {
+    factors.temperature.front() *= 1.0 + waves.beyond(2);
+    factors.potential.front() *= 1.0 + waves.beyond(4);
+  }
+  return factors;
+}
+
+} // namespace
+
+std::vector<DepthFactors> depth_factors(const DepthWaves& waves, std::span<const double> depths)
+{
+  const TurnedWaves turned_waves(waves.step);
+  std::vector<DepthFactors> factors;
+  factors.reserve(depths.size());
+  for (const double depth : depths)
+    factors.push_back(factors_at(waves, turned_waves, depth));
+  return factors;
+}
+
+DepthFactors surface_factors(const DepthWaves& waves)
+{
+  DepthFactors factors{0.0, {}, {}, {}, {}};
+  for (const DepthWave& wave : waves.waves)
+    factors.at_surface.push_back(wave.weight);
+  // Of a flux that they are at rest in, waves faster than the first have 1/s^2; the potential, 1/s^4. Only at the surface they count.
+  factors.at_surface.front() *= 1.0 + waves.beyond(4);
+  return factors;
+}
+
+std::size_t columns_that_reach(double depth, std::span<const SurfaceWave> along)
+{
+  constexpr double nothing = 20.0; // e^{-20} = 2e-9, while sums over waves hold to some 1e-5
+  const auto end =
+      std::find_if(along.begin(), along.end(), [&](const SurfaceWave& wave) { return wave.k * depth > nothing; });
+  return static_cast<std::size_t>(end - along.begin());
+}
+
+DepthSums::DepthSums(std::span<const DepthWave> waves, std::span<const DepthFactors> factors,
+                     std::span<const double> left)
+{
+  const std::size_t count = waves.size() - 1, skipped = factors.front().at_surface.size() - waves.size();
+  constexpr double nothing = 1e-20;
+  for (std::size_t w = 0; w < count; ++w)
+  {
+    numbers2_.push_back(waves[w].number * waves[w].number);
+    at_surface_.push_back(left[w] * factors.front().at_surface[skipped + w]);
+    is_left_.push_back(left[w] > nothing);
+  }
+  if (factors.front().temperature.empty())
+    return;
+  for (std::size_t d = 0; d < factors.size(); d += together)
+  {
+    Group group{count, std::vector<Factors>(count)};
+    const std::size_t depths = std::min(together, factors.size() - d);
+    for (std::size_t w = count; w-- > 0;)
+      for (std::size_t n = 0; n < depths; ++n)
+      {
+        const DepthFactors& f = factors[d + n];
+        const std::size_t at = skipped + w;
+        group.factors[w].temperature[n] = left[w] * f.temperature[at];
+        group.factors[w].potential[n] = left[w] * f.potential[at];
+        group.factors[w].slope[n] = left[w] * f.slope[at];
+        constexpr double hardly = 1e-7;
+        const double turned =
+            std::max(std::abs(f.temperature[at]), std::abs(f.slope[at]) / std::max(waves[w].number, 1e-300));
+        if (is_left_[w] && turned > hardly * waves[w].weight)
+          group.first = w;
+      }
+    groups_.push_back(std::move(group));
+  }
+}
+
+DepthSums::Row DepthSums::make_row(std::size_t columns) const
+{
+  Row row;
+  row.pitch = (2 * columns + lane_count - 1) / lane_count * lane_count;
+  const std::size_t stored = has_layers() ? numbers2_.size() * row.pitch : 0;
+  row.heat.resize(stored);
+  row.integrated.resize(stored);
+  row.k2.assign(row.pitch, 1.0);
+  row.at_surface.resize(row.pitch);
+  for (AlignedVector<double>* sum : {&row.temperature, &row.potential, &row.slope})
+    sum->resize(has_layers() ? together * row.pitch : 0);
+  return row;
+}
+
+void DepthSums::gather(std::span<const SurfaceWave> along, const Complex* heat, std::size_t apart, Row& row) const
+{
+  const std::size_t parts = 2 * along.size();
+  for (std::size_t i = 0; i < along.size(); ++i)
+    row.k2[2 * i] = row.k2[2 * i + 1] = along[i].k * along[i].k;
+  std::fill(row.at_surface.begin(), row.at_surface.end(), 0.0);
+  for (std::size_t w = 0; w < numbers2_.size(); ++w)
+  {
+    if (!is_left_[w])
+      continue;
+    const auto* from = reinterpret_cast<const double*>(heat + w * apart);
+    const double s2 = numbers2_[w], of_surface = at_surface_[w];
+    const double* k2 = row.k2.data();
+    double* sum = row.at_surface.data();
+    if (!has_layers())
+    {
+#pragma omp simd
+      for (std::size_t n = 0; n < parts; ++n)
+        sum[n] += of_surface * (from[n] / (k2[n] + s2));
+      continue;
+    }
+    double *packed = row.heat.data() + w * row.pitch, *integrated = row.integrated.data() + w * row.pitch;
+#pragma omp simd
+    for (std::size_t n = 0; n < parts; ++n)
+    {
+      packed[n] = from[n];
+      integrated[n] = from[n] / (k2[n] + s2);
+      sum[n] += of_surface * integrated[n];
+    }
+  }
+}
+
+void DepthSums::sum(std::size_t first, std::size_t columns, Row& row) const
+{
+  const Group& group = groups_[first / together];
+  for (std::size_t n = 0; n < 2 * columns; n += lane_count)
+  {
+    std::array<Lanes, together> temperature{}, potential{}, slope{};
+    for (std::size_t w = group.first; w < numbers2_.size(); ++w)
+    {
+      const Lanes heat = load_lanes(row.heat.data() + w * row.pitch + n);
+      const Lanes integrated = load_lanes(row.integrated.data() + w * row.pitch + n);
+      const Factors& factors = group.factors[w];
+      for (std::size_t d = 0; d < together; ++d)
+      {
+        temperature[d] += factors.temperature[d] * heat;
+        potential[d] += factors.potential[d] * integrated;
+        slope[d] += factors.slope[d] * integrated;
+      }
+    }
+    for (std::size_t d = 0; d < together; ++d)
+    {
+      store_lanes(temperature[d], lane_count, row.temperature.data() + d * row.pitch + n);
+      store_lanes(potential[d], lane_count, row.potential.data() + d * row.pitch + n);
+      store_lanes(slope[d], lane_count, row.slope.data() + d * row.pitch + n);
+    }
+  }
+}
+
+} // namespace brinell::halfspace

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "depth_waves.hpp"
+#include "foundation/aligned.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// One wave along the surface.
+struct SurfaceWave
+{
+  double kx, ky, k; ///< [rad/m]
+  double odd_x,
+      odd_y; ///< kx, ky for what is odd in them: 0 for the shortest wave of an even number of cells, which cannot tell
+};
+
+/// The weights of the waves in depth at one depth, in the sums over them.
+struct DepthFactors
+{
+  double depth; ///< [m]
+  std::vector<double> temperature, potential, slope, at_surface;
+};
+[[nodiscard]] std::vector<DepthFactors> depth_factors(const DepthWaves& waves, std::span<const double> depths);
+/// For what is wanted of the potential at the surface alone: nothing else is summed.
+[[nodiscard]] DepthFactors surface_factors(const DepthWaves& waves);
+
+/// The sums over the waves in depth at several depths, for one row of waves after the other.
+///
+/// All waves in depth of a row are laid side by side, divided by k^2 + s^2 beside, and up to four depths are summed at a time in
+/// registers. What is nothing is left out: waves that turn so often down to a depth that their mean is nothing, and waves along the
+/// surface that no heat has brought so deep, as at all times it is at most e^{-kz} of what has entered.
+class DepthSums
+{
+public:
+  /// @param factors  of all waves, of which `waves` are the last ones; for each depth, all of a kind
+  /// @param left     of each of `waves` but the last one, what its heat is multiplied with
+  DepthSums(std::span<const DepthWave> waves, std::span<const DepthFactors> factors, std::span<const double> left);
+
+  /// One row: real and imaginary parts in turn.
+  struct Row
+  {
+    std::size_t pitch = 0;
+    AlignedVector<double> heat, integrated, k2;          ///< [wave][pitch]; the latter divided by k^2 + s^2
+    AlignedVector<double> at_surface;                    ///< potential without its factor k, the same for all depths
+    AlignedVector<double> temperature, potential, slope; ///< of depths together, [depth][pitch]
+  };
+  [[nodiscard]] Row make_row(std::size_t columns) const;
+  /// Lays a row of `along` side by side.
+  /// @param heat  of the first wave in depth; `apart` values from one to the next
+  void gather(std::span<const SurfaceWave> along, const Complex* heat, std::size_t apart, Row& row) const;
+
+  static constexpr std::size_t together = 4;
+  /// Sums of the depths from `first` on, at most `together`.
+  /// @param columns  of the row that count
+  void sum(std::size_t first, std::size_t columns, Row& row) const;
+  [[nodiscard]] bool has_layers() const { return !groups_.empty(); }
+
+private:
+  /// What one wave is multiplied with at depths together.
+  struct Factors
+  {
+    std::array<double, together> temperature{}, potential{}, slope{};
+  };
+  struct Group
+  {
+    std::size_t first; ///< wave that does not turn too often at the least of the depths
+    std::vector<Factors> factors;
+  };
+  std::vector<double> numbers2_, at_surface_; ///< of each wave but the last one
+  std::vector<bool> is_left_;
+  std::vector<Group> groups_;
+};
+
+/// Waves along the surface that count at a depth are the first so many of a row.
+[[nodiscard]] std::size_t columns_that_reach(double depth, std::span<const SurfaceWave> along);
+
+} // namespace brinell::halfspace
