@@ -71,6 +71,8 @@ TEST(FrictionCase, CreepageIsRead)
     return std::get<simulation::RollingCase>(c.scenario).creepage;
   };
   using simulation::Creepage;
+  EXPECT_EQ(read("creepage = 0.002"), (Creepage{0.002, 0.0, 0.0}));
+  EXPECT_EQ(read("creepage = [\"0.2 %\", 0]"), (Creepage{0.002, 0.0, 0.0}));
   EXPECT_EQ(read("creepage = [0.002, -0.001]"), (Creepage{0.002, -0.001, 0.0}));
   EXPECT_EQ(read("creepage = [0.002, 0]\nspin = 3"), (Creepage{0.002, 0.0, 3.0}));
   EXPECT_EQ(read("spin = \"0.5 rad/mm\""), (Creepage{0.0, 0.0, 500.0}));
@@ -81,8 +83,8 @@ TEST(FrictionCase, CreepageIsRead)
 TEST(FrictionCase, CreepageThatDoesNotFitIsRefused)
 {
   const auto with = [](const std::string& keys) { return sample(creeping(keys), "friction = 0.3"); };
-  expect_refused(with("creepage = [0.002]"), 11, {"rolling.creepage", "two numbers, [longitudinal, lateral]"});
-  expect_refused(with("creepage = [0.002, 0, 0.1]"), 11, {"rolling.creepage", "two numbers"});
+  expect_refused(with("creepage = [0.002, 0, 0.1]"), 11,
+                 {"rolling.creepage", "more than two numbers; allowed: [longitudinal, lateral]"});
   expect_refused(with("creepage = [0.2, 0]"), 11, {"rolling.creepage", "[-0.1, 0.1]"});
   expect_refused(with("creepage = [nan, 0]"), 11, {"rolling.creepage"});
   expect_refused(with("spin = \"2 mm\""), 11, {"rolling.spin", "rad/m"});

@@ -102,6 +102,7 @@ TEST(RollingCreepageTest, NoCreepageOfEqualBodiesIsRollingWithoutFriction)
   RollingCase c = sample();
   c.creepage = Creepage{};
   c.solver.mirror = false;
+  c.solver.symmetry = false; // what may stick is not solved by halves, and the order of sums is one of digits
   const std::vector<RollingRecord> with = history(c);
   c.creepage.reset();
   c.friction.coefficient = 0.0;

@@ -71,7 +71,8 @@ void expect_same(const std::vector<IndentationRecord>& a, const std::vector<Inde
   // A cell an eighth of the contact radius wide turns the gap that the contact may leave, 1e-7 of the approach, into
   // 1e-7 * 2.8 * 8 of the peak pressure (Hertz' approach and pressure; a cell gives way by 0.56 p dx / E').
   EXPECT_LT(difference(a, b, &IndentationRecord::max_pressure), 3.0 * rounding);
-  EXPECT_LT(difference(a, b, &IndentationRecord::residual_depth), rounding);
+  // A depth is found to 1e-4 of the approach at first yield, of which rounding may carry on as much as of the rest.
+  EXPECT_LT(difference(a, b, &IndentationRecord::residual_depth), 3.0 * rounding);
   EXPECT_LT(difference(a, b, &IndentationRecord::work), rounding);
 }
 
