@@ -4,10 +4,11 @@
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of
 any scenario), `slip` (stick and slip in one state), `history`, `energy`, `temperature` and `wear` (one run step by
-step), `animation` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what
-suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales`
-(what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
-(several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
+step), `animation` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard`
+(what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures),
+`scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a
+plane), `overlay` (several results in one figure), `states` (which state and which bodies), `cells` (cell values as
+pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
