@@ -78,6 +78,7 @@ def test_a_function_is_constant_beyond_the_last_strain() -> None:
         (lambda e: 1e9 * np.log(e - 0.5), "gives nan"),
         (lambda e: -1e9, "gives -1000000000.0 at a plastic strain of 0; allowed: a stress in Pa"),
         (lambda e: [1e9, 2e9], "gives"),
+        (lambda e: "600 MPa", "gives '600 MPa' at a plastic strain of 0; allowed: a stress in Pa"),
     ],
 )
 def test_a_function_that_is_no_law_is_told_where(law: Callable[[Any], Any], message: str) -> None:
@@ -199,12 +200,16 @@ def test_a_measured_curve_that_scatters(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "keywords", "message"),
     [
-        ("0, 930\n0.01, many\n", {}, r'^file = ".*curve\.csv" has in line 2 "0\.01, many"; allowed: plastic strain'),
+        (
+            "0, 930\n0.01, many\n",
+            {},
+            r'^file = ".*curve\.csv" has in line 2 "0\.01, many", where many is no number; allowed',
+        ),
         ("0,002,930,5\n", {}, 'has in line 1 "0,002,930,5"'),
         ("0, 930\n", {"unit": "mm"}, '^unit = "mm" is a unit of length; allowed: a unit of stress, such as "MPa"'),
         ("0, 930\n", {"unit": "Mpa"}, r"unknown unit .*did you mean MPa or mPa\?"),
         ("0, 930\n", {"strain": "percent"}, '^strain = "percent" is not known; allowed: "1" or "%"'),
-        ("strain, stress\n", {}, "0 strains and 0 stresses"),
+        ("strain, stress\n", {}, "has no line of numbers; allowed: text, plastic strain and stress in Pa"),
     ],
 )
 def test_what_is_wrong_with_a_curve(tmp_path: Path, text: str, keywords: Any, message: str) -> None:
@@ -224,7 +229,9 @@ def test_a_curve_whose_unit_was_forgotten_is_warned_of(tmp_path: Path) -> None:
     with pytest.warns(brinell.CaseWarning) as told:
         brinell.Indentation(body, rigid, load=["1e-12 N", 0])
     assert [one in str(warning.message) for warning, one in zip(told, (yields, strains), strict=True)] == [True] * 2
-    with pytest.raises(brinell.InputError, match="with a plastic zone of 6.87 m") as error:  # and not a word of why?
+    with pytest.raises(
+        brinell.InputError, match="more than the radius of curvature there, 0.005 m"
+    ) as error:  # and not a word of why?
         brinell.Indentation(body, rigid, load=["1 N", 0])
     assert yields in str(error.value)
     assert strains in str(error.value)

@@ -5,7 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import brinell
 from brinell.plot import rolling
+from brinell.plot.overlay import entries
 from brinell.results import RunError, open_run
 from brinell.scenarios.rolling import TRAITS
 from figure_parts import curve, legend_of, texts
@@ -42,9 +44,22 @@ def test_few_passes_are_drawn_without_decades(make_rolling: MakeRun) -> None:
     texts(fig)
 
 
+def test_elastic_runs_have_no_depth_profiles_and_names_without_folders() -> None:
+    steel, flat = brinell.Material("210 GPa", 0.3), brinell.Flat()
+    bodies = brinell.Body(flat, steel), brinell.Body(brinell.Sphere("1 mm"), steel)
+    with pytest.warns(brinell.ResolutionWarning):
+        runs = [
+            brinell.Rolling(*bodies, "0.02 mm", load="1 N", grid={"resolution": 3}).run(in_memory=True)
+            for _ in range(2)
+        ]
+    assert rolling.depth_profiles(runs) is None
+    assert [entry.label for entry in entries(runs, "rolling")] == ["rolling (1)", "rolling (2)"]
+
+
 def test_depth_profiles(make_rolling: MakeRun) -> None:
     runs = [open_run(make_rolling(name=name)) for name in ("one", "two")]
     fig = rolling.depth_profiles(runs)
+    assert fig is not None
     profile = runs[0].profile
     for ax, values in zip(
         fig.axes,

@@ -91,6 +91,12 @@ def test_bad_text(tmp_path: Path, text: str, what: str) -> None:
         surfaces.read(tmp_path / "map.csv", spacing=(1, 1))
 
 
+def test_heights_in_a_unit() -> None:
+    np.testing.assert_allclose(HeightMap(np.array([[0.0, 2.0]]), "1 um", unit="nm").heights, [[0.0, 2e-9]])
+    with pytest.raises(InputError, match="furlong"):
+        HeightMap(np.zeros((2, 2)), "1 um", unit="furlong")
+
+
 def test_bad_maps(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"shape \(3,\)"):
         HeightMap(np.zeros(3), (1.0, 1.0))

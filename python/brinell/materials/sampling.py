@@ -30,7 +30,12 @@ class _Checked:
             with np.errstate(all="ignore"):
                 given = self._law(np.float64(e))
                 require_unmasked(given, "what the hardening law gives")
+            try:
                 value = np.asarray(given, dtype=np.float64)
+            except (TypeError, ValueError):
+                raise InputError(
+                    f"the hardening law gives {given!r} at a plastic strain of {e:g}; allowed: a stress in Pa"
+                ) from None
             if value.size != 1 or not (np.isfinite(value).all() and value.item() > 0):
                 raise InputError(
                     f"the hardening law gives {value} at a plastic strain of {e:g}; allowed: a stress in Pa"

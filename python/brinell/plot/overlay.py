@@ -74,9 +74,11 @@ def looks(labels: Sequence[str]) -> list[Look]:
 
 def _labels(runs: Sequence[Run]) -> list[str]:
     """Titles if they tell the runs apart, else folders, else whole paths."""
-    for labels in ([run.title for run in runs], [run.path.name for run in runs]):
+    for labels in ([run.title for run in runs], [run.path.name if run.memory is None else "" for run in runs]):
         if all(labels) and len(set(labels)) == len(runs):
             return labels
+    if any(run.memory is not None for run in runs):  # no folder: by their order
+        return [f"{run.title or run.scenario} ({i})" for i, run in enumerate(runs, 1)]
     return [str(run.path) for run in runs]
 
 
