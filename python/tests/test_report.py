@@ -172,6 +172,8 @@ def test_inputs_have_units(make_rolling: MakeRun) -> None:
     run = open_run(make_rolling())
     assert run.summary is not None
     case = run.summary["case"]
+    case["lower"] = {"material": {"hardening": {"law": "swift", "offset": 4e-3}}}
+    assert {one.key: one.value for one in inputs_of(run)["lower"]}["material.hardening.offset"] == "0.004"
     case["rolling"] = {"load": 2e3, "places": [0.0, -1e-4], "normalised": False, "stress": [], "title": None}
     rows = {one.key: one.value for one in inputs_of(run)["rolling"]}
     assert rows == {

@@ -33,6 +33,7 @@ UNITS: Mapping[str, str] = {
             "displacement",
             "distance",
             "shift",
+            "offset",
             "amplitude",
             "wavelength_x",
             "wavelength_y",
@@ -76,7 +77,10 @@ UNITS: Mapping[str, str] = {
 }
 """Unit of each key of a case that has one; the last part of its name tells."""
 
-_NORMALISED = {"load": "P_c", "interference": "α_c", "approach": "α_c"}
+_PURE = "hardening.offset"
+"""A strain, whose last part is the name of a length."""
+
+_NORMALISED = {"load": "P_c", "interference": "α_c", "approach": "α_c", "offset": "a_c"}
 """What these keys count where `normalised` is true."""
 
 
@@ -113,7 +117,8 @@ def _flattened(content: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, s
                 yield from _flattened(one, f"{prefix}{key}[{index}].")
         else:
             unit = _NORMALISED.get(key) if normalised else None
-            yield f"{prefix}{key}", _written(value, unit or UNITS.get(key, ""))
+            known = "" if f"{prefix}{key}".endswith(_PURE) else UNITS.get(key, "")
+            yield f"{prefix}{key}", _written(value, unit or known)
 
 
 def _written(value: Any, unit: str) -> str:
