@@ -30,7 +30,7 @@ from brinell.errors import InputError
 from brinell.halfspace import SurfaceGrid, require_memory
 from brinell.materials import Material, Thermal
 
-__all__ = ["HeatResponse", "SurfaceTemperature", "Thermal", "ThermalField"]
+__all__ = ["HeatResponse", "SurfaceTemperature", "ThermalField"]
 
 _BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
 """Per cell: the planned operator; the state of all waves, without most images; the same for fields in the body."""

@@ -10,8 +10,8 @@ import pytest
 
 import brinell
 from brinell.halfspace import SurfaceGrid
-from brinell.heat import HeatResponse, SurfaceTemperature, Thermal, ThermalField
-from brinell.materials import Material
+from brinell.heat import HeatResponse, SurfaceTemperature, ThermalField
+from brinell.materials import Material, Thermal
 
 STEEL = Thermal(conductivity=50.0, density=7850.0, specific_heat=450.0, expansion=12e-6)
 ELASTIC = Material("210 GPa", 0.3)
