@@ -361,11 +361,11 @@ double upper_share(const RollingCase& rolling)
 
 RollingPlan plan(const RollingCase& rolling)
 {
-  const std::string why_not = rolling.slide_to_roll == 0.0 && !rolling.creepage
-                                  ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another "
-                                    "slide_to_roll, or rolling.creepage"
-                                  : "";
-  require_friction(rolling, rolling.lower, rolling.upper, why_not);
+  const std::string why_not =
+      rolling.slide_to_roll == 0.0 && !rolling.creepage
+          ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
+          : "";
+  require_friction(rolling, rolling.lower, rolling.upper, why_not.empty() ? "" : why_not + ", or rolling.creepage");
   // What slips there does so where the pressure falls to nothing within a step: a law by the pressure at its end would be far off.
   require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
                                            "rolling.slide_to_roll in place of rolling.creepage and spin"

@@ -4,6 +4,7 @@
 #include "footprint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,14 +15,17 @@ namespace brinell::simulation
 namespace
 {
 
-/// Along an axis [m].
-struct ShortestWave
+/// Along x and y [m].
+struct ShortestWaves
 {
-  bool along_x;
-  double operator()(const Dent& dent) const { return 2.0 * dent.radius; }
-  double operator()(const HeightMap& map) const { return shortest_waves(map)[along_x ? 0 : 1]; }
-  double operator()(const Sinusoid& waves) const { return along_x ? waves.wavelength_x : waves.wavelength_y; }
-  double operator()(const RandomSurface& surface) const { return surface.parameters().cutoff; }
+  using Lengths = std::array<double, 2>;
+  Lengths operator()(const Dent& dent) const { return {2.0 * dent.radius, 2.0 * dent.radius}; }
+  Lengths operator()(const HeightMap& map) const { return shortest_waves(map); }
+  Lengths operator()(const Sinusoid& waves) const { return {waves.wavelength_x, waves.wavelength_y}; }
+  Lengths operator()(const RandomSurface& surface) const
+  {
+    return {surface.parameters().cutoff, surface.parameters().cutoff};
+  }
 };
 
 } // namespace
@@ -65,8 +69,10 @@ std::optional<double> cells_per_wave(const ShapedBody& lower, const ShapedBody& 
   double fewest = std::numeric_limits<double>::infinity();
   for (const Texture* texture : {&lower.texture, &upper.texture})
     for (const TexturePart& part : texture->parts)
-      fewest =
-          std::min({fewest, std::visit(ShortestWave{true}, part) / dx, std::visit(ShortestWave{false}, part) / dy});
+    {
+      const auto [along_x, along_y] = std::visit(ShortestWaves{}, part);
+      fewest = std::min({fewest, along_x / dx, along_y / dy});
+    }
   return fewest;
 }
 
