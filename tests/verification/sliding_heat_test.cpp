@@ -172,7 +172,8 @@ TEST(SlidingHeat, WhereThePeriodBeginsSaysNothing)
 {
   constexpr int cells = 16, moved = 5;
   SlidingCase c = rough_bodies(cells, 1.0);
-  c.solver.yield_tolerance = 1e-7; // an evaluation more or less, by sums in another order, then counts less than the bounds
+  // An evaluation more or less, by sums in another order, then counts less than the bounds.
+  c.solver.yield_tolerance = 1e-7;
   c.solver.displacement_tolerance = 1e-7;
   const SlidingRun one = slid(c);
   for (simulation::ShapedBody* body : {&c.lower, &c.upper})
