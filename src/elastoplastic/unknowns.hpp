@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/elastoplastic/anderson.hpp"
 #include "brinell/elastoplastic/body.hpp"
 
 #include <concepts>
@@ -89,29 +90,25 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Notices when an accelerated iteration runs in circles.
-class StallRule
+/// The next trials of all participants from those of the evaluations so far.
+class Acceleration
 {
 public:
-  /// @returns whether the error has not halved within the last evaluations with the same active cells.
-  bool stalls(double error, bool grew)
+  explicit Acceleration(int depth) : anderson_(depth) {}
+
+  template <typename Sides>
+  void advance(Sides& sides)
   {
-    if (grew)
-      *this = {};
-    else if (error < 0.5 * best_)
-    {
-      best_ = error;
-      since_ = 0;
-    }
-    else
-      ++since_;
-    return since_ > patience;
+    unknowns_.grow(sides);
+    unknowns_.pack(sides, x_, g_);
+    anderson_.advance(x_, g_, unknowns_.weights());
+    unknowns_.unpack(x_, sides);
   }
 
 private:
-  static constexpr int patience = 20;
-  double best_ = 1e300;
-  int since_ = 0;
+  Anderson anderson_;
+  Unknowns unknowns_;
+  std::vector<double> x_, g_;
 };
 
 } // namespace brinell::elastoplastic

@@ -219,6 +219,10 @@ private:
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
   [[nodiscard]] bool has_unknowns() const;
+  [[nodiscard]] double integrate(Integration integration);
+  [[nodiscard]] bool update(IncrementReport& report);
+  [[nodiscard]] bool is_within(double factor, const IncrementReport& report) const;
+  [[nodiscard]] double energy_of_trial(const contact::Drive& drive, double approach);
   void solve_frictional_contact(const contact::Drive& drive, const Placement& placement, const Strategy& strategy,
                                 bool closing, IncrementReport& report);
   void press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report);

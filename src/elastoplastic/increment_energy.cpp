@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+
+#include "foundation/sharing.hpp"
+
+#include <algorithm>
+
+/// The energy that an increment minimises: docs/theory/elastoplastic.md (energy).
+namespace brinell::elastoplastic
+{
+
+bool CoupledContact::has_energy(contact::Drive::Kind drive) const
+{
+  return drive != contact::Drive::Kind::mean_gap &&
+         std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.has_energy(); });
+}
+
+double CoupledContact::elastic_energy() const
+{
+  return pressure_energy() + (interface_ ? interface_->elastic_energy(pressure_) : 0.0);
+}
+
+double CoupledContact::pressure_energy() const
+{
+  std::vector<double> displacement(pressure_.size());
+  halfspace::SurfaceCompliance::Scratch scratch = compliance_.make_scratch();
+  compliance_.apply({.pressure = pressure_}, {.z = displacement}, scratch);
+  return 0.5 * dot(pressure_, displacement) * grid().cell_area();
+}
+
+double CoupledContact::energy(double approach) const
+{
+  // The contact's part as the dual value -(1/2 p A p + p distance), whose error is of second order in that of the pressure.
+  // An imposed approach adds its work, which does not change in the increment only if the load is imposed.
+  const double work = dot(pressure_, distance_) - approach * sum(pressure_);
+  double bodies = 0.0;
+  for (const Side& side : sides_)
+    bodies += side.body.energy(side.load()) - work_of_shear(side);
+  if (twin_ != Twin::none)
+    bodies *= 2.0;
+  const double of_shear = interface_ ? interface_->held_energy() : 0.0;
+  const double of_wear = wear_ ? wear_->held_energy(pressure_) : 0.0;
+  return bodies - pressure_energy() - work * grid().cell_area() + of_shear + of_wear;
+}
+
+} // namespace brinell::elastoplastic

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "foundation/require_size.hpp"
+
+#include <utility>
+
+/// What a coupled contact is made of.
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, const Elastic& elastic)
+{
+  return elastic.is_rigid() ? nullptr : std::make_shared<const halfspace::HalfSpace>(grid, elastic);
+}
+
+std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const Elastic& lower, const Elastic& upper,
+                                          const Sliding& sliding, double reference)
+{
+  if (sliding.sticks)
+    return std::make_unique<PartialSlip>(contact, lower, upper, sliding.friction, reference);
+  return std::make_unique<SlidingInterface>(contact, lower, upper, sliding.friction, sliding.direction, reference);
+}
+
+/// Those of the surfaces on which the shear works.
+halfspace::Displacements displacements_under(const Interface* interface)
+{
+  if (interface == nullptr)
+    return halfspace::Displacements::normal;
+  return interface->shears()[1].empty() ? halfspace::Displacements::along_x : halfspace::Displacements::all;
+}
+
+} // namespace
+
+CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
+                               const constitutive::Material& lower_material,
+                               const constitutive::Material& upper_material, const Scales& scales,
+                               const Settings& settings, Twin twin, Textures textures, double reference,
+                               const Sliding& sliding, Symmetry symmetry)
+    : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic), reference),
+      contact_(compliance_), textures_(std::move(textures)), scales_(scales), settings_(settings), twin_(twin),
+      symmetry_(sliding.sticks ? Symmetry::none : symmetry), pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0),
+      distance_(contact.size(), 0.0)
+{
+  for (const SurfaceGrid& s : {lower.surface, upper.surface})
+    if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy || s.boundary_x != contact.boundary_x ||
+        s.boundary_y != contact.boundary_y || (contact.is_periodic_x() && s.nx != contact.nx))
+      throw InternalError("CoupledContact: the three grids must have the same cells, rows and boundaries");
+  const bool are_alike = lower == upper && lower_material.elastic == upper_material.elastic;
+  if (twin != Twin::none && !(are_alike && lower_material == upper_material))
+    throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
+  for (const auto& [texture, grid] : {std::pair{&textures_.lower, &lower}, {&textures_.upper, &upper}})
+    if (!texture->empty())
+      require_size("CoupledContact: the texture", *texture, grid->surface.size());
+  const bool has_friction = sliding.friction.coefficient > 0.0;
+  if (has_friction && twin == Twin::alike)
+    throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
+  if (has_friction)
+    interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
+  if (has_friction && sliding.heat && !sliding.sticks)
+    heating_ = std::make_unique<Heating>(
+        contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
+        *sliding.heat, twin);
+  if (sliding.wear.wears() && twin != Twin::none)
+    throw InternalError("CoupledContact: bodies whose surfaces wear are not twins");
+  if (sliding.wear.wears())
+    wear_ = std::make_unique<Wear>(contact, lower.surface, upper.surface, sliding.wear);
+  const auto half_space = operators(lower, lower_material.elastic);
+  const halfspace::Displacements displacements = displacements_under(interface_.get());
+  sides_.push_back(
+      {Body(lower, half_space, lower_material, settings.shortcuts, displacements, symmetry_), &Placement::lower});
+  if (twin == Twin::none)
+    sides_.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
+                                   upper_material, settings.shortcuts, displacements, symmetry_),
+                      .place = &Placement::upper,
+                      .shear_sign = -1.0});
+}
+
+void CoupledContact::set_softening(std::span<const double> lower, std::span<const double> upper)
+{
+  if (twin_ != Twin::none && !upper.empty())
+    throw InternalError("CoupledContact: an upper body that is a twin has the softening of the lower one");
+  sides_.front().body.set_softening(lower);
+  if (twin_ == Twin::none)
+    sides_.back().body.set_softening(upper);
+}
+
+} // namespace brinell::elastoplastic

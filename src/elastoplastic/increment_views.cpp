@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/increment.hpp"
+
+#include "brinell/contact/contact_stiffness.hpp"
+#include "brinell/foundation/error.hpp"
+#include "foundation/require_size.hpp"
+#include "foundation/sharing.hpp"
+
+#include <tuple>
+
+/// What the committed state shows: surfaces, stress, load, and which edges it has reached.
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+void add_depth_of(const BodyView& view, const Place& place, const SurfaceGrid& contact, std::span<double> out)
+{
+  require_size("CoupledContact: the depth", out, contact.size());
+  const auto add = [&](std::span<const double> displacement)
+  { add_depth(view.grid().surface, displacement, view.texture(), place, contact, out); };
+  if (view.is_mirrored())
+    add(view.residual_displacement());
+  else
+    add(view.solved().residual_displacement()); // every evaluation comes here: without a copy
+}
+
+} // namespace
+
+void CoupledContact::add_lower_depth(const Place& place, std::span<double> out) const
+{
+  add_depth_of(lower(), place, grid(), out);
+  if (wear_)
+    wear_->add_depth(0, place, out);
+}
+
+void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) const
+{
+  add_depth_of(upper(), place, grid(), out);
+  if (wear_)
+    wear_->add_depth(1, place, out);
+}
+
+CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
+{
+  return stress(0, sides_.front().body, place);
+}
+
+CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
+{
+  return stress(1, sides_.back().body, place);
+}
+
+/// @param solved  whose buffers are used
+CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place) const
+{
+  const BodyView view = side == 0 ? lower() : upper();
+  const double shear_sign = side == 0 ? 1.0 : -1.0;
+  if (view.material().elastic.is_rigid())
+    throw InputError("the body is rigid: it has no stress");
+  const VolumeGrid& volume = view.grid();
+  std::vector<double> pressure;
+  std::array<std::vector<double>, 2> shear;
+  spread_traction(grid(), pressure_, place, volume.surface, pressure);
+  if (interface_)
+    spread_shear(place, volume.surface, shear_sign, shear);
+  Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
+  solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]},
+                     view.deviators(&BodyState::plastic_strain), result.deviator, result.trace);
+  add_thermal_stress(side, view, result);
+  return result;
+}
+
+Outgrown CoupledContact::outgrown() const
+{
+  const auto edges_of = [](const Side& side)
+  {
+    Edges edges = side.body.reached_edges();
+    edges.ends = edges.ends || side.leaves_grid;
+    return edges;
+  };
+  Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
+  std::tie(result.contact_ends, result.contact_sides) = pressed_edges();
+  return result;
+}
+
+/// Whether pressure acts in the outermost columns, and rows, of the contact grid.
+std::pair<bool, bool> CoupledContact::pressed_edges() const
+{
+  const SurfaceGrid& g = grid();
+  const auto pressed = [&](int i, int j) { return pressure_[g.index(i, j)] > 0.0; };
+  bool ends = false;
+  bool sides = false;
+  for (int i = 0; i < g.nx && !g.is_periodic_y(); ++i)
+    sides = sides || pressed(i, 0) || pressed(i, g.ny - 1);
+  for (int j = 0; j < g.ny && !g.is_periodic_x(); ++j)
+    ends = ends || pressed(0, j) || pressed(g.nx - 1, j);
+  return {ends, sides};
+}
+
+bool CoupledContact::reaches_edge() const
+{
+  const auto [ends, sides] = pressed_edges();
+  return ends || sides;
+}
+
+double CoupledContact::load() const
+{
+  return sum(pressure_) * grid().cell_area();
+}
+
+double CoupledContact::stiffness() const
+{
+  return contact::stiffness(compliance_, pressure_);
+}
+
+} // namespace brinell::elastoplastic
