@@ -65,7 +65,7 @@ Half half_interval(std::span<const double> h, std::span<const double> f)
 
 } // namespace
 
-Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale)
+Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale, double known_error)
 {
   if (cells.size() != values.size() || values.size() < 2)
     throw InputError(fmt::format("an estimate of {} values at {} sizes of cells; allowed: as many, two or more",
@@ -76,7 +76,9 @@ Convergence convergence(std::span<const double> cells, std::span<const double> v
   const Half half = half_interval(cells, values);
   const double value = values.back();
   const double size = std::max(std::abs(value), scale);
-  const double width = std::max(half.width, solver_share * size);
+  const bool shows_a_limit = !std::isnan(half.extrapolated);
+  const double least = shows_a_limit ? solver_share : std::max(known_error, solver_share);
+  const double width = std::max(half.width, least * size);
   return {value, half.order, half.extrapolated, value - width, value + width, size > 0.0 ? width / size : 0.0};
 }
 

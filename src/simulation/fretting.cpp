@@ -271,10 +271,10 @@ bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
 }
 
 // docs/verification.md (expected error)
-constexpr Documented documented[] = {{"largest force along the surface", 0.002, 8.0, 1.0},
-                                     {"heat of friction", 0.01, 8.0, 1.0},
-                                     {"plastic work", 0.05, 8.0, 1.0},
-                                     {"slip amplitude", 0.2, 8.0, 1.0}};
+constexpr Documented documented[] = {{"largest force along the surface", "cycles[*].max_force_N", 0.002, 8.0, 1.0},
+                                     {"heat of friction", "cycles[*].dissipation_friction_J", 0.01, 8.0, 1.0},
+                                     {"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0},
+                                     {"slip amplitude", "cycles[*].slip_amplitude_m", 0.2, 8.0, 1.0}};
 
 Facts facts(const FrettingCase& c, const FrettingPlan& plan)
 {

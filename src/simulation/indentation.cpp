@@ -208,12 +208,13 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
 }
 
 // docs/verification.md (expected error)
-constexpr Documented documented[] = {{"load", 0.014, 5.0, 2.0},
-                                     {"residual depth", 0.022, 5.6, 1.5},
-                                     {"hardness", 0.03, 5.6, 1.0},
-                                     {"pile-up", 0.065, 5.6, 1.5},
-                                     {"residual stress at a depth", 0.05, 8.0, 1.5},
-                                     {"largest pressure and strain", 0.09, 8.0, 1.0}};
+constexpr Documented documented[] = {
+    {"load", "indents[*].max_load_N", 0.014, 5.0, 2.0},
+    {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5},
+    {"hardness", "indents[*].hardness_Pa", 0.03, 5.6, 1.0},
+    {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5},
+    {"residual stress at a depth", "", 0.05, 8.0, 1.5},
+    {"largest pressure and strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0}};
 
 Facts facts(const IndentationCase& c, const IndentationPlan& plan)
 {

@@ -17,6 +17,7 @@ namespace brinell::simulation
 struct Documented
 {
   const char* quantity;
+  const char* name; ///< in the summary, with * for what is any; empty: it is not there
   double error, cells, order;
   bool elastic = false; ///< also where nothing yields
 };

@@ -75,7 +75,7 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
   for (const Documented& d : f.documented)
     if (yields || d.elastic)
       r.expected_errors.push_back(
-          {d.quantity, std::min(1.0, d.error * std::pow(d.cells / deciding_cells(f, r), d.order))});
+          {d.quantity, d.name, std::min(1.0, d.error * std::pow(d.cells / deciding_cells(f, r), d.order))});
   return r;
 }
 

@@ -254,10 +254,11 @@ bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
 }
 
 // docs/verification.md (expected error)
-constexpr Documented documented[] = {
-    {"rut", 0.05, 4.0, 1.5}, {"resistance", 0.08, 4.0, 1.5}, {"dissipation", 0.07, 4.0, 1.5}};
+constexpr Documented documented[] = {{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5},
+                                     {"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5},
+                                     {"dissipation", "passes[*].dissipation_J", 0.07, 4.0, 1.5}};
 constexpr Documented documented_with_creepage[] = {
-    {"creep force", 0.05, 8.0, 1.0, true}, documented[0], documented[1], documented[2]};
+    {"creep force", "passes[*].F_x_N", 0.05, 8.0, 1.0, true}, documented[0], documented[1], documented[2]};
 
 Facts facts(const RollingCase& c, const RollingPlan& plan)
 {

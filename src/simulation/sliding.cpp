@@ -265,7 +265,8 @@ void require_motion(const SlidingCase& sliding)
 }
 
 // docs/verification.md (expected error)
-constexpr Documented documented[] = {{"friction by ploughing", 0.12, 4.2, 1.9}, {"plastic work", 0.06, 4.2, 1.9}};
+constexpr Documented documented[] = {{"friction by ploughing", "strokes[*].friction_ploughing", 0.12, 4.2, 1.9},
+                                     {"plastic work", "strokes[*].dissipation_plastic_J", 0.06, 4.2, 1.9}};
 
 Facts facts(const SlidingCase& c, const SlidingPlan& plan)
 {

@@ -243,10 +243,10 @@ private:
 };
 
 // docs/verification.md (expected error)
-constexpr Documented documented[] = {{"peak force", 0.009, 8.0, 2.1},
-                                     {"dents", 0.017, 8.0, 1.8},
-                                     {"net energy", 0.036, 8.0, 1.7},
-                                     {"F_X at alignment", 0.043, 8.0, 1.7}};
+constexpr Documented documented[] = {{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1},
+                                     {"dents", "residual.max_*_m", 0.017, 8.0, 1.8},
+                                     {"net energy", "energy.net_J", 0.036, 8.0, 1.7},
+                                     {"F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7}};
 
 Facts facts(const TuggingCase& c, const TuggingPlan& plan)
 {

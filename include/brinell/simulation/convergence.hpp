@@ -22,10 +22,13 @@ struct Convergence
 ///
 /// With differences d21, d32 of the three finest runs and r the ratio of their cells, the order p solves d32/d21 = r^p; half of
 /// the interval is 1.25 |d21| / (r^p - 1), with p at most 2; an order above that is by accident, and the factor is 3. Where the values do not fall monotonically towards a limit there is no
-/// order: then the largest difference counts, three times. Two runs: as of first order, three times.
+/// order: then the largest difference counts, three times. Two runs: as of first order, three times. Without an order the interval is
+/// never narrower than what such numbers are known to be off by: three values that go to and fro may lie close by accident.
 /// @param cells   sizes, coarsest first, in any unit; two or more
 /// @param values  with them
 /// @param scale   what is large for such a number: below it the error is told relative to it, > 0 or 0
-[[nodiscard]] Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale);
+/// @param known_error  of such numbers with the finest of these cells, relative; 0: none is known
+[[nodiscard]] Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale,
+                                      double known_error = 0.0);
 
 } // namespace brinell::simulation

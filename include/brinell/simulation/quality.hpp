@@ -24,6 +24,7 @@ struct Warning
 struct ExpectedError
 {
   std::string quantity;  ///< "net energy"
+  std::string name;      ///< of such numbers in the summary, with * for what is any: "residual.max_*_m"; may be empty
   double relative = 0.0; ///< share of the value, at most 1
 };
 

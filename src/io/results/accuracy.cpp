@@ -121,6 +121,38 @@ private:
   std::map<std::string_view, double> largest_;
 };
 
+/// What numbers of such a run are usually off by, from the tables that every run tells its error from.
+class ExpectedErrors
+{
+public:
+  /// @param c  with the finest cells of the series
+  explicit ExpectedErrors(const Case& c)
+      : errors_(std::visit([](const auto& s)
+                           { return expected_quality(s, simulation::plan(s)).resolution.expected_errors; },
+                           c.scenario))
+  {
+  }
+
+  [[nodiscard]] double operator()(std::string_view name) const
+  {
+    for (const simulation::ExpectedError& e : errors_)
+      if (matches(e.name, name))
+        return e.relative;
+    return 0.0;
+  }
+
+private:
+  static bool matches(std::string_view pattern, std::string_view name)
+  {
+    const auto star = pattern.find('*');
+    if (star == pattern.npos)
+      return !pattern.empty() && name == pattern;
+    return name.starts_with(pattern.substr(0, star)) && name.ends_with(pattern.substr(star + 1));
+  }
+
+  std::vector<simulation::ExpectedError> errors_;
+};
+
 /// A cylinder is an odd number of cells long.
 double fitting_dy(const Scenario& scenario, double dy)
 {
@@ -180,6 +212,7 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
   std::transform(levels.begin(), levels.end(), cells.begin(), [](const Level& level) { return level.cells; });
   const Numbers& finest = levels.back().numbers;
   const ScaleOf scale(c, finest);
+  const ExpectedErrors expected(with_cells(c, levels.back().cells));
   for (const auto& [name, value] : finest)
   {
     std::vector<double> values;
@@ -187,7 +220,7 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
       if (const auto found = level.numbers.find(name); found != level.numbers.end() && std::isfinite(found->second))
         values.push_back(found->second);
     if (values.size() == levels.size())
-      accuracy.numbers[name] = simulation::convergence(cells, values, scale(name));
+      accuracy.numbers[name] = simulation::convergence(cells, values, scale(name), expected(name));
   }
   accuracy.key_numbers = key_names(c.scenario, finest);
   std::erase_if(accuracy.key_numbers, [&](const std::string& name) { return !accuracy.numbers.contains(name); });

@@ -68,6 +68,20 @@ TEST(Convergence, ToAndFroHasNoOrderButAWideInterval)
   EXPECT_NEAR(c.high - c.value, 3.0 * 0.4, 1e-12);
 }
 
+TEST(Convergence, WithoutAnOrderNothingLessIsToldThanIsKnown)
+{
+  // Values that go to and fro may lie close by accident, values with an order do not, and values without any difference are there.
+  const auto width = [](const std::vector<double>& values)
+  {
+    const Convergence c = convergence(std::vector{4.0, 2.0, 1.0}, values, 0.0, 0.2);
+    return c.high - c.value;
+  };
+  EXPECT_NEAR(width({10.0, 10.01, 10.0}), 0.2 * 10.0, 1e-12);
+  EXPECT_NEAR(width({10.0, 11.0, 10.0}), 3.0 * 1.0, 1e-12);
+  EXPECT_LT(width({10.5, 10.1, 10.0}), 0.1);
+  EXPECT_NEAR(width({10.0, 10.0, 10.0}), 1e-4 * 10.0, 1e-12);
+}
+
 TEST(Convergence, DivergenceHasNoOrderEither)
 {
   const Convergence c = convergence(std::vector{4.0, 2.0, 1.0}, std::vector{10.0, 10.1, 10.4}, 0.0);
