@@ -64,7 +64,7 @@ TEST(GrowingGrids, Indentation)
       pressed_spheres(perfect_material(), {approach(20.0 * critical().interference), approach(0.0)});
   c.upper.material = strong();
   c.steps = 8;
-  c.resolution = slow_build ? 3.0 : 5.0;
+  c.resolution = slow_build ? 4.0 : 5.0; // with 3 cells the largest plastic strain differs by 0.6 %
   const auto small = with_extent(c, 0.5);
   expect_equal_totals("indentation", small.summary, with_extent(c, 2.0).summary);
   EXPECT_TRUE(grew(small.summary, GridChange::Extent::lower_layers));

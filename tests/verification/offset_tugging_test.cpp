@@ -138,8 +138,10 @@ TEST(OffsetTugging, ItsEnergyCloses)
   const TuggingRun beside = computed(t);
   EXPECT_GT(beside.summary.work, 0.0);
   EXPECT_LT(beside.summary.work, straight.summary.work); // less overlap, less ploughing
-  EXPECT_LT(imbalance(beside), 0.03);                    // of either run that of the mesh: paper_tugging_test.cpp
-  EXPECT_LT(imbalance(straight), 0.03);
+  // Of either run that of the mesh: paper_tugging_test.cpp. Slow builds have 3 cells to a contact radius in place of 5.
+  const double mesh = slow_build ? 0.06 : 0.03;
+  EXPECT_LT(imbalance(beside), mesh);
+  EXPECT_LT(imbalance(straight), mesh);
 }
 
 TEST(OffsetTugging, TexturesAreMetBesideTheTop)
@@ -150,6 +152,7 @@ TEST(OffsetTugging, TexturesAreMetBesideTheTop)
     TuggingCase t = small_case(9.0);
     t.upper.shape = Paraboloid{1.4, 1.4};
     t.offset = 0.05;
+    t.solver.anderson_depth = 0; // the acceleration enlarges rounding, in which alone the two runs differ
     const simulation::ClosestApproach closest = simulation::closest_approach(t);
     EXPECT_NEAR(closest.y_lower, t.offset / 2.4, 2e-3 * closest.y_lower); // the arc is the offset's share, R1/(R1 + R2)
     EXPECT_NEAR(closest.y_upper, -t.offset * 1.4 / 2.4, -2e-3 * closest.y_upper);

@@ -265,7 +265,7 @@ TEST(RollingCreepage, WhereAllSlipsItIsFullSliding)
   std::vector<double> forces, ruts, heats;
   for (const double creepage : {0.08, 0.04})
   {
-    RollingCase c = yielding(slow_build ? 4.0 : 6.0, {creepage, 0.0, 0.0}, true);
+    RollingCase c = yielding(6.0, {creepage, 0.0, 0.0}, true); // also in slow builds: of 4 cells the heat is 1.2 % off
     c.friction.coefficient = 0.1;
     const RollingRun creeping = computed(c);
     EXPECT_EQ(at_the_end(c, creeping).stick_share, 0.0);
