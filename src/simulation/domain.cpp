@@ -2,6 +2,7 @@
 #include "domain.hpp"
 
 #include "footprint.hpp"
+#include "roughness.hpp"
 #include "surface_distance.hpp"
 
 #include <algorithm>
@@ -138,6 +139,31 @@ std::string what_varies(const ShapedBody& lower, const ShapedBody& upper, bool a
 
 } // namespace
 
+void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
+                              const SurfaceGrid& grid)
+{
+  const std::optional<double> cells = cells_per_wave(lower, upper, domain, grid.dx, grid.dy);
+  if (!cells || std::isinf(*cells)) // the shapes touch, whatever the textures; or there are no waves to lose
+    return;
+  constexpr double flat = 1e-6; // of the texture's height: rounding, and what no tolerance of a contact resolves
+  std::string names;
+  for (const auto& [name, body] : {std::pair{"lower.texture", &lower}, {"upper.texture", &upper}})
+  {
+    if (body->texture.is_smooth())
+      continue;
+    if (roughness_of(sampled_depths(body->texture, grid), grid).height > flat * reach(body->texture).height)
+      return;
+    names += names.empty() ? name : " and upper.texture";
+  }
+  const char* const key = domain.x.cells > 0 ? "grid.cells" : "grid.spacing";
+  throw KeyError(key,
+                 fmt::format("{}: on cells of {:g} x {:g} m, each of which takes the mean height over it, nothing is "
+                             "left of {}, and two flats touch everywhere at once; allowed: cells that show the "
+                             "waves, of which the shortest has {:.3g} here and needs 8 for contact area and peak "
+                             "pressure",
+                             key, grid.dx, grid.dy, names, *cells));
+}
+
 bool touch_all_along_y(const Shape& lower, const Shape& upper, const Domain& domain)
 {
   return domain.y.is_periodic() && touch_in_a_line(lower, upper) && !(roller_length(lower, upper) < domain.y.size);
@@ -184,6 +210,7 @@ void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, 
                                  "than one cell in it as grid.cells",
                                  name, varying));
   }
+  require_heights_on_cells(lower, upper, domain, grid);
 }
 
 std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper, double approach,

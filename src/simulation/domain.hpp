@@ -14,9 +14,16 @@ namespace brinell::simulation
 /// What the cells of that grid have of a texture [m], where the cells of a run are: a column at x = 0, rows around y = 0.
 [[nodiscard]] std::vector<double> sampled_depths(const Texture& texture, const SurfaceGrid& grid);
 
+/// Flats over a period are apart by what their cells have of the textures; waves that fit a whole number of times into a cell
+/// leave nothing there.
+/// @throws KeyError
+void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
+                              const SurfaceGrid& grid);
+
 /// One row, or one column, of a period shows no more than what is uniform along it.
 /// @param grid  of the contact.
-/// @throws KeyError if the bodies, or their textures, are not; or if there is one cell only, which nothing displaces
+/// @throws KeyError if the bodies, or their textures, are not; if there is one cell only, which nothing displaces; and of cells
+///         that have nothing of the textures of flats
 void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
                               const SurfaceGrid& grid);
 

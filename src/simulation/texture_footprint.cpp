@@ -142,6 +142,8 @@ Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modu
 {
   constexpr double rounding = 1e-9;
   const SurfaceGrid grid = sampled_period(domain);
+  if (std::min(grid.nx, grid.ny) > 1 && grid.nx == domain.x.cells && grid.ny == domain.y.cells) // those of the run, too
+    require_heights_on_cells(lower, upper, domain, grid);
   std::vector<double> h = sampled_depths(lower.texture, grid);
   const std::vector<double> other = sampled_depths(upper.texture, grid);
   const double apart = roughness_of(h, grid).height + roughness_of(other, grid).height;

@@ -182,6 +182,15 @@ TEST(PeriodicCase, TexturesThatDoNotFitThePeriod)
                  18, {"upper.texture does not fit the period", "beyond the period of 0.001 x 0.001 m"});
 }
 
+TEST(PeriodicCase, TexturesThatTheCellsDoNotShow)
+{
+  const std::string shape = flat;
+  const std::string texture = R"(texture = {type = "sinusoid", amplitude = "1 um", wavelength_x = "62.5 um"}
+)";
+  expect_refused(indentation(shape + texture, "pressure = [\"1 MPa\"]", std::string(both) + "cells = [16, 16]"), 13,
+                 {"grid.cells: on cells of 6.25e-05 x 6.25e-05 m", "nothing is left of upper.texture"});
+}
+
 // Without a size there is no period that a texture could not fit: the default of 1 m is nobody's.
 TEST(PeriodicCase, AMissingSizeIsTheOnlyProblem)
 {

@@ -123,6 +123,40 @@ TEST(CellsInPeriods, OneColumnAndOneCell)
   expect_refused(c, "grid.cells", "allowed: more than one cell along x or y");
 }
 
+// A cell as long as a wave has the mean height all over: flats that touch everywhere at once, whose contact no solver finds.
+TEST(CellsInPeriods, TheyHaveToShowSomethingOfTheTextures)
+{
+  const double cell = 1e-3 / 16.0;
+  IndentationCase c = flats(load(1.0));
+  c.lower.texture = Sinusoid{.amplitude = 1e-6, .wavelength_x = cell, .wavelength_y = 0.5e-3};
+  expect_refused(
+      c, "grid.cells",
+      "nothing is left of lower.texture, and two flats touch everywhere at once; allowed: cells that show the "
+      "waves, of which the shortest has 1 here and needs 8");
+  c.lower.texture.parts.push_back(Sinusoid{.amplitude = 1e-7, .wavelength_x = 0.5e-3}); // one of them is enough
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+  HeightMap checks{32, 32, 0.5 * cell, 0.5 * cell, 0.0, 0.0, std::vector<double>(32 * 32), true};
+  for (std::size_t i = 0; i < checks.heights.size(); ++i)
+    checks.heights[i] = (i + i / 32) % 2 == 0 ? 1e-6 : -1e-6;
+  c.lower.texture = checks;
+  c.upper.texture = checks;
+  expect_refused(c, "grid.cells", "nothing is left of lower.texture and upper.texture");
+  c.domain.x.cells = c.domain.y.cells = 0;
+  c.spacing = {cell, cell, cell};
+  c.upper.texture = {};
+  c.lower.texture = Sinusoid{.amplitude = 1e-6, .wavelength_x = cell, .wavelength_y = cell};
+  expect_refused(c, "grid.spacing", "on cells of 6.25e-05 x 6.25e-05 m");
+}
+
+// Beside a shape it is one that the texture leaves, which a warning tells.
+TEST(CellsInPeriods, AShapeTouchesWithoutTheTextures)
+{
+  IndentationCase c = flats(load(1.0));
+  c.lower.texture = Sinusoid{.amplitude = 1e-8, .wavelength_x = 1e-3 / 16.0};
+  c.upper.shape = Paraboloid{R, R};
+  EXPECT_NO_THROW(static_cast<void>(plan(c)));
+}
+
 TEST(CellsInPeriods, FewOfThemGiveNumbers)
 {
   for (const auto& [nx, ny] : {std::pair{2, 1}, {1, 2}, {2, 2}, {3, 1}, {3, 2}})
