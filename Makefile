@@ -12,7 +12,7 @@ MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
 ALPHAS ?= 1 2 4 6 9#   maximum interferences of `make run`, in critical interferences
 CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=ON
-PYTHONS ?=#            of the wheels of `make package`, e.g. PYTHONS="python3.11 python3.12"; that of .venv by default
+PYTHONS ?=#            of the wheels of `make package`, e.g. PYTHONS="python3.10 python3.12"; that of .venv by default
 BENCH_ARGS ?=#         more options for the benchmarks, e.g. BENCH_ARGS=--benchmark_repetitions=3
 COUNT_ARGS ?=#         --record makes the instructions that `make count` counts the new measure
 

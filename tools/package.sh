@@ -1,7 +1,8 @@
 #!/bin/bash
 # Makes dist/: the source distribution, and from it wheels that run on other machines, with OpenMP, FFTW and HDF5 inside: for every
 # x86-64 processor and for those with AVX2, each for the Pythons in PYTHONS (that of .venv by default). Then tries each wheel in
-# fresh virtual environments, away from the sources. PROCESSORS=x86-64 makes the first ones alone. docs/install.md says what the names mean.
+# fresh virtual environments, away from the sources: versions, a run by command and from Python, its results, figures.
+# PROCESSORS=x86-64 makes the first ones alone. docs/install.md says what the names mean.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,6 +10,12 @@ read -ra pythons <<<"${PYTHONS:-$PWD/.venv/bin/python}"
 read -ra processors <<<"${PROCESSORS:-x86-64 x86-64-v3}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+
+# The engine is the same for all Pythons: with ccache, if that is there, it is compiled once for each kind of processor. Seen
+# from the folder of a build all paths are the same, also the next time.
+if command -v ccache >/dev/null; then
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$work CCACHE_NOHASHDIR=1
+fi
 
 # The number of the build, which pip compares: of two wheels that fit it takes the faster one.
 declare -A tag=([x86-64]=1baseline [x86-64-v3]=2v3)
@@ -28,37 +35,45 @@ make_wheel() {
   local raw=$work/raw-$2-$(version_of "$1")
   "$1" -m venv "$work/builder"
   BRINELL_ARCH=$2 "$work/builder/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --wheel-dir "$raw" \
-    --config-settings=wheel.build-tag="${tag[$2]}" "$work"/*.tar.gz
+    --config-settings=wheel.build-tag="${tag[$2]}" --config-settings=build-dir="$work/build" "$work/source"
   "$python3" -m auditwheel repair --wheel-dir dist "$raw"/*.whl >/dev/null
-  rm -rf "$work/builder"
+  rm -rf "$work/builder" "$work/build"
 }
 
 # Usage: try_wheel PYTHON WHEEL
 try_wheel() {
   "$1" -m venv "$work/venv"
   "$work/venv/bin/pip" install --quiet --disable-pip-version-check "$2"
-  (cd "$work" && venv/bin/brinell --version && venv/bin/python - "$(basename "$2")") <<'END'
-import sys
+  mkdir "$work/tried"
+  cp tools/try_package.py "$work/tried"
+  (
+    cd "$work/tried"
+    export PATH=$work/venv/bin:$PATH
+    try_command >/dev/null
+    python try_package.py results "$(basename "$2")"
+  )
+  rm -rf "$work/venv" "$work/tried"
+}
 
-import brinell
-
-steel = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"))
-ball = brinell.Body(brinell.Sphere("10 um"), steel)
-run = brinell.Tugging(lower=ball, upper=ball, interference=4, grid={"resolution": 4}).run()
-peak = max(run.history["F_X"]) / run.critical.load
-print(f"{sys.argv[1]} works in Python {sys.version.split()[0]}: peak F_X {peak:.4f} P_c")
-END
-  rm -rf "$work/venv"
+# What a user of the command line does first.
+try_command() {
+  brinell --version
+  brinell new tugging -o case.toml
+  brinell check case.toml
+  brinell run case.toml --set grid.resolution=4 --quiet -o results
+  brinell plot results -o figures
+  ls figures/*.png
 }
 
 make_tools
 rm -rf dist && mkdir dist
 "$python3" -m build --quiet --sdist --outdir "$work" .
+mkdir "$work/source" && tar -xzf "$work"/*.tar.gz -C "$work/source" --strip-components=1
 declare -A made=() # one wheel for 3.12 and later
 for python in "${pythons[@]}"; do
   version=$(version_of "$python") || fail "$python is no Python"
-  (( version >= 311 )) || fail "$python is too old: 3.11 is needed"
-  kind=cp311
+  (( version >= 310 )) || fail "$python is too old: 3.10 is needed"
+  kind=cp$version
   (( version >= 312 )) && kind=abi3
   for arch in "${processors[@]}"; do
     [[ -n ${made[$kind-$arch]:-} ]] || make_wheel "$python" "$arch"

@@ -14,7 +14,6 @@ import subprocess
 import sys
 import termios
 import time
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -24,6 +23,7 @@ from click.shell_completion import ShellComplete
 
 import brinell
 from brinell import _core, cli, completion
+from brinell._toml import tomllib
 from brinell.scenarios import SCENARIOS
 
 ROOT = Path(__file__).parents[2]

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable
 from typing import Any
 
@@ -12,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import brinell
+from brinell._toml import tomllib
 from brinell.constitutive import hardening_modulus, plastic_work, return_mapping, softening_factor, yield_stress
 from brinell.materials import (
     Hardening,

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +10,7 @@ import numpy as np
 import pytest
 
 import brinell
+from brinell._toml import tomllib
 from brinell.plot import rolling
 from brinell.results import Run, RunError, open_run
 from brinell.scenarios.rolling import TRAITS

@@ -6,7 +6,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,6 +13,7 @@ import pytest
 
 import brinell
 from brinell import _core
+from brinell._toml import tomllib
 from brinell.results import FrettingCycle, Indent, RollingPass, SlidingStroke
 from brinell.scenarios import SCENARIOS
 

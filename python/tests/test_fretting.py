@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,6 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import brinell
+from brinell._toml import tomllib
 from brinell.plot import slip
 from brinell.results import Run, RunError
 from brinell.scenarios.fretting import TRAITS

@@ -6,7 +6,6 @@ from __future__ import annotations
 import copy
 import pickle
 import re
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ import numpy as np
 import pytest
 
 import brinell
+from brinell._toml import tomllib
 from brinell.constitutive import yield_stress
 from brinell.materials import (
     RIGID,

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import sys
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from click.testing import CliRunner
 
 import brinell
 from brinell import Case, InputError, plot, surfaces
+from brinell._toml import tomllib
 from brinell.surface_commands import surface as command
 from brinell.surfaces import HeightMap
 from figure_parts import texts

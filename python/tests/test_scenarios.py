@@ -6,7 +6,6 @@ from __future__ import annotations
 import inspect
 import math
 import re
-import tomllib
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ import pytest
 
 import brinell
 from brinell import bodies, reference, scenarios
+from brinell._toml import tomllib
 from brinell.plot.scales import Scales
 
 CASES = Path(__file__).parents[2] / "cases"

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Sequence
 from dataclasses import InitVar, dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
+from brinell._toml import tomllib
 from brinell.bodies import Quantity
 from brinell.case import plain
 from brinell.errors import InputError

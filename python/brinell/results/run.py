@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from brinell._reprs import fact_table
+from brinell._toml import tomllib
 from brinell.results.accuracy import Accuracy, RunWarning, accuracy_of, warnings_of
 from brinell.results.blocks import blocks_of
 from brinell.results.errors import RunError

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from brinell._toml import tomllib
 from brinell.errors import InputError, IoError, MissingExtraError
 from brinell.surfaces.filling import filled
 from brinell.surfaces.heightmap import FloatArray, HeightMap

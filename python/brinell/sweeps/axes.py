@@ -7,13 +7,13 @@ A range keeps the unit in which it is given; units are converted where the case 
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from brinell._toml import tomllib
 from brinell.case import plain
 from brinell.errors import InputError
 

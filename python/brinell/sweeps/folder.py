@@ -11,13 +11,13 @@ import fcntl
 import json
 import os
 import time
-import tomllib
 from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
+from brinell._toml import tomllib
 from brinell.errors import InputError, IoError
 from brinell.results.old_format import case_of_today
 from brinell.sweeps.designs import Point

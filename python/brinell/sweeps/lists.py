@@ -7,11 +7,11 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from typing import Any
 
 from brinell import _core
+from brinell._toml import tomllib
 from brinell.case import Case
 from brinell.errors import InputError
 from brinell.sweeps.designs import Point

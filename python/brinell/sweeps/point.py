@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import threading
 import time
-import tomllib
 import traceback
 import warnings
 from collections.abc import Callable, Collection, Mapping
@@ -13,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from brinell._toml import tomllib
 from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import BrinellError, GridError, InputError, IoError
 from brinell.results import RunError, open_run
