@@ -11,6 +11,7 @@ Example:
 from __future__ import annotations
 
 import os
+import sys
 from importlib import import_module
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
@@ -22,6 +23,7 @@ from brinell import _processor  # noqa: F401 (looks at this machine before the e
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, scenarios, surfaces
+from brinell._arguments import tell_of_arguments
 from brinell.bodies import (
     Berkovich,
     Body,
@@ -38,6 +40,7 @@ from brinell.bodies import (
 )
 from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import (
+    ArgumentError,
     BrinellError,
     ConvergenceError,
     GridError,
@@ -81,6 +84,7 @@ __version__ = version("brinell")
 __all__ = [
     "RIGID",
     "Accuracy",
+    "ArgumentError",
     "Berkovich",
     "Body",
     "BrinellError",
@@ -145,6 +149,7 @@ __all__ = [
     "sweeps",
 ]
 __all__ += scenarios.__all__
+tell_of_arguments(sys.modules[__name__])
 
 
 def __getattr__(name: str) -> Any:

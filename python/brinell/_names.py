@@ -1,24 +1,38 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names that have changed: the old ones are understood for a version, with a `FutureWarning`.
+"""Names that are misspelt, and names that have changed.
 
+Old names are understood for a version, with a `FutureWarning`.
 Keys of the case file are renamed in the engine (`_core.old_names`); this is for arguments, attributes and columns. The
 table for users is in docs/user-guide.md, "Names that have changed".
 """
 
 from __future__ import annotations
 
+import difflib
 import functools
 import inspect
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, TypeVar
 
 from brinell.errors import InputError
 
-__all__ = ["level_of_caller", "renamed", "tell_old_name"]
+__all__ = ["did_you_mean", "level_of_caller", "renamed", "tell_old_name"]
 
 _T = TypeVar("_T")
+
+
+def did_you_mean(name: object, known: Iterable[str], most: int = 1) -> str:
+    """What may be meant by a name that is none: "did you mean stress_xx? ", or nothing.
+
+    Args:
+        name: as it was given.
+        known: the names that there are.
+        most: of those that are told.
+    """
+    near = difflib.get_close_matches(str(name), list(known), n=most)
+    return f"did you mean {' or '.join(near)}? " if near else ""
 
 
 def tell_old_name(old: str, new: str) -> None:
@@ -47,6 +61,7 @@ def renamed(**names: str) -> Callable[[type[_T]], type[_T]]:
                     given[new] = given.pop(old)
             original(self, *args, **given)
 
+        initialise.old_names = names  # type: ignore[attr-defined]
         kind.__init__ = initialise  # type: ignore[method-assign,assignment]
         for old, new in names.items():
             setattr(kind, old, property(functools.partial(_attribute, old, new), doc=f"The old name of `{new}`."))

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 import tempfile
 import warnings
 import weakref
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import numpy as np
 import tomli_w
@@ -27,6 +28,8 @@ with warnings.catch_warnings():  # a notebook without ipywidgets gets the bar of
     from tqdm.auto import tqdm
 
 if TYPE_CHECKING:
+    from typing import Self
+
     from brinell.results import Run, RunWarning
 
 __all__ = ["Case", "CaseWarning", "HeightMaps", "OldNameWarning", "Progress", "ResolutionWarning"]
@@ -222,7 +225,8 @@ class Case:
     ) -> Run:
         """Computes the case. What to be wary of in the result is told as `ResolutionWarning`, and is in `Run.warnings`.
 
-        Ctrl-C ends it after the step, or within a moment if a step takes long.
+        Ctrl-C ends it after the step, or within a moment if a step takes long; the text of the KeyboardInterrupt says
+        what is kept, and where. A temporary folder stays then, if a step had been finished.
 
         Args:
             output: folder of the results, which replaces an earlier result there; a temporary one, that goes with the
@@ -253,19 +257,30 @@ class Case:
             return case.run(output, progress=progress, threads=threads, resume=resume)
         if in_memory:
             count = _thread_count(threads)
-            return self._told(run_of_image(self._watched(progress, partial(self._core.run_in_memory, count))))
+            try:
+                image = self._watched(progress, partial(self._core.run_in_memory, count))
+            except KeyboardInterrupt:
+                raise KeyboardInterrupt("interrupted; nothing is kept of a run in memory") from None
+            return self._told(run_of_image(image))
         if output is not None:
             self._compute(Path(output), progress, threads, resume)
             return self._told(open_run(output))
-        folder = tempfile.TemporaryDirectory(prefix="brinell-")
+        return self._told(self._run_in_passing(progress, threads, resume))
+
+    def _run_in_passing(self, progress: bool | Progress, threads: int | None, resume: bool) -> Run:
+        """In a temporary folder, which goes with the result; it stays if the user stops the run half-way."""
+        from brinell.results.opening import kept_of, open_run
+
+        folder = Path(tempfile.mkdtemp(prefix="brinell-"))
         try:
-            self._compute(Path(folder.name), progress, threads, resume)
-            run = open_run(folder.name)
-        except BaseException:
-            folder.cleanup()
+            self._compute(folder, progress, threads, resume)
+            run = open_run(folder)
+        except BaseException as error:
+            if not (isinstance(error, KeyboardInterrupt) and kept_of(folder)):
+                shutil.rmtree(folder, ignore_errors=True)
             raise
-        weakref.finalize(run, folder.cleanup)
-        return self._told(run)
+        weakref.finalize(run, shutil.rmtree, folder, ignore_errors=True)
+        return run
 
     def steps(self) -> Stepping:
         """Computes the case step by step: ``for record in case.steps(): ...``. Nothing is written.
@@ -287,7 +302,12 @@ class Case:
         return run
 
     def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:
-        self._watched(progress, partial(self._core.run, folder, resume, _thread_count(threads)))
+        from brinell.results.opening import kept_of
+
+        try:
+            self._watched(progress, partial(self._core.run, folder, resume, _thread_count(threads)))
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(f"interrupted; {kept_of(folder) or 'nothing has been finished'}") from None
 
     def _watched(self, progress: bool | Progress, run: Callable[[Progress | None], _T]) -> _T:
         """Calls what runs the case, with a function that is to be called after each step."""

@@ -2,6 +2,7 @@
 """The kinds of error, the same as in the engine."""
 
 __all__ = [
+    "ArgumentError",
     "BrinellError",
     "ConvergenceError",
     "GridError",
@@ -18,6 +19,10 @@ class BrinellError(Exception):
 
 class InputError(BrinellError, ValueError):
     """What was given cannot be computed: a bad key, value, unit or combination; says where and what is allowed."""
+
+
+class ArgumentError(InputError, TypeError):
+    """A class has no such argument, or lacks one; says which, what was probably meant and what there is."""
 
 
 class GridError(InputError):

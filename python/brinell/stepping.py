@@ -49,7 +49,13 @@ class Stepping(Iterator[dict[str, float]]):
         """
         if self._core.is_done:
             raise StopIteration
-        record = self._core.step()
+        try:
+            record = self._core.step()
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(
+                f"interrupted in step {self._taken}: nothing is written, and the loop cannot go on; Case.run stores "
+                "its steps and resumes"
+            ) from None
         self._taken += 1
         return record
 

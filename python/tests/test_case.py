@@ -8,9 +8,10 @@ import gc
 import os
 import pickle
 import signal
+import tempfile
 import threading
 import time
-import tomllib
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ import numpy as np
 import pytest
 
 import brinell
+from brinell._toml import tomllib
 
 CASES = Path(__file__).parents[2] / "cases"
 COARSE = ["tugging.interference=2", "grid.resolution=4", "output.snapshots='aligned'"]
@@ -156,10 +158,50 @@ def test_ctrl_c_in_the_midst_of_a_long_step_ends_within_seconds(tmp_path: Path) 
     )
     threading.Timer(2.0, os.kill, (os.getpid(), signal.SIGINT)).start()
     start = time.monotonic()
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(KeyboardInterrupt, match=r"^interrupted; nothing has been finished$"):
         long.run(tmp_path)
     assert time.monotonic() - start < 60.0
     assert not (tmp_path / "summary.json").exists()
+    stepping = long.steps()
+    threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt, match=r"interrupted in step 0: nothing is written"):
+        next(stepping)
+
+
+def interrupted_after(step_of_interruption: int) -> Callable[..., None]:
+    def watch(step: int, *_: object) -> None:
+        if step == step_of_interruption:
+            raise KeyboardInterrupt
+
+    return watch
+
+
+def test_ctrl_c_says_what_is_kept(case: brinell.Case, tmp_path: Path) -> None:
+    with pytest.raises(
+        KeyboardInterrupt, match=r"the first 4 steps are kept in .*: the same call with resume"
+    ):
+        case.run(tmp_path / "run", progress=interrupted_after(3))
+    assert brinell.open(tmp_path / "run", allow_unfinished=True).history.steps == 4
+    assert case.run(tmp_path / "run", resume=True).complete
+
+
+def test_ctrl_c_leaves_a_temporary_folder_that_holds_something(
+    case: brinell.Case, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    with pytest.raises(KeyboardInterrupt, match=r"the first 3 steps are kept in ") as raised:
+        case.run(progress=interrupted_after(2))
+    (folder,) = tmp_path.iterdir()
+    assert str(folder) in str(raised.value)
+    assert case.run(folder, resume=True).complete
+    with pytest.raises(LookupError):
+        case.run(progress=lambda *_: {}["no step"])
+    assert list(tmp_path.iterdir()) == [folder]
+
+
+def test_ctrl_c_in_a_series_for_an_accuracy_says_where_its_runs_are(case: brinell.Case, tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt, match=r"the runs for the accuracy so far are kept in .*run: the same call"):
+        case.run(tmp_path / "run", accuracy=0.2, progress=interrupted_after(3))
 
 
 def test_other_threads_go_on_meanwhile(case: brinell.Case) -> None:

@@ -82,6 +82,6 @@ def test_a_run_in_memory_is_watched_and_stopped(real_case: str) -> None:
         if step == 5:
             raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(KeyboardInterrupt, match="nothing is kept of a run in memory"):
         brinell.Case(real_case).run(in_memory=True, progress=watch)
     assert steps == [0, 1, 2, 3, 4, 5]

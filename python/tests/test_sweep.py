@@ -382,7 +382,7 @@ def test_ctrl_c_stops_the_runs_of_a_cluster(cluster: Any, tmp_path: Path) -> Non
     case, over = Case(CASE, overrides=LONG), {"tugging.interference": "2:3:3"}
     thread = threading.Thread(target=interrupt)
     thread.start()
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(KeyboardInterrupt, match=r"\d of 3 runs are done, .* in .*: the same call goes on"):
         brinell.sweep(case, over, output=tmp_path, cluster=cluster, progress=False)
     thread.join()
     with cluster.get_client() as client:

@@ -11,6 +11,9 @@ Modules: `moments` and `population` (the asperities of a surface), `pairs` (two 
 (asperities under a flat that rests on them).
 """
 
+import sys
+
+from brinell._arguments import tell_of_arguments
 from brinell.errors import MissingExtraError
 
 try:
@@ -43,3 +46,4 @@ __all__ = [
     "resting_sum",
     "statistical_sum",
 ]
+tell_of_arguments(sys.modules[__name__])

@@ -160,4 +160,7 @@ def _folder(output: str | Path | None) -> Iterator[Path]:
         yield Path(output)
         return
     with tempfile.TemporaryDirectory(prefix="brinell-asperities-") as folder:
-        yield Path(folder)
+        try:
+            yield Path(folder)
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt("interrupted; nothing is kept of a map without output") from None

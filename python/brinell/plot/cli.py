@@ -8,7 +8,6 @@ with one line on the standard error stream that says what.
 from __future__ import annotations
 
 import contextlib
-import difflib
 import functools
 import os
 from collections.abc import Callable, Sequence
@@ -18,6 +17,7 @@ from typing import Any, get_args
 import click
 import matplotlib
 
+from brinell._names import did_you_mean
 from brinell.commands import folder_of, tells_errors
 from brinell.plot import animation as moving
 from brinell.plot import fields as state
@@ -52,11 +52,9 @@ class _PlotGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """A word that is no command was meant for one, or for a result that is not there."""
         if args and args[0] not in self.commands:
-            near = difflib.get_close_matches(args[0], self.commands, n=1)
-            hint = f"did you mean {near[0]}? " if near else ""
             ctx.fail(
-                f"{args[0]!r} is no folder or file of a result, and no command; {hint}there are "
-                f"{', '.join(self.commands)}"
+                f"{args[0]!r} is no folder or file of a result, and no command; "
+                f"{did_you_mean(args[0], self.commands)}there are {', '.join(self.commands)}"
             )
         return super().resolve_command(ctx, args)
 

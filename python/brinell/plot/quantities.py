@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -12,6 +11,7 @@ import numpy as np
 from matplotlib.colors import Normalize
 from numpy.typing import NDArray
 
+from brinell._names import did_you_mean
 from brinell.errors import InputError
 from brinell.plot import style
 from brinell.plot.scales import PERCENT, Scale, Scales
@@ -84,9 +84,7 @@ def quantity_of(name: str) -> Quantity:
     """
     if name in QUANTITIES:
         return QUANTITIES[name]
-    near = difflib.get_close_matches(name, QUANTITIES, n=1)
-    hint = f"did you mean {near[0]}? " if near else ""
-    raise InputError(f"{name!r} is not a field; {hint}allowed: {', '.join(QUANTITIES)}")
+    raise InputError(f"{name!r} is not a field; {did_you_mean(name, QUANTITIES)}allowed: {', '.join(QUANTITIES)}")
 
 
 def needs_tensors(quantities: Sequence[Quantity]) -> bool:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal, get_args
@@ -12,6 +11,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell._names import did_you_mean
 from brinell.results.errors import RunError, listed, tells_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile, Source
@@ -85,9 +85,8 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
 def _alternatives(name: str, names: Sequence[str]) -> str:
     """What may be meant by a name that is none, and what there is."""
     components = [f"{tensor}_{c}" for tensor in names if tensor in TENSORS for c in COMPONENTS]
-    near = difflib.get_close_matches(name, [*names, *components], n=1)
     tensors = f"; components as {components[-len(COMPONENTS)]}" if components else ""
-    return f"{f'did you mean {near[0]}? ' if near else ''}stored are {listed(names)}{tensors}"
+    return f"{did_you_mean(name, [*names, *components])}stored are {listed(names)}{tensors}"
 
 
 def _first_dataset(state: h5py.Group, body: str, name: str) -> h5py.Dataset:

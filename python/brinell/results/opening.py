@@ -17,7 +17,7 @@ from brinell.results.run import Run
 from brinell.scenarios import Scenario
 from brinell.summary import summary_place, unfinished
 
-__all__ = ["open_run", "run_of_image"]
+__all__ = ["kept_of", "open_run", "run_of_image"]
 
 
 def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
@@ -42,6 +42,25 @@ def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
     run = Run(path, history, _checked_summary(summary, path, history.scenario))
     _require_all_steps(run)
     return run
+
+
+def kept_of(folder: Path) -> str:
+    """What a run that was stopped has left in its folder, and how to go on with it; empty if that is nothing.
+
+    Args:
+        folder: of the run; of a series for an accuracy, the one that holds all of them.
+    """
+    goes_on = "the same call with resume = True goes on"
+    if (folder / "accuracy").is_dir():
+        return f"the runs for the accuracy so far are kept in {folder}: {goes_on}"
+    try:
+        steps = open_run(folder, allow_unfinished=True).history.steps
+    except RunError:
+        return ""
+    if steps == 0:
+        return ""
+    which = "the first step is" if steps == 1 else f"the first {steps} steps are"
+    return f"{which} kept in {folder}: {goes_on}, brinell.open with allow_unfinished = True reads them"
 
 
 def run_of_image(image: bytes) -> Run:

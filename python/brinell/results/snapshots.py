@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -12,6 +11,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell._names import did_you_mean
 from brinell._reprs import cells
 from brinell.results.errors import listed
 from brinell.scenarios import Scenario
@@ -155,8 +155,7 @@ class BodyFields:
             return tensor[found[1]]
         known = [*_SCALARS, *(f"{tensor}_{c}" for tensor in TENSORS for c in COMPONENTS)]
         if name not in _SCALARS:
-            near = difflib.get_close_matches(str(name), known, n=1)
-            raise KeyError(f"no field {name!r}; {f'did you mean {near[0]}? ' if near else ''}allowed: {listed(known)}")
+            raise KeyError(f"no field {name!r}; {did_you_mean(name, known)}allowed: {listed(known)}")
         values: FloatArray | None = getattr(self, name)
         if values is None:
             raise KeyError(f"nothing is stored of {name}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import tomli_w
 
@@ -21,6 +21,13 @@ class ScenarioCase(Case):
     """A case whose text is made of arguments."""
 
     _table: str
+    _parts: ClassVar[dict[str, type]] = {
+        "interface": Interface,
+        "thermal": Heating,
+        "grid": Grid,
+        "solver": Solver,
+        "output": Output,
+    }
 
     def __init__(
         self,
@@ -38,14 +45,9 @@ class ScenarioCase(Case):
         for name, body in (("lower", lower), ("upper", upper)):
             if not isinstance(body, Body):
                 raise InputError(f"{name} = {body!r}; allowed: a brinell.Body")
-        parts = (
-            ("interface", interface, Interface),
-            ("thermal", thermal, Heating),
-            ("grid", grid, Grid),
-            ("solver", solver, Solver),
-            ("output", output, Output),
-        )
-        for name, part, kind in parts:
+        parts = {"interface": interface, "thermal": thermal, "grid": grid, "solver": solver, "output": output}
+        for name, part in parts.items():
+            kind = self._parts[name]
             if not (part is None or isinstance(part, kind | Mapping)):
                 raise InputError(f"{name} = {part!r}; allowed: a brinell.{kind.__name__}, a dictionary, or None")
         values = {
@@ -54,11 +56,7 @@ class ScenarioCase(Case):
             "lower": lower.parts(),
             "upper": upper.parts(),
             self._table: table,
-            "interface": interface,
-            "thermal": thermal,
-            "grid": grid,
-            "solver": solver,
-            "output": output,
+            **parts,
         }
         try:
             maps: HeightMaps = {}

@@ -171,6 +171,9 @@ def sweep(
                 tasks = [Task(i, texts[i], str(run_folder(path, i)), pool.threads) for i in missing]
                 with contextlib.closing(pool), _bar(ledger, len(points), shown=progress) as bar:
                     _compute(tasks, pool, ledger, bar)
+        except KeyboardInterrupt:
+            done = f"{len(ledger)} of {len(points)} runs are done, those begun have a checkpoint"
+            raise KeyboardInterrupt(f"interrupted; {done}, in {path}: the same call goes on") from None
         finally:
             if len(ledger) > 0:
                 ledger.write()

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Wrong arguments of the public classes: told with what was probably meant, where Python has a bare TypeError.
+
+Python 3.13 suggests a name, too, but neither says what is allowed nor looks into the tables of a scenario, and the
+earlier versions suggest nothing.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import reprlib
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from types import ModuleType
+from typing import Any
+
+from brinell._names import did_you_mean
+from brinell.errors import ArgumentError
+
+__all__ = ["tell_of_arguments"]
+
+
+def tell_of_arguments(package: ModuleType) -> None:
+    """Lets the public classes of a package, and those of the modules that it offers, tell of wrong arguments.
+
+    Args:
+        package: `__all__` names them. What is imported only when asked for calls this itself.
+    """
+    for name in package.__all__:
+        found = vars(package).get(name)
+        if isinstance(found, ModuleType) and hasattr(found, "__all__"):
+            tell_of_arguments(found)
+        elif isinstance(found, type) and inspect.isfunction(vars(found).get("__init__")):
+            _tell(found, f"{package.__name__}.{name}")
+
+
+def _tell(kind: type, name: str) -> None:
+    original: Callable[..., None] = vars(kind)["__init__"]
+    if issubclass(kind, Exception) or hasattr(original, "tells_of_arguments"):
+        return
+
+    @functools.wraps(original)
+    def initialise(self: object, *args: Any, **given: Any) -> None:
+        try:
+            original(self, *args, **given)
+        except TypeError:
+            if reason := _reason(original, args, given, getattr(kind, "_parts", {})):
+                raise ArgumentError(f"{name}: {reason}") from None
+            raise
+
+    initialise.tells_of_arguments = True  # type: ignore[attr-defined]
+    kind.__init__ = initialise  # type: ignore[misc]
+
+
+def _reason(
+    function: Callable[..., None], args: tuple[Any, ...], given: Mapping[str, Any], parts: Mapping[str, type]
+) -> str:
+    """What is wrong with arguments of a method; empty if it takes them, so that the error is from inside it."""
+    _, *parameters = inspect.signature(function).parameters.values()
+    known = {parameter.name: parameter for parameter in parameters}
+    by_place = [name for name, one in known.items() if one.kind is inspect.Parameter.POSITIONAL_OR_KEYWORD]
+    allowed = f"allowed: {', '.join(known) or 'none'}"
+    unknown = [name for name in given if name not in known and name not in getattr(function, "old_names", ())]
+    if unknown:
+        found = ", ".join(f"{name} = {reprlib.repr(given[name])}" for name in unknown)
+        hints = "".join(_hint(name, known, parts) for name in unknown)
+        return f"unknown argument{'s' if len(unknown) > 1 else ''} {found}; {hints}{allowed}"
+    if len(args) > len(by_place):
+        places = f"allowed: {', '.join(by_place)}; by name: " if by_place else "allowed, by name: "
+        named = ", ".join(name for name in known if name not in by_place) or "none"
+        return f"{len(args)} arguments without a name; {places}{named}"
+    if twice := [name for name in by_place[: len(args)] if name in given]:
+        return f"{', '.join(twice)} given twice, without and with the name; keep one"
+    missing = [name for name, one in known.items() if one.default is one.empty and name not in given]
+    if missing := [name for name in missing if name not in by_place[: len(args)]]:
+        return f"missing {', '.join(missing)}; {allowed}"
+    return ""
+
+
+def _hint(name: str, known: Mapping[str, Any], parts: Mapping[str, type]) -> str:
+    """Where a name that is none belongs: a similar one, or an argument of a table of the same case."""
+    for part, kind in parts.items():
+        if part in known and name in [field.name for field in fields(kind)]:
+            return f"{name} belongs into {part} = brinell.{kind.__name__}({name}=...); "
+    return did_you_mean(name, known, most=3)

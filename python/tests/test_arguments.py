@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Wrong arguments of the public classes are told with what was meant."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import inspect
+import pickle
+from collections.abc import Callable, Iterator
+from types import ModuleType
+
+import pytest
+
+import brinell
+import brinell.asperities
+from brinell._arguments import tell_of_arguments
+
+STEEL = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"))
+BALL = brinell.Body(brinell.Sphere("10 um"), STEEL)
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (
+            lambda: brinell.Solver(tolerence=1e-4),  # type: ignore[call-arg]
+            r"brinell\.Solver: unknown argument tolerence = 0\.0001; did you mean .*yield_tolerance.*\? allowed: "
+            r"accuracy, yield_tolerance,",
+        ),
+        (lambda: brinell.Grid(resolutin=8), r"did you mean resolution\? allowed: spacing, resolution,"),  # type: ignore[call-arg]
+        (lambda: brinell.Sphere(radios=1e-3), r"brinell\.Sphere: .*did you mean radius\? allowed: radius$"),  # type: ignore[call-arg]
+        (lambda: brinell.Sphere(), r"brinell\.Sphere: missing radius; allowed: radius$"),  # type: ignore[call-arg]
+        (lambda: brinell.Flat("1 mm"), r"1 arguments without a name; allowed, by name: none"),  # type: ignore[call-arg]
+        (lambda: brinell.Grid(8), r"brinell\.Grid: 1 arguments without a name; allowed, by name: spacing, resol"),  # type: ignore[misc]
+        (
+            lambda: brinell.Body(brinell.Flat(), STEEL, matrial=STEEL),  # type: ignore[call-arg]
+            r"unknown argument matrial = Material\(.*did you mean material\?",
+        ),
+        (
+            lambda: brinell.Body(brinell.Flat(), STEEL, shape=brinell.Flat()),  # type: ignore[misc]
+            r"brinell\.Body: shape given twice",
+        ),
+        (
+            lambda: brinell.Tugging(BALL, BALL, 4, 1e-6),  # type: ignore[misc]
+            r"4 arguments without a name; allowed: lower, upper, interference; by name: offset, load,",
+        ),
+        (lambda: brinell.Tugging(BALL, BALL, interferense=4), r"did you mean interference\?"),  # type: ignore[call-arg]
+        (lambda: brinell.Indentation(BALL, BALL, laod=[1.0]), r"brinell\.Indentation: .*did you mean load\?"),  # type: ignore[call-arg]
+        (lambda: brinell.Rolling(BALL, BALL, load=1.0, slide_roll=1.0), r"did you mean slide_to_roll\?"),  # type: ignore[call-arg]
+        (lambda: brinell.Fretting(BALL, BALL, load=1.0, cycle=1.0), r"did you mean cycles.*\?"),  # type: ignore[call-arg]
+        (lambda: brinell.Sliding(BALL, BALL, load=1.0, stroke=2), r"did you mean strokes\?"),  # type: ignore[call-arg]
+        (
+            lambda: brinell.Tugging(BALL, BALL, 4, resolution=8, friction=0.1),  # type: ignore[call-arg]
+            r"unknown arguments resolution = 8, friction = 0\.1; resolution belongs into grid = brinell\.Grid\("
+            r"resolution=\.\.\.\); friction belongs into interface = brinell\.Interface\(friction=\.\.\.\); allowed",
+        ),
+        (lambda: brinell.Case(txt=""), r"brinell\.Case: .*did you mean text\?"),  # type: ignore[call-arg]
+        (lambda: brinell.HeightMap([[0.0]], (1e-6, 1e-6), units="um"), r"brinell\.HeightMap: .*did you mean unit\?"),  # type: ignore[call-arg]
+        (
+            lambda: brinell.halfspace.SurfaceGrid(8, 8, dz=1.0),  # type: ignore[call-arg]
+            r"brinell\.halfspace\.SurfaceGrid: .*allowed: nx, ny, dx, dy",
+        ),
+        (
+            lambda: brinell.asperities.Population(height=1.0),  # type: ignore[call-arg]
+            r"brinell\.asperities\.Population: .*did you mean heights\?",
+        ),
+    ],
+)
+def test_wrong_arguments_are_told_with_what_was_meant(make: Callable[[], object], text: str) -> None:
+    with pytest.raises(brinell.ArgumentError, match=text) as raised:
+        make()
+    assert isinstance(raised.value, TypeError)
+    assert isinstance(raised.value, brinell.InputError)
+
+
+def public_classes(package: ModuleType) -> Iterator[type]:
+    for name in package.__all__:
+        found = getattr(package, name)
+        if isinstance(found, ModuleType) and hasattr(found, "__all__"):
+            yield from public_classes(found)
+        elif isinstance(found, type) and inspect.isfunction(vars(found).get("__init__")):
+            yield found
+
+
+def test_every_public_class_that_users_make_tells() -> None:
+    """Also those that a later version adds: what a package offers is found by its list."""
+    results = ("brinell.plot", "brinell.report", "brinell.results", "brinell.sweeps", "brinell.export")
+    kinds = {kind for kind in public_classes(brinell) if not kind.__module__.startswith(results)}
+    assert len(kinds) > 50
+    for kind in kinds:
+        if issubclass(kind, Exception):
+            continue
+        with pytest.raises(brinell.ArgumentError, match=r"unknown argument no_such_argument = 1"):
+            kind(no_such_argument=1)
+
+
+def test_errors_from_inside_are_left_alone() -> None:
+    class Picky:
+        def __init__(self, one: int):
+            raise TypeError("from inside")
+
+    module = ModuleType("module")
+    module.__dict__.update(Picky=Picky, __all__=["Picky"])
+    tell_of_arguments(module)
+    with pytest.raises(TypeError, match="from inside") as raised:
+        Picky(1)
+    assert not isinstance(raised.value, brinell.ArgumentError)
+    with pytest.raises(brinell.ArgumentError, match=r"module\.Picky: missing one; allowed: one"):
+        Picky()  # type: ignore[call-arg]
+
+
+def test_old_names_are_no_mistakes() -> None:
+    with (
+        pytest.warns(FutureWarning, match="max_iterations"),
+        pytest.raises(brinell.ArgumentError, match=r"unknown argument tolerance = 1;"),
+    ):
+        brinell.Solver(max_iterations=5, tolerance=1)  # type: ignore[call-arg]
+
+
+def test_what_tells_is_still_the_class_that_it_was() -> None:
+    grid = brinell.Grid(resolution=8)
+    assert list(inspect.signature(brinell.Sphere).parameters) == ["radius"]
+    assert copy.deepcopy(grid) == pickle.loads(pickle.dumps(grid)) == dataclasses.replace(grid) == grid
+    with pytest.raises(brinell.ArgumentError, match=r"did you mean extent\?"):
+        dataclasses.replace(grid, exent=2.0)  # type: ignore[call-arg]
