@@ -50,7 +50,7 @@ def _tell(kind: type, name: str) -> None:
             raise
 
     initialise.tells_of_arguments = True  # type: ignore[attr-defined]
-    kind.__init__ = initialise  # type: ignore[misc]
+    kind.__init__ = initialise  # type: ignore[method-assign]
 
 
 def _reason(
@@ -83,4 +83,4 @@ def _hint(name: str, known: Mapping[str, Any], parts: Mapping[str, type]) -> str
     for part, kind in parts.items():
         if part in known and name in [field.name for field in fields(kind)]:
             return f"{name} belongs into {part} = brinell.{kind.__name__}({name}=...); "
-    return did_you_mean(name, known, most=3)
+    return did_you_mean(name, known, alike=0.8) or did_you_mean(name, known, most=3)

@@ -23,15 +23,16 @@ __all__ = ["did_you_mean", "level_of_caller", "renamed", "tell_old_name"]
 _T = TypeVar("_T")
 
 
-def did_you_mean(name: object, known: Iterable[str], most: int = 1) -> str:
+def did_you_mean(name: object, known: Iterable[str], most: int = 1, alike: float = 0.6) -> str:
     """What may be meant by a name that is none: "did you mean stress_xx? ", or nothing.
 
     Args:
         name: as it was given.
         known: the names that there are.
         most: of those that are told.
+        alike: how much they have to be, from 0 to 1.
     """
-    near = difflib.get_close_matches(str(name), list(known), n=most)
+    near = difflib.get_close_matches(str(name), list(known), n=most, cutoff=alike)
     return f"did you mean {' or '.join(near)}? " if near else ""
 
 

@@ -177,9 +177,7 @@ def interrupted_after(step_of_interruption: int) -> Callable[..., None]:
 
 
 def test_ctrl_c_says_what_is_kept(case: brinell.Case, tmp_path: Path) -> None:
-    with pytest.raises(
-        KeyboardInterrupt, match=r"the first 4 steps are kept in .*: the same call with resume"
-    ):
+    with pytest.raises(KeyboardInterrupt, match=r"the first 4 steps are kept in .*: the same call with resume"):
         case.run(tmp_path / "run", progress=interrupted_after(3))
     assert brinell.open(tmp_path / "run", allow_unfinished=True).history.steps == 4
     assert case.run(tmp_path / "run", resume=True).complete
