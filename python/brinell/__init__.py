@@ -24,6 +24,7 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, scenarios, surfaces
 from brinell._arguments import tell_of_arguments
+from brinell._names import did_you_mean
 from brinell.bodies import (
     Berkovich,
     Body,
@@ -158,7 +159,8 @@ def __getattr__(name: str) -> Any:
         return import_module("brinell.sweeps").sweep
     if name in ("asperities", "export", "plot", "report", "sweeps"):
         return import_module(f"brinell.{name}")
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    hint = "" if name.startswith("_") else did_you_mean(name, __all__)  # others than people ask for these
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}{'; ' if hint else ''}{hint.strip()}")
 
 
 def __dir__() -> list[str]:

@@ -69,7 +69,7 @@ def _reason(
     if len(args) > len(by_place):
         places = f"allowed: {', '.join(by_place)}; by name: " if by_place else "allowed, by name: "
         named = ", ".join(name for name in known if name not in by_place) or "none"
-        return f"{len(args)} arguments without a name; {places}{named}"
+        return f"{len(args)} argument{'s' if len(args) > 1 else ''} without a name; {places}{named}"
     if twice := [name for name in by_place[: len(args)] if name in given]:
         return f"{', '.join(twice)} given twice, without and with the name; keep one"
     missing = [name for name, one in known.items() if one.default is one.empty and name not in given]

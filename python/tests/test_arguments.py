@@ -9,6 +9,7 @@ import inspect
 import pickle
 from collections.abc import Callable, Iterator
 from types import ModuleType
+from typing import Any
 
 import pytest
 
@@ -18,51 +19,53 @@ from brinell._arguments import tell_of_arguments
 
 STEEL = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"))
 BALL = brinell.Body(brinell.Sphere("10 um"), STEEL)
+untyped: Any = brinell
+"""What a type checker would find is wanted here."""
 
 
 @pytest.mark.parametrize(
     ("make", "text"),
     [
         (
-            lambda: brinell.Solver(tolerence=1e-4),  # type: ignore[call-arg]
+            lambda: untyped.Solver(tolerence=1e-4),
             r"brinell\.Solver: unknown argument tolerence = 0\.0001; did you mean .*yield_tolerance.*\? allowed: "
             r"accuracy, yield_tolerance,",
         ),
-        (lambda: brinell.Grid(resolutin=8), r"did you mean resolution\? allowed: spacing, resolution,"),  # type: ignore[call-arg]
-        (lambda: brinell.Sphere(radios=1e-3), r"brinell\.Sphere: .*did you mean radius\? allowed: radius$"),  # type: ignore[call-arg]
-        (lambda: brinell.Sphere(), r"brinell\.Sphere: missing radius; allowed: radius$"),  # type: ignore[call-arg]
-        (lambda: brinell.Flat("1 mm"), r"1 arguments without a name; allowed, by name: none"),  # type: ignore[call-arg]
-        (lambda: brinell.Grid(8), r"brinell\.Grid: 1 arguments without a name; allowed, by name: spacing, resol"),  # type: ignore[misc]
+        (lambda: untyped.Grid(resolutin=8), r"did you mean resolution\? allowed: spacing, resolution,"),
+        (lambda: untyped.Sphere(radios=1e-3), r"brinell\.Sphere: .*did you mean radius\? allowed: radius$"),
+        (lambda: untyped.Sphere(), r"brinell\.Sphere: missing radius; allowed: radius$"),
+        (lambda: untyped.Flat("1 mm"), r"1 argument without a name; allowed, by name: none"),
+        (lambda: untyped.Grid(8), r"brinell\.Grid: 1 argument without a name; allowed, by name: spacing, resol"),
         (
-            lambda: brinell.Body(brinell.Flat(), STEEL, matrial=STEEL),  # type: ignore[call-arg]
+            lambda: untyped.Body(brinell.Flat(), STEEL, matrial=STEEL),
             r"unknown argument matrial = Material\(.*did you mean material\?",
         ),
         (
-            lambda: brinell.Body(brinell.Flat(), STEEL, shape=brinell.Flat()),  # type: ignore[misc]
+            lambda: untyped.Body(brinell.Flat(), STEEL, shape=brinell.Flat()),
             r"brinell\.Body: shape given twice",
         ),
         (
-            lambda: brinell.Tugging(BALL, BALL, 4, 1e-6),  # type: ignore[misc]
+            lambda: untyped.Tugging(BALL, BALL, 4, 1e-6),
             r"4 arguments without a name; allowed: lower, upper, interference; by name: offset, load,",
         ),
-        (lambda: brinell.Tugging(BALL, BALL, interferense=4), r"did you mean interference\?"),  # type: ignore[call-arg]
-        (lambda: brinell.Indentation(BALL, BALL, laod=[1.0]), r"brinell\.Indentation: .*did you mean load\?"),  # type: ignore[call-arg]
-        (lambda: brinell.Rolling(BALL, BALL, load=1.0, slide_roll=1.0), r"did you mean slide_to_roll\?"),  # type: ignore[call-arg]
-        (lambda: brinell.Fretting(BALL, BALL, load=1.0, cycle=1.0), r"did you mean cycles.*\?"),  # type: ignore[call-arg]
-        (lambda: brinell.Sliding(BALL, BALL, load=1.0, stroke=2), r"did you mean strokes\?"),  # type: ignore[call-arg]
+        (lambda: untyped.Tugging(BALL, BALL, interferense=4), r"did you mean interference\?"),
+        (lambda: untyped.Indentation(BALL, BALL, laod=[1.0]), r"brinell\.Indentation: .*did you mean load\?"),
+        (lambda: untyped.Rolling(BALL, BALL, load=1.0, slide_roll=1.0), r"did you mean slide_to_roll\?"),
+        (lambda: untyped.Fretting(BALL, BALL, load=1.0, cycle=1.0), r"did you mean cycles.*\?"),
+        (lambda: untyped.Sliding(BALL, BALL, load=1.0, stroke=2), r"did you mean strokes\?"),
         (
-            lambda: brinell.Tugging(BALL, BALL, 4, resolution=8, friction=0.1),  # type: ignore[call-arg]
+            lambda: untyped.Tugging(BALL, BALL, 4, resolution=8, friction=0.1),
             r"unknown arguments resolution = 8, friction = 0\.1; resolution belongs into grid = brinell\.Grid\("
             r"resolution=\.\.\.\); friction belongs into interface = brinell\.Interface\(friction=\.\.\.\); allowed",
         ),
-        (lambda: brinell.Case(txt=""), r"brinell\.Case: .*did you mean text\?"),  # type: ignore[call-arg]
-        (lambda: brinell.HeightMap([[0.0]], (1e-6, 1e-6), units="um"), r"brinell\.HeightMap: .*did you mean unit\?"),  # type: ignore[call-arg]
+        (lambda: untyped.Case(txt=""), r"brinell\.Case: .*did you mean text\?"),
+        (lambda: untyped.HeightMap([[0.0]], (1e-6, 1e-6), units="um"), r"brinell\.HeightMap: .*did you mean unit\?"),
         (
-            lambda: brinell.halfspace.SurfaceGrid(8, 8, dz=1.0),  # type: ignore[call-arg]
+            lambda: untyped.halfspace.SurfaceGrid(8, 8, dz=1.0),
             r"brinell\.halfspace\.SurfaceGrid: .*allowed: nx, ny, dx, dy",
         ),
         (
-            lambda: brinell.asperities.Population(height=1.0),  # type: ignore[call-arg]
+            lambda: untyped.asperities.Population(height=1.0),
             r"brinell\.asperities\.Population: .*did you mean heights\?",
         ),
     ],
@@ -88,6 +91,7 @@ def test_every_public_class_that_users_make_tells() -> None:
     results = ("brinell.plot", "brinell.report", "brinell.results", "brinell.sweeps", "brinell.export")
     kinds = {kind for kind in public_classes(brinell) if not kind.__module__.startswith(results)}
     assert len(kinds) > 50
+    kind: Any
     for kind in kinds:
         if issubclass(kind, Exception):
             continue
@@ -106,8 +110,9 @@ def test_errors_from_inside_are_left_alone() -> None:
     with pytest.raises(TypeError, match="from inside") as raised:
         Picky(1)
     assert not isinstance(raised.value, brinell.ArgumentError)
+    untyped_picky: Any = Picky
     with pytest.raises(brinell.ArgumentError, match=r"module\.Picky: missing one; allowed: one"):
-        Picky()  # type: ignore[call-arg]
+        untyped_picky()
 
 
 def test_old_names_are_no_mistakes() -> None:
@@ -115,7 +120,7 @@ def test_old_names_are_no_mistakes() -> None:
         pytest.warns(FutureWarning, match="max_iterations"),
         pytest.raises(brinell.ArgumentError, match=r"unknown argument tolerance = 1;"),
     ):
-        brinell.Solver(max_iterations=5, tolerance=1)  # type: ignore[call-arg]
+        untyped.Solver(max_iterations=5, tolerance=1)
 
 
 def test_what_tells_is_still_the_class_that_it_was() -> None:
@@ -124,3 +129,10 @@ def test_what_tells_is_still_the_class_that_it_was() -> None:
     assert copy.deepcopy(grid) == pickle.loads(pickle.dumps(grid)) == dataclasses.replace(grid) == grid
     with pytest.raises(brinell.ArgumentError, match=r"did you mean extent\?"):
         dataclasses.replace(grid, exent=2.0)  # type: ignore[call-arg]
+
+
+def test_a_misspelt_name_of_the_package_is_told() -> None:
+    with pytest.raises(AttributeError, match=r"module 'brinell' has no attribute 'Gird'; did you mean Grid\?$"):
+        brinell.Gird  # noqa: B018 (asked for)
+    with pytest.raises(AttributeError, match=r"no attribute 'zzzz'$"):
+        brinell.zzzz  # noqa: B018
