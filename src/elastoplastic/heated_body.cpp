@@ -70,13 +70,15 @@ Place on_heat(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& pla
 
 } // namespace
 
-BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& material, const HeatedRun& run)
+BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& material, const HeatedRun& run,
+                   const HeatNumerics& numerics)
     : grid_(heat_grid(volume.surface)), thermal_(material.thermal.value()), bulk_(material.temperature),
       swells_(run.settings.displacement && thermal_.expansion != 0.0),
       is_stressed_(run.settings.stress && thermal_.expansion != 0.0 && material.is_plastic()),
       softening_law_(material.is_plastic() ? material.softening : std::nullopt),
       field_(grid_, thermal_, material.elastic, run.times,
-             material.elastic.is_rigid() ? std::vector<double>{} : depths_of(volume), halfspace::HeatImages::coarse)
+             material.elastic.is_rigid() ? std::vector<double>{} : depths_of(volume),
+             numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry)
 {
   for (std::vector<double>* field :
        {&remaining_temperature_, &remaining_displacement_, &displacement_, &displacement_before_, &pressure_})

@@ -20,7 +20,8 @@ class BodyHeat
 {
 public:
   /// @param volume  of the body when the run begins
-  BodyHeat(const VolumeGrid& volume, const constitutive::Material& material, const HeatedRun& run);
+  BodyHeat(const VolumeGrid& volume, const constitutive::Material& material, const HeatedRun& run,
+           const HeatNumerics& numerics);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] bool swells() const { return swells_; }

@@ -52,31 +52,29 @@ void require_conductors(const std::array<Heating::Partner, 2>& bodies)
       throw InputError("Heating: a body that deforms has no thermal constants");
 }
 
-std::shared_ptr<BodyHeat> heat_of(const Heating::Partner& body, const HeatedRun& run)
-{
-  return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, run) : nullptr;
-}
-
 std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const std::array<Heating::Partner, 2>& bodies,
-                                   const HeatedRun& run, Twin twin)
+                                   const HeatedRun& run, Twin twin, const HeatNumerics& numerics)
 {
-  const std::shared_ptr<BodyHeat> lower = heat_of(bodies[0], run);
+  const auto heat_of = [&](const Heating::Partner& body)
+  { return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, run, numerics) : nullptr; };
+  const std::shared_ptr<BodyHeat> lower = heat_of(bodies[0]);
   const bool is_twin = twin != Twin::none;
   return {HeatedSide(contact, bodies[0].material, lower, false),
-          HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1], run), is_twin)};
+          HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1]), is_twin)};
 }
 
 } // namespace
 
-Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodies, const HeatedRun& run, Twin twin)
+Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodies, const HeatedRun& run, Twin twin,
+                 const HeatNumerics& numerics)
 {
   require_conductors(bodies);
   if (twin == Twin::alike)
     throw InternalError("Heating: bodies that are alike do not slide on each other");
   if (twin != Twin::none && run.settings.partition && *run.settings.partition != 0.5)
     throw InternalError("Heating: twins have equal shares in the heat");
-  state_ =
-      make_hidden<State>(contact, run.settings, sides_of(contact, bodies, run, twin), twin == Twin::none ? 1.0 : 2.0);
+  state_ = make_hidden<State>(contact, run.settings, sides_of(contact, bodies, run, twin, numerics),
+                              twin == Twin::none ? 1.0 : 2.0);
 }
 
 void Heating::begin(const Start& start)

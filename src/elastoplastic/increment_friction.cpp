@@ -153,6 +153,7 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
 {
   constexpr int most_turns = 60;
   const double tolerance = settings_.contact_tolerance * scales_.gap;
+  const bool exact = closing || !settings_.shortcuts;
   const std::vector<double> without_shear = distance_;
   for (int turn = 1;; ++turn)
   {
@@ -164,9 +165,9 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
     press(drive, strategy, report);
     Interface::Change change = follow(placement);
     const double by_heat = heating_ && !strategy.watch_energy
-                               ? follow_heat(closing ? Heating::Sharing::fine : Heating::Sharing::rough)
+                               ? follow_heat(exact ? Heating::Sharing::fine : Heating::Sharing::rough)
                                : 0.0;
-    if (closing)
+    if (exact)
       change.gap = larger(change.gap, by_heat);
     if (wear_ && !strategy.watch_energy)
       change.gap = larger(change.gap, follow_wear());

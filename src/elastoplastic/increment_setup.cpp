@@ -64,7 +64,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   if (has_friction && sliding.heat && !sliding.sticks)
     heating_ = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
-        *sliding.heat, twin);
+        *sliding.heat, twin, HeatNumerics{settings.shortcuts, symmetry_});
   if (sliding.wear.wears() && twin != Twin::none)
     throw InternalError("CoupledContact: bodies whose surfaces wear are not twins");
   if (sliding.wear.wears())

@@ -12,40 +12,50 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Lagrange's weights at a quarter of the way between the second and the third of four places.
-constexpr std::array<double, 4> cubic{-7.0 / 128.0, 105.0 / 128.0, 35.0 / 128.0, -5.0 / 128.0};
-
-/// A fine cell lies a quarter of a coarse one before or behind the centre of the coarse one that holds it.
-double weight(bool is_first_half, std::size_t n)
+/// Cells twice as long that hold so many with the same middle: an even number, so that what lies in the middle is spread over two of
+/// them. On one it would stay a spike from grid to grid, whose shortest waves tell lattices of different periods apart.
+int half_as_many(int cells)
 {
-  return is_first_half ? cubic[3 - n] : cubic[n];
+  return 2 * ((cells + (cells % 2 == 0 ? 3 : 4)) / 4);
+}
+
+/// Lagrange's weights of four places, so far behind the second of them in terms of their distance.
+std::array<double, 4> cubic(double s)
+{
+  return {-s * (s - 1.0) * (s - 2.0) / 6.0, (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0, -(s + 1.0) * s * (s - 2.0) / 2.0,
+          (s + 1.0) * s * (s - 1.0) / 6.0};
 }
 
 } // namespace
 
 CoarserSurface::CoarserSurface(const SurfaceGrid& finer, const std::array<int, 2>& margins,
                                const std::array<bool, 2>& coarser)
-    : fine_(finer), coarse_(finer)
+    : fine_(finer), coarse_(finer), margins_(margins)
 {
-  const auto halve = [](bool is_coarser, int fine_margin, int& cells, double& size, Axis& axis)
+  const auto halve = [](int& finer_margin, int& cells, double& size)
   {
-    axis = {cells, cells, fine_margin, is_coarser};
-    if (!is_coarser)
-      return;
-    const int inner = cells - 2 * fine_margin;
-    cells = axis.coarse = (inner + 1) / 2 + 2 * margin;
+    const int fine = cells;
+    cells = half_as_many(cells - 2 * finer_margin) + 2 * margin;
     size *= 2.0;
+    finer_margin = margin;
+    return axis(fine, cells);
   };
-  halve(coarser[0] && !finer.is_periodic_x(), margins[0], coarse_.nx, coarse_.dx, x_);
-  halve(coarser[1] && !finer.is_periodic_y(), margins[1], coarse_.ny, coarse_.dy, y_);
+  if (coarser[0] && !finer.is_periodic_x())
+    x_ = halve(margins_[0], coarse_.nx, coarse_.dx);
+  if (coarser[1] && !finer.is_periodic_y())
+    y_ = halve(margins_[1], coarse_.ny, coarse_.dy);
 }
 
-int CoarserSurface::Axis::first_of(int cell) const
+CoarserSurface::Axis CoarserSurface::axis(int fine, int coarse)
 {
-  const int inner = cell - fine_margin;
-  const int holder = inner >= 0 ? inner / 2 : (inner - 1) / 2;
-  const bool is_first_half = inner - 2 * holder == 0;
-  return margin + holder - (is_first_half ? 2 : 1);
+  Axis axis;
+  for (int cell = 0; cell < fine; ++cell)
+  {
+    // In quarters of a coarse cell, from the centre of the first one: both grids have their middle in one place.
+    const int quarters = 2 * cell - fine + 2 * coarse - 1;
+    axis.push_back({quarters / 4 - 1, cubic(0.25 * (quarters % 4))});
+  }
+  return axis;
 }
 
 std::vector<double> CoarserSurface::from_finer(std::span<const double> load) const
@@ -57,21 +67,25 @@ std::vector<double> CoarserSurface::from_finer(std::span<const double> load) con
     {
       const double value = load[fine_.index(i, j)];
       double* row = rows.data() + static_cast<std::ptrdiff_t>(j) * coarse_.nx;
-      if (!x_.is_coarser)
+      if (x_.empty())
+      {
         row[i] = value;
-      else
-        for (std::size_t n = 0; n < cubic.size(); ++n)
-          row[x_.first_of(i) + static_cast<int>(n)] += 0.5 * weight((i - x_.fine_margin) % 2 == 0, n) * value;
+        continue;
+      }
+      const Between& at = x_[static_cast<std::size_t>(i)];
+      for (std::size_t n = 0; n < at.weights.size(); ++n)
+        row[static_cast<std::size_t>(at.first) + n] += 0.5 * at.weights[n] * value;
     }
-  if (!y_.is_coarser)
+  if (y_.empty())
     return rows;
   std::vector<double> result(coarse_.size());
   for (int j = 0; j < fine_.ny; ++j)
-    for (std::size_t n = 0; n < cubic.size(); ++n)
+    for (int n = 0; n < 4; ++n)
     {
-      const double share = 0.5 * weight((j - y_.fine_margin) % 2 == 0, n);
+      const Between& at = y_[static_cast<std::size_t>(j)];
+      const double share = 0.5 * at.weights[static_cast<std::size_t>(n)];
       const double* from = rows.data() + static_cast<std::ptrdiff_t>(j) * coarse_.nx;
-      double* to = result.data() + coarse_.index(0, y_.first_of(j) + static_cast<int>(n));
+      double* to = result.data() + coarse_.index(0, at.first + n);
       for (int i = 0; i < coarse_.nx; ++i)
         to[i] += share * from[i];
     }
@@ -84,26 +98,34 @@ std::vector<double> CoarserSurface::to_finer(std::span<const double> field) cons
   for (int j = 0; j < fine_.ny; ++j)
   {
     double* to = rows.data() + static_cast<std::ptrdiff_t>(j) * coarse_.nx;
-    if (!y_.is_coarser)
+    if (y_.empty())
+    {
       std::copy_n(field.data() + coarse_.index(0, j), coarse_.nx, to);
-    else
-      for (std::size_t n = 0; n < cubic.size(); ++n)
-      {
-        const double share = weight((j - y_.fine_margin) % 2 == 0, n);
-        const double* from = field.data() + coarse_.index(0, y_.first_of(j) + static_cast<int>(n));
-        for (int i = 0; i < coarse_.nx; ++i)
-          to[i] += share * from[i];
-      }
+      continue;
+    }
+    const Between& at = y_[static_cast<std::size_t>(j)];
+    for (int n = 0; n < 4; ++n)
+    {
+      const double share = at.weights[static_cast<std::size_t>(n)];
+      const double* from = field.data() + coarse_.index(0, at.first + n);
+      for (int i = 0; i < coarse_.nx; ++i)
+        to[i] += share * from[i];
+    }
   }
-  if (!x_.is_coarser)
+  if (x_.empty())
     return rows;
   std::vector<double> result(fine_.size());
   for (int j = 0; j < fine_.ny; ++j)
+  {
+    const double* row = rows.data() + static_cast<std::ptrdiff_t>(j) * coarse_.nx;
     for (int i = 0; i < fine_.nx; ++i)
-      for (std::size_t n = 0; n < cubic.size(); ++n)
-        result[fine_.index(i, j)] += weight((i - x_.fine_margin) % 2 == 0, n) *
-                                     rows[static_cast<std::size_t>(j) * static_cast<std::size_t>(coarse_.nx) +
-                                          static_cast<std::size_t>(x_.first_of(i)) + n];
+    {
+      const Between& at = x_[static_cast<std::size_t>(i)];
+      const double* four = row + at.first;
+      result[fine_.index(i, j)] =
+          at.weights[0] * four[0] + at.weights[1] * four[1] + at.weights[2] * four[2] + at.weights[3] * four[3];
+    }
+  }
   return result;
 }
 
@@ -111,7 +133,7 @@ int memory_length(int cells, bool begins_coarser)
 {
   constexpr int ends = 2 * CoarserSurface::margin;
   if (!begins_coarser)
-    return fast_length(std::max(2 * cells, cells + 2 + 2 * ends));
+    return fast_length(2 * std::max(cells, half_as_many(cells) + ends));
   int length = (2 * cells + 3) / 4 * 4;
   while (fast_length(length) != length)
     length += 4;
@@ -121,7 +143,7 @@ int memory_length(int cells, bool begins_coarser)
 bool is_long(int cells)
 {
   constexpr int ends = 2 * CoarserSurface::margin;
-  return 2 * cells >= cells + 6 + 4 * ends; // a quarter of which holds the ends of cells that are four times as long
+  return cells >= 2 * (half_as_many(half_as_many(cells)) + ends);
 }
 
 } // namespace brinell::halfspace

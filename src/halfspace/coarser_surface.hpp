@@ -10,9 +10,10 @@
 namespace brinell::halfspace
 {
 
-/// A surface on cells twice as long along the axes that are open: what is smooth is interpolated from them by cubics, and loads
-/// come to them by the transpose, which keeps all moments up to the third. Loads on the fine cells reach `margin` coarse
-/// cells beyond the ends of the fine grid.
+/// A surface on cells twice as long along the axes that are open, with the same middle: what is smooth is interpolated from them by
+/// cubics, and loads come to them by the transpose, which keeps all moments up to the third. Loads on the fine cells reach
+/// `margin` coarse cells beyond the ends of the fine grid. The cells lie alike on both sides of the middle, so that what is
+/// even or odd about it stays so.
 class CoarserSurface
 {
 public:
@@ -28,28 +29,29 @@ public:
 
   [[nodiscard]] const SurfaceGrid& grid() const { return coarse_; }
   /// That of this grid, to go on from.
-  [[nodiscard]] std::array<int, 2> margins() const { return {x_.coarse_margin(), y_.coarse_margin()}; }
+  [[nodiscard]] std::array<int, 2> margins() const { return margins_; }
   [[nodiscard]] std::vector<double> from_finer(std::span<const double> load) const; ///< mean over the coarse cells
   [[nodiscard]] std::vector<double> to_finer(std::span<const double> field) const;
 
 private:
-  /// Where the cells of one axis are, coarse ones seen from fine ones.
-  struct Axis
+  /// Where the fine cells of one axis are among the coarse ones: each between the second and the third of four.
+  struct Between
   {
-    int fine = 0, coarse = 0, fine_margin = 0;
-    bool is_coarser = false;
-    [[nodiscard]] int first_of(int cell) const; ///< of four coarse cells about a fine one
-    [[nodiscard]] int coarse_margin() const { return is_coarser ? margin : fine_margin; }
+    int first;
+    std::array<double, 4> weights;
   };
+  using Axis = std::vector<Between>; ///< empty: its cells stay as they are
+  [[nodiscard]] static Axis axis(int fine, int coarse);
 
   SurfaceGrid fine_, coarse_;
+  std::array<int, 2> margins_;
   Axis x_, y_;
 };
 
 /// Cells of an open axis with its padding: a number that holds all loads on coarser and coarser cells in half of them.
 /// @param begins_coarser  in a quarter, on cells that are twice as coarse from the first ones on: a multiple of four
 [[nodiscard]] int memory_length(int cells, bool begins_coarser = false);
-/// Whether that takes no more than twice the cells.
+/// Whether that takes no more than twice the cells: their quarter holds the ends of cells that are four times as long.
 [[nodiscard]] bool is_long(int cells);
 
 } // namespace brinell::halfspace

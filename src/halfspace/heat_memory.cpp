@@ -2,6 +2,7 @@
 #include "heat_memory.hpp"
 
 #include "foundation/lane_functions.hpp"
+#include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
@@ -21,29 +22,26 @@ double cell_mean(double angle)
 
 } // namespace
 
-HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves)
-    : fft_(grid, px, py), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
+HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
+                       Symmetry symmetry)
+    : fft_(grid, px, py, symmetry), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
       waves_(std::move(waves)), heat_(waves_.waves.size() * fft_.plane())
 {
-  for (int row = 0; row < fft_.py(); ++row)
-    for (int i = 0; i < fft_.kx(); ++i)
+  const PaddedFft& fft = fft_.all();
+  for (int row = 0; row < fft_.rows(); ++row)
+    for (int i = 0; i < fft.kx(); ++i)
     {
-      const double kx = fft_.wavenumber_x(i), ky = fft_.wavenumber_y(row);
-      along_.push_back({kx, ky, std::hypot(kx, ky), 2 * i == fft_.px() ? 0.0 : kx, 2 * row == fft_.py() ? 0.0 : ky});
+      const double kx = fft.wavenumber_x(i), ky = fft.wavenumber_y(row);
+      along_.push_back({kx, ky, std::hypot(kx, ky), 2 * i == px ? 0.0 : kx, 2 * row == py ? 0.0 : ky});
     }
   if (waves_.has_fields)
     for (const SurfaceWave& wave : along_)
       slow_share_.push_back(waves_.slow_share(wave.k));
 }
 
-std::size_t HeatMemory::index(int row, int column) const
-{
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(fft_.kx()) + static_cast<std::size_t>(column);
-}
-
 std::span<const SurfaceWave> HeatMemory::row_of_waves(int row) const
 {
-  return std::span(along_).subspan(index(row, 0), static_cast<std::size_t>(fft_.kx()));
+  return std::span(along_).subspan(begin_of(row), columns());
 }
 
 std::vector<double> HeatMemory::left_in_depth(double duration) const
@@ -57,19 +55,20 @@ std::vector<double> HeatMemory::left_in_depth(double duration) const
 void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid& heated,
                                std::span<double> temperature) const
 {
-  AlignedVector<Complex> sum(fft_.plane());
+  std::vector<AlignedVector<Complex>> sums(1, AlignedVector<Complex>(fft_.plane()));
+  AlignedVector<Complex>& sum = sums.front();
   const std::vector<double> left = left_in_depth(duration);
   constexpr double nothing = 1e-20;
 #pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
-  for (int row = 0; row < fft_.py(); ++row)
+  for (int row = 0; row < fft_.rows(); ++row)
   {
     const std::span<const SurfaceWave> along = row_of_waves(row);
-    auto* all = reinterpret_cast<double*>(sum.data() + index(row, 0));
+    auto* all = reinterpret_cast<double*>(sum.data() + begin_of(row));
     for (std::size_t w = 0; w < waves_.waves.size(); ++w)
     {
       if (left[w] <= nothing)
         continue;
-      const auto* heat = reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + index(row, 0));
+      const auto* heat = reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + begin_of(row));
       const double weight = factor * waves_.waves[w].weight * left[w];
 #pragma omp simd
       for (std::size_t n = 0; n < 2 * along.size(); ++n)
@@ -77,20 +76,16 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
     }
     const double mean_y = cell_mean(along.front().ky * heated.dy);
     for (std::size_t i = 0; i < along.size(); ++i)
-      sum[index(row, 0) + i] *=
+      sum[begin_of(row) + i] *=
           std::exp(-diffusivity_ * along[i].k * along[i].k * duration) * cell_mean(along[i].kx * heated.dx) * mean_y;
   }
-  AlignedVector<double> scratch(fft_.scratch_size());
-  std::vector<double> field(grid().size());
-  fft_.inverse(sum.data(), field.data(), scratch);
-  for (std::size_t n = 0; n < field.size(); ++n)
-    temperature[n] += field[n];
+  fft_.inverse(sums, {false}, true, {temperature});
 }
 
 HeatMemory::RowEnd HeatMemory::row_end(int row, double duration, double factor) const
 {
   const std::span<const SurfaceWave> along = row_of_waves(row);
-  const std::size_t at = index(row, 0);
+  const std::size_t at = begin_of(row);
   RowEnd end{std::vector<double>(along.size(), factor),
              std::span(heat_).subspan((waves_.waves.size() - 1) * fft_.plane() + at, along.size()),
              std::span(slow_share_).subspan(at, along.size())};
@@ -140,7 +135,7 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, DepthSums::Row& sum
 {
   const std::span<const SurfaceWave> along = row_of_waves(row);
   const RowEnd end = row_end(row, wanted.duration, wanted.factor);
-  wanted.sums.gather(along, heat_.data() + index(row, 0), fft_.plane(), sums);
+  wanted.sums.gather(along, heat_.data() + begin_of(row), fft_.plane(), sums);
   finish_surface(along, end, sums);
   const std::size_t count = wanted.spectra.size() / wanted.depths.size();
   std::vector<Complex*> out(count);
@@ -156,8 +151,8 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, DepthSums::Row& sum
       if (wanted.sums.has_layers())
         finish(depth, along.first(columns), end, d - first, sums);
       for (std::size_t f = 0; f < count; ++f)
-        out[f] = wanted.spectra[d * count + f].data() + index(row, 0);
-      wanted.fields_of_heat({depth, along.first(columns), complex_values(sums.temperature, at, columns),
+        out[f] = wanted.spectra[d * count + f].data() + begin_of(row);
+      wanted.fields_of_heat.waves({depth, along.first(columns), complex_values(sums.temperature, at, columns),
                              complex_values(sums.potential, at, columns), complex_values(sums.slope, at, columns),
                              complex_values(sums.at_surface, 0, columns)},
                             out);
@@ -173,19 +168,12 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
   const RowOfFields wanted{duration, factor, sums, depths, fields_of_heat, spectra};
 #pragma omp parallel if (is_shared(fft_.plane()))
   {
-    DepthSums::Row of_row = sums.make_row(static_cast<std::size_t>(fft_.kx()));
+    DepthSums::Row of_row = sums.make_row(columns());
 #pragma omp for schedule(static)
-    for (int row = 0; row < fft_.py(); ++row)
+    for (int row = 0; row < fft_.rows(); ++row)
       add_row(row, wanted, of_row);
   }
-  AlignedVector<double> scratch(fft_.scratch_size());
-  std::vector<double> field(adds ? grid().size() : 0);
-  for (std::size_t f = 0; f < out.size(); ++f)
-  {
-    fft_.inverse(spectra[f].data(), adds ? field.data() : out[f].data(), scratch);
-    for (std::size_t n = 0; n < field.size(); ++n)
-      out[f][n] += field[n];
-  }
+  fft_.inverse(spectra, fields_of_heat.is_odd, adds, out);
 }
 
 namespace
@@ -254,6 +242,30 @@ void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion,
   take_up_from(*before, flux, motion, true);
 }
 
+std::vector<double> HeatMemory::whole_heat() const
+{
+  const std::size_t waves = waves_.waves.size(), all = fft_.all().plane();
+  AlignedVector<Complex> plane(all);
+  std::vector<double> values;
+  values.reserve(2 * waves * all);
+  for (std::size_t w = 0; w < waves; ++w)
+  {
+    fft_.complete(heat_.data() + w * fft_.plane(), plane.data());
+    const auto* parts = reinterpret_cast<const double*>(plane.data());
+    values.insert(values.end(), parts, parts + 2 * all);
+  }
+  return values;
+}
+
+void HeatMemory::set_whole_heat(std::span<const double> values)
+{
+  const std::size_t waves = waves_.waves.size(), all = fft_.all().plane();
+  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves * all);
+  for (std::size_t w = 0; w < waves; ++w)
+    std::copy_n(values.data() + 2 * w * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
+                reinterpret_cast<double*>(heat_.data() + w * fft_.plane()));
+}
+
 void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
 {
   take_up_from(heat_, flux, motion, false);
@@ -263,9 +275,7 @@ void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
 void HeatMemory::take_up_from(const AlignedVector<Complex>& before, std::span<const double> flux,
                               const HeatMotion& motion, bool decays)
 {
-  AlignedVector<Complex> spectrum(fft_.plane());
-  AlignedVector<double> scratch(fft_.scratch_size());
-  fft_.forward(flux.data(), spectrum.data(), scratch);
+  const AlignedVector<Complex> spectrum = fft_.forward(flux);
   const double scale = diffusivity_ / conductivity_ * motion.duration;
   const std::vector<double> left = left_in_depth(motion.duration);
   const FluxInPlane plane = flux_in_plane(along_, spectrum, scale, diffusivity_, motion);

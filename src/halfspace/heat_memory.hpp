@@ -3,7 +3,7 @@
 
 #include "brinell/halfspace/heat_response.hpp"
 #include "depth_sums.hpp"
-#include "foundation/fft.hpp"
+#include "told_rows_fft.hpp"
 
 #include <functional>
 #include <span>
@@ -27,20 +27,26 @@ struct HeatRow
 class HeatMemory
 {
 public:
-  /// @param grid    where flux and temperature are; periods px, py cells of it
-  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves);
+  /// @param grid      where flux and temperature are; periods px, py cells of it
+  /// @param symmetry  of all fluxes: half of the waves along y tell all
+  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves, Symmetry symmetry);
 
-  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
-  [[nodiscard]] int period_x() const { return fft_.px(); } ///< [cells]
-  [[nodiscard]] int period_y() const { return fft_.py(); }
+  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.all().grid(); }
+  [[nodiscard]] int period_x() const { return fft_.all().px(); } ///< [cells]
+  [[nodiscard]] int period_y() const { return fft_.all().py(); }
   [[nodiscard]] std::size_t spectrum_bytes() const { return fft_.plane() * sizeof(Complex); } ///< of one field
 
   /// Adds `factor` times the temperature of the surface that remains after `duration`, of cells with a uniform flux each.
   /// @param heated  those cells
   void add_remaining(double duration, double factor, const SurfaceGrid& heated, std::span<double> temperature) const;
 
-  /// A row of waves of some fields at one depth from those of the heat: to the beginning of each of `out`.
-  using FieldsOfHeat = std::function<void(const HeatRow&, std::span<Complex* const> out)>;
+  /// Some fields at one depth.
+  struct FieldsOfHeat
+  {
+    /// A row of their waves from those of the heat: to the beginning of each of `out`.
+    std::function<void(const HeatRow&, std::span<Complex* const> out)> waves;
+    std::vector<bool> is_odd; ///< in y, of a flux that is even
+  };
   /// `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
   /// For duration = 0 they are those at the end of the last step.
   /// @param depths  factors of all waves, of which those of this memory are the last ones; for each depth
@@ -57,9 +63,14 @@ public:
 
   [[nodiscard]] const AlignedVector<Complex>& heat() const { return heat_; }
   [[nodiscard]] AlignedVector<Complex>& heat() { return heat_; }
+  /// The same with or without symmetry: real and imaginary parts in turn.
+  [[nodiscard]] std::vector<double> whole_heat() const;
+  void set_whole_heat(std::span<const double> values);
 
 private:
-  [[nodiscard]] std::size_t index(int row, int column) const;
+  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.all().kx()); }
+  /// Where the waves of a row begin.
+  [[nodiscard]] std::size_t begin_of(int row) const { return static_cast<std::size_t>(row) * columns(); }
   [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
   /// What the sums of a row are finished with.
   struct RowEnd
@@ -86,7 +97,7 @@ private:
   void take_up_from(const AlignedVector<Complex>& before, std::span<const double> flux, const HeatMotion& motion,
                     bool decays);
 
-  PaddedFft fft_;
+  ToldRowsFft fft_;
   double diffusivity_, conductivity_;
   DepthWaves waves_;
   std::vector<SurfaceWave> along_; ///< [plane]

@@ -61,12 +61,12 @@ DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Therm
 
 OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
                                const HeatTimes& times, const Wanted& wanted)
-    : times_(times), waves_(planned_waves(owner, grid, thermal, times, wanted.deepest)),
+    : times_(times), symmetry_(wanted.symmetry), waves_(planned_waves(owner, grid, thermal, times, wanted.deepest)),
       near_(grid, period(grid.nx, grid.is_periodic_x(), wanted.images),
-            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_)
+            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_, wanted.symmetry)
 {
   if (!grid.is_periodic())
-    plan_images(thermal, wanted.images);
+    plan_images(thermal, wanted);
   // Images are at least as far away as the grid is wide. With layers to that depth, as many points leave 1e-4 of what they give; five,
   // some 1e-3.
   const int points = wanted.images == HeatImages::coarse ? 5 : 7;
@@ -76,7 +76,7 @@ OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const
   image_depths_ = depth_factors(waves_, nodes);
 }
 
-void OpenHeatMemory::plan_images(const Thermal& thermal, HeatImages images)
+void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
 {
   const SurfaceGrid& grid = near_.grid();
   const int px = near_.period_x(), py = near_.period_y();
@@ -93,8 +93,8 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, HeatImages images)
   const double end = waves_.has_fields ? farther * std::max(spread, 1.5 * clear) : spread;
   // What decays before heat comes from the images tells nothing of them; of stress it tells little, as it stays at the surface.
   const double decayed = waves_.has_fields ? 600.0 : 2.0 * reach * reach;
-  const bool x_is_coarser = begins_coarser(grid.nx, grid.is_periodic_x(), images),
-             y_is_coarser = begins_coarser(grid.ny, grid.is_periodic_y(), images);
+  const bool x_is_coarser = begins_coarser(grid.nx, grid.is_periodic_x(), wanted.images),
+             y_is_coarser = begins_coarser(grid.ny, grid.is_periodic_y(), wanted.images);
   if (clear < end && (x_is_coarser || y_is_coarser))
     farther_.push_back({CoarserSurface(grid, {0, 0}, {x_is_coarser, y_is_coarser})});
   const int twice_x = x_is_coarser ? px / 2 : px, twice_y = y_is_coarser ? py / 2 : py;
@@ -105,8 +105,8 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, HeatImages images)
         farther_.empty() ? CoarserSurface(grid, 0)
                          : CoarserSurface(farther_.back().cells.grid(), farther_.back().cells.margins(), {true, true});
     const DepthWaves slow = waves_.slower_than(decayed / distance);
-    farther_.push_back({cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow),
-                                        HeatMemory(cells.grid(), once_x, once_y, thermal, slow)}});
+    farther_.push_back({cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, wanted.symmetry),
+                                        HeatMemory(cells.grid(), once_x, once_y, thermal, slow, wanted.symmetry)}});
   }
 }
 
@@ -160,7 +160,7 @@ void OpenHeatMemory::fields(const char* function_name, double duration, std::spa
 {
   if (duration != 0.0)
     require_step(function_name, duration);
-  const std::size_t count = out.size() / depths.size();
+  const std::size_t count = fields_of_heat.is_odd.size();
   // So many that their spectra stay small, as the memory is read once for all of them.
   constexpr std::size_t most_bytes = 16 * 1024 * 1024, least_at_once = 8;
   const std::size_t most_at_once = std::max(least_at_once, most_bytes / (count * near_.spectrum_bytes()));
@@ -183,7 +183,7 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
 {
   const bool each = image_depths_.empty() || depths.size() <= image_depths_.size();
   const std::span<const DepthFactors> nodes = each ? depths : std::span(image_depths_);
-  const std::size_t count = out.size() / depths.size();
+  const std::size_t count = fields_of_heat.is_odd.size();
   // Displacements and stresses fall off with the third power of the distance, and in plane strain with the second: from
   // lattice to lattice by 8 and 4, and all that follow are a seventh and a third of the last one.
   const double farthest = is_strip(grid()) ? 4.0 / 3.0 : 8.0 / 7.0;
@@ -228,6 +228,9 @@ void OpenHeatMemory::take_up(const char* function_name, std::span<const double> 
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
   require_step(function_name, motion.duration);
+  if (symmetry_ != Symmetry::none && motion.velocity_y != 0.0)
+    throw InputError(fmt::format("{}: a flux that is symmetric in y moves along y at {} m/s; allowed: along x only",
+                                 function_name, motion.velocity_y));
   std::size_t lattice = 0;
   if (before != nullptr)
   {
@@ -278,12 +281,9 @@ void OpenHeatMemory::exchange(Archive& archive)
   int n = 0;
   for (HeatMemory* memory : lattices())
   {
-    // A complex number is two real ones, one after the other.
-    auto* numbers = reinterpret_cast<double*>(memory->heat().data());
-    const std::size_t count = 2 * memory->heat().size();
-    std::vector<double> values(numbers, numbers + count);
+    std::vector<double> values = memory->whole_heat();
     archive(fmt::format("lattice{}", n++), values);
-    std::copy(values.begin(), values.end(), numbers);
+    memory->set_whole_heat(values);
   }
   archive("time", time_, 0.0, times_.duration);
 }

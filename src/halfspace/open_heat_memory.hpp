@@ -24,6 +24,7 @@ public:
   {
     double deepest = -1.0; ///< of fields in the body [m]; negative: none
     HeatImages images = HeatImages::fine;
+    Symmetry symmetry = Symmetry::none; ///< of all fluxes
   };
   /// @throws InputError if a constant or a time is not above 0
   OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
@@ -75,11 +76,12 @@ private:
   [[nodiscard]] std::vector<HeatMemory*> lattices();
   void add_images(double duration, std::span<const DepthFactors> depths, const HeatMemory::FieldsOfHeat& fields_of_heat,
                   const std::vector<std::span<double>>& out) const;
-  void plan_images(const Thermal& thermal, HeatImages images);
+  void plan_images(const Thermal& thermal, const Wanted& wanted);
   void require_step(const char* function_name, double duration) const;
   [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;
 
   HeatTimes times_;
+  Symmetry symmetry_;
   double time_ = 0.0;
   DepthWaves waves_;
   HeatMemory near_;

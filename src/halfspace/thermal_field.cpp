@@ -73,7 +73,7 @@ struct ThermalField::State
 };
 
 ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
-                           const HeatTimes& times, std::vector<double> depths, HeatImages images)
+                           const HeatTimes& times, std::vector<double> depths, HeatImages images, Symmetry symmetry)
 {
   for (const double depth : depths)
     if (!(depth >= 0.0) || std::isinf(depth))
@@ -85,7 +85,7 @@ ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, cons
   const double nu = elastic.poisson_ratio, deepest = largest_of(depths);
   state_ =
       make_hidden<State>(elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu), std::move(depths),
-                         OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images}));
+                         OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images, symmetry}));
   state_->tabulate();
 }
 
@@ -155,10 +155,14 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
   // What is uniform and has no ends expands along z alone.
   const double of_uniform = grid().is_periodic() ? -state.strain : factor;
   std::vector<std::span<double>> out;
-  for (const std::span<double> part : {displacement.z, displacement.x, displacement.y})
+  std::vector<bool> is_odd;
+  for (const auto& [part, odd] : {std::pair{displacement.z, false}, {displacement.x, false}, {displacement.y, true}})
     if (!part.empty())
+    {
       out.push_back(part);
-  const auto fields = [&](const HeatRow& heat, std::span<Complex* const> to)
+      is_odd.push_back(odd);
+    }
+  const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
   {
     for (std::size_t i = 0; i < heat.waves.size(); ++i)
     {
@@ -174,7 +178,7 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
         (*field++)[i] = wave.odd_y * along;
     }
   };
-  state.memory.fields(name, duration, {&state.surface, 1}, fields, out);
+  state.memory.fields(name, duration, {&state.surface, 1}, {waves, is_odd}, out);
 }
 
 namespace
@@ -213,7 +217,10 @@ void ThermalField::layers(std::size_t first, std::span<const ThermalLayer> out, 
   const double scale = 2.0 * state.elastic.shear_modulus() * state.strain;
   const bool has_temperature = !out.front().temperature.empty(), has_trace = !out.front().trace.empty(),
              has_deviator = !out.front().deviator.empty();
-  const auto fields_of_heat = [&](const HeatRow& heat, std::span<Complex* const> to)
+  std::vector<bool> is_odd(static_cast<std::size_t>(has_temperature) + static_cast<std::size_t>(has_trace), false);
+  for (int c = 0; has_deviator && c < Deviator::size; ++c)
+    is_odd.push_back(is_odd_in_y(c));
+  const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
   {
     for (std::size_t i = 0; i < heat.waves.size(); ++i)
     {
@@ -236,7 +243,7 @@ void ThermalField::layers(std::size_t first, std::span<const ThermalLayer> out, 
       fields.push_back(field);
   if (!fields.empty())
     state.memory.fields("ThermalField::layer", duration, std::span(state.layers).subspan(first, out.size()),
-                        fields_of_heat, fields);
+                        {waves, is_odd}, fields);
 }
 
 } // namespace brinell::halfspace

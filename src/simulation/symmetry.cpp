@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "symmetry.hpp"
 
-#include "heat.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -81,8 +79,7 @@ Symmetry symmetry_of(const ShapedBody& lower, const ShapedBody& upper, const Num
   const auto is_symmetric = [](const ShapedBody& body)
   { return is_symmetric_in_y(body.shape) && is_symmetric_in_y(body.texture); };
   const bool is_worth = contact.ny > 1 && (lower.material.is_plastic() || upper.material.is_plastic());
-  const bool is_one_sided = one_sided || is_heated(numerics, lower, upper);
-  return numerics.solver.symmetry && is_worth && !is_one_sided && is_symmetric(lower) && is_symmetric(upper)
+  return numerics.solver.symmetry && is_worth && !one_sided && is_symmetric(lower) && is_symmetric(upper)
              ? Symmetry::in_y
              : Symmetry::none;
 }

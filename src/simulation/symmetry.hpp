@@ -11,8 +11,7 @@ namespace brinell::simulation
 [[nodiscard]] bool is_symmetric_in_y(const Shape& shape);
 [[nodiscard]] bool is_symmetric_in_y(const Texture& texture);
 
-/// What the fields of two bodies have in common on both sides of y = 0 in scenarios that move them along x. With heat nothing:
-/// its farther images are on coarser cells, which do not lie the same on both sides.
+/// What the fields of two bodies have in common on both sides of y = 0 in scenarios that move them along x.
 /// @param one_sided  the scenario says so: bodies pass beside each other, or may hold each other, which is not solved by halves
 [[nodiscard]] Symmetry symmetry_of(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
                                    const SurfaceGrid& contact, bool one_sided = false);

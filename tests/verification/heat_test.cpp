@@ -24,24 +24,6 @@ using simulation::RollingRecord;
 using simulation::TuggingCase;
 using simulation::TuggingRecord;
 
-constexpr Thermal steel{50.0, 7800.0, 470.0, 1.2e-5};
-
-/// The paper's spheres, but of 10 mm, with friction 0.1.
-TuggingCase warm_spheres(const constitutive::Material& material, double interference_ratio, double speed, double cells)
-{
-  TuggingCase t = equal_spheres(interference_ratio, material);
-  for (simulation::ShapedBody* body : {&t.lower, &t.upper})
-  {
-    body->shape = ball(10e-3);
-    body->material.thermal = steel;
-  }
-  t.interference *= 1e-2;
-  t.friction.coefficient = 0.1;
-  t.speed = speed;
-  t.resolution = cells;
-  return t;
-}
-
 double first_law_error(const simulation::HeatedRecord& r)
 {
   return (r.dissipation_friction - r.heat_lower - r.heat_upper) / r.dissipation_friction;

@@ -79,6 +79,8 @@ double difference(const Snapshot& a, const Snapshot& b, double pressure)
     change = std::max({change, difference(with->equivalent_plastic_strain, without->equivalent_plastic_strain),
                        difference(with->residual_displacement, without->residual_displacement)});
   }
+  for (std::size_t side = 0; side < 2; ++side)
+    change = std::max(change, difference(a.temperature[side], b.temperature[side]));
   return change;
 }
 
@@ -127,15 +129,16 @@ typename ScenarioCase::Summary expect_close(const std::string& name, const Scena
 
 /// The plain fixed point contracts, so rounding stays rounding. The acceleration does the same as without symmetry, but its least
 /// squares enlarge rounding up to the tolerances, that of the yield condition being 1e-5 here.
+/// @param rounding  of the plain fixed point
 template <typename ScenarioCase>
-typename ScenarioCase::Summary expect_same(const std::string& name, ScenarioCase c)
+typename ScenarioCase::Summary expect_same(const std::string& name, ScenarioCase c, double rounding = 1e-11)
 {
   c.solver.yield_tolerance = 1e-5;
   c.solver.displacement_tolerance = 1e-6;
   expect_close(name + ", accelerated", c, 1e-3);
   c.solver.anderson_depth = 0;
   c.solver.max_evaluations = 5000;
-  return expect_close(name, c, 1e-11);
+  return expect_close(name, c, rounding);
 }
 
 Material hardened(double modulus)
@@ -165,6 +168,19 @@ TEST(Symmetry, Tugging)
   expect_same("friction", t);
 }
 
+/// Heat: what swells, what stress and softening do, and shares that come from one temperature.
+TEST(Symmetry, Heat)
+{
+  simulation::TuggingCase t = warm_spheres(hardened(20e9), 3.0, 1.0, 4.0);
+  const auto summary = expect_same("twins that heat each other", t);
+  EXPECT_EQ(summary.final_state.contact.ny % 2, 1);
+  EXPECT_GT(summary.max_temperature[0], 60.0);
+  t.upper.shape = ball(7e-3);
+  t.lower.material.softening = constitutive::LinearSoftening{20.0, 620.0};
+  // Biconjugate gradients share the heat; they are no contraction, and each of their turns enlarges rounding.
+  expect_same("unlike bodies, one of which softens", t, 1e-9);
+}
+
 TEST(Symmetry, TuggingOverBumps)
 {
   simulation::TuggingCase t = small_case(3.0);
@@ -187,9 +203,10 @@ TEST(Symmetry, GrowingGrids)
 /// The state is that of whole bodies: a run stored with one position of the switch goes on with the other.
 TEST(Symmetry, ResumesAcrossTheSwitch)
 {
-  simulation::TuggingCase t = small_case(4.0);
-  t.upper = {ball(0.7), kinematic_material()};
-  t.friction.coefficient = 0.1;
+  simulation::TuggingCase t = warm_spheres(perfect_material(), 3.0, 1.0, 4.0);
+  t.upper.shape = ball(7e-3);
+  t.upper.material = kinematic_material();
+  t.upper.material.thermal = steel;
   t.solver.anderson_depth = 0;
   t.solver.max_evaluations = 5000;
   for (const bool first : {true, false})

@@ -6,6 +6,7 @@
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/archive.hpp"
 #include "brinell/foundation/hidden.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/surface_temperature.hpp"
 
 #include <array>
@@ -35,6 +36,13 @@ struct HeatedRun
   halfspace::HeatTimes times{}; ///< of the increments
 };
 
+/// How the heat is computed.
+struct HeatNumerics
+{
+  bool shortcuts = true;              ///< Settings::shortcuts
+  Symmetry symmetry = Symmetry::none; ///< of all fluxes
+};
+
 /// The heat of friction between two bodies: how it is shared, how warm it makes both, and what that does to the surfaces and to
 /// the stress. A participant of the increment, as `Interface` is.
 ///
@@ -51,7 +59,8 @@ public:
   };
   /// @param twin  mirror_image: the heat of the upper body is that of the lower one in reverse order
   /// @throws InputError if neither body conducts, or a body that deforms does not
-  Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodies, const HeatedRun& run, Twin twin);
+  Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodies, const HeatedRun& run, Twin twin,
+          const HeatNumerics& numerics = {});
 
   /// How an increment begins.
   struct Start

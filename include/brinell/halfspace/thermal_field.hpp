@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 #include "brinell/halfspace/surface_temperature.hpp"
@@ -39,9 +40,11 @@ class ThermalField
 {
 public:
   /// @param depths  of the layers [m], >= 0, in any order
+  /// @param symmetry  of all fluxes to come, which then move along x only: half of the memory and of the work
   /// @throws InputError if a constant or a time is not above 0, a depth is below 0, or a rigid body has depths
   ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatTimes& times,
-               std::vector<double> depths = {}, HeatImages images = HeatImages::fine);
+               std::vector<double> depths = {}, HeatImages images = HeatImages::fine,
+               Symmetry symmetry = Symmetry::none);
 
   [[nodiscard]] const SurfaceGrid& grid() const;
   [[nodiscard]] const std::vector<double>& depths() const;

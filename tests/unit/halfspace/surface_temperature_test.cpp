@@ -55,12 +55,11 @@ TEST(CoarserSurface, KeepsCubicsAndMoments)
   const SurfaceGrid fine{9, 6, 0.5, 0.25};
   const CoarserSurface cells(fine, 0);
   const SurfaceGrid& coarse = cells.grid();
-  // Places counted from the first edge of the fine grid.
+  // Both grids have one middle.
   const auto cubic = [](double x, double y) { return 1.0 - 0.3 * x + 0.2 * x * x * y - 0.7 * y * y * y + x * x * x; };
   const Field field = test::sampled(coarse,
                                     [&](int i, int j) {
-                                      return cubic((i - CoarserSurface::margin + 0.5) * coarse.dx,
-                                                   (j - CoarserSurface::margin + 0.5) * coarse.dy);
+                                      return cubic(coarse.x(i), coarse.y(j));
                                     });
   const Field result = cells.to_finer(field);
   const Field load = test::random_field(fine.size(), 5);
@@ -69,13 +68,39 @@ TEST(CoarserSurface, KeepsCubicsAndMoments)
   for (int j = 0; j < fine.ny; ++j)
     for (int i = 0; i < fine.nx; ++i)
     {
-      const double exact = cubic((i + 0.5) * fine.dx, (j + 0.5) * fine.dy);
+      const double exact = cubic(fine.x(i), fine.y(j));
       EXPECT_NEAR(result[fine.index(i, j)], exact, 1e-11);
       moment += load[fine.index(i, j)] * exact * fine.cell_area();
     }
   for (std::size_t n = 0; n < coarse.size(); ++n)
     coarse_moment += on_coarse[n] * field[n] * coarse.cell_area();
   EXPECT_NEAR(coarse_moment, moment, 1e-11);
+}
+
+TEST(CoarserSurface, KeepsWhatIsEvenAndOdd)
+{
+  // Numbers of rows that are odd, twice an odd one and twice an even one, and two coarsenings of each.
+  for (const int rows : {7, 9, 19, 6, 8})
+  {
+    SurfaceGrid grid{11, rows, 0.5, 0.25};
+    const CoarserSurface cells(grid, 0), coarser(cells.grid(), CoarserSurface::margin);
+    for (const double parity : {1.0, -1.0})
+    {
+      Field load = test::random_field(grid.size(), 5), mirrored = load;
+      for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < grid.nx; ++i)
+          mirrored[grid.index(i, j)] = parity * load[grid.index(i, rows - 1 - j)];
+      for (std::size_t n = 0; n < load.size(); ++n)
+        load[n] += mirrored[n];
+      const Field coarse = coarser.from_finer(cells.from_finer(load));
+      const Field back = cells.to_finer(coarser.to_finer(coarse));
+      for (const auto& [field, on] : {std::pair{&coarse, &coarser.grid()}, {&back, &grid}})
+        for (int j = 0; j < on->ny; ++j)
+          for (int i = 0; i < on->nx; ++i)
+            EXPECT_NEAR((*field)[on->index(i, j)], parity * (*field)[on->index(i, on->ny - 1 - j)], 1e-14)
+                << rows << " rows";
+    }
+  }
 }
 
 /// The grid, how far the flux moves in a step, in cells, and the length of heat sqrt(4 kappa t) in a step, in cells.

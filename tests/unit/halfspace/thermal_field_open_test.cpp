@@ -5,6 +5,7 @@
 #include "grid_fields.hpp"
 #include "heated_body.hpp"
 #include "order.hpp"
+#include "random_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -353,6 +354,64 @@ TEST_P(HeatedSpot, CoarseImagesAreNearFineOnes)
   std::printf("spread %.3g, coarse images: displacement %.1e, stress %.1e\n", spread, of_displacement, of_stress);
   EXPECT_LT(of_displacement, 3e-4);
   EXPECT_LT(of_stress, 3e-4);
+}
+
+/// Half of the waves tell all of a flux that is even: every field, of steps that are taken up, amended, stored and gone back to.
+TEST(ThermalField, OneSideTellsAll)
+{
+  for (const SurfaceGrid& g : {SurfaceGrid{40, 9, 0.1, 0.1}, SurfaceGrid{12, 41, 0.1, 0.1}, SurfaceGrid{12, 8, 0.1, 0.1},
+                               SurfaceGrid{12, 9, 0.1, 0.1, open, periodic}, SurfaceGrid{8, 6, 0.1, 0.1, periodic, open},
+                               SurfaceGrid{8, 6, 0.1, 0.1, periodic, periodic}})
+  {
+    Field flux = test::random_field(g.size(), 3), more = test::random_field(g.size(), 4);
+    for (Field* field : {&flux, &more})
+      complete_in_y(g, 1.0, field->data(), field->size());
+    const HeatMotion motion{0.3 / kappa, 0.2 * kappa};
+    const auto heated = [&](Symmetry symmetry)
+    {
+      ThermalField field(g, body, elastic, {motion.duration, 4.0 * motion.duration}, {0.05, 0.3, 0.0},
+                         HeatImages::coarse, symmetry);
+      field.take_up(flux, motion);
+      field.take_up(flux, motion);
+      field.amend(more, motion);
+      return field;
+    };
+    ThermalField one_side = heated(Symmetry::in_y);
+    const ThermalField both = heated(Symmetry::none);
+    EXPECT_THROW(one_side.take_up(flux, {motion.duration, 0.0, 1.0}), InputError);
+    // Rounding, of fields some of which are much smaller than what they are summed from.
+    constexpr double rounding = 1e-12;
+    Field a(g.size()), b(g.size());
+    for (const double duration : {0.0, 1.5 * motion.duration})
+    {
+      const double largest = test::largest(displacement_of(both));
+      std::array<Field, 3> of_one, of_both;
+      for (auto* fields : {&of_one, &of_both})
+        for (Field& field : *fields)
+          field.resize(g.size());
+      one_side.displacement({of_one[0], of_one[1], of_one[2]}, duration);
+      both.displacement({of_both[0], of_both[1], of_both[2]}, duration);
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_LT(largest_difference(of_one[c], of_both[c]), rounding * largest) << g.ny << " rows, displacement " << c;
+      if (duration == 0.0)
+        continue;
+      one_side.remaining_temperature(duration, a);
+      both.remaining_temperature(duration, b);
+      EXPECT_LT(largest_difference(a, b), rounding * test::largest(b)) << g.ny << " rows";
+    }
+    for (const std::size_t layer : {0U, 1U, 2U})
+    {
+      const Layer of_one = layer_of(one_side, layer), of_both = layer_of(both, layer);
+      const double largest = test::largest(of_both.temperature);
+      EXPECT_LT(largest_difference(of_one.temperature, of_both.temperature), rounding * largest);
+      const double unit = elastic.young_modulus * body.expansion * largest;
+      double error = 0.0;
+      for (std::size_t i = 0; i < of_one.stress.size(); ++i)
+        for (std::size_t c = 0; c < 6; ++c)
+          error = std::max(error, std::abs(of_one.stress[i][c] - of_both.stress[i][c]));
+      EXPECT_LT(error, rounding * unit) << g.ny << " rows, layer " << layer;
+    }
+  }
 }
 
 // The flux is 1e-5 of the largest at the edges.
