@@ -58,6 +58,7 @@ _SURFACE = ("residual_displacement", "worn_depth")
 _VOLUME = (
     "von_mises_stress",
     "equivalent_plastic_strain",
+    "temperature",
     *(f"{tensor}_{component}" for tensor in TENSORS for component in COMPONENTS),
 )
 

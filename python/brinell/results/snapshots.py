@@ -143,6 +143,8 @@ class BodyFields:
     """Of contact pressure and plastic strain together [Pa]; None if the run did not store it."""
     worn_depth: FloatArray | None = None
     """That the surface has lost by wear since the start [m]; None without wear. A rigid body has it, too."""
+    temperature: FloatArray | None = None
+    """[deg C]; None if friction does not heat the body, or its temperature is not known below the surface."""
     plastic_strain: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("plastic_strain", None))
     """By component, "xx" to "xy" [-]; read when asked for; empty if not stored."""
     stress: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("stress", None))
@@ -203,7 +205,7 @@ class Snapshot:
         return bool(np.any(self.contact.pressure > 0.0))
 
 
-_SCALARS = ("residual_displacement", "worn_depth", "equivalent_plastic_strain", "von_mises_stress")
+_SCALARS = ("residual_displacement", "worn_depth", "equivalent_plastic_strain", "von_mises_stress", "temperature")
 """Fields of a body that are no tensors."""
 
 
@@ -282,6 +284,7 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
         equivalent_plastic_strain=strain if strain is not None else np.zeros((nz, ny, nx)),
         von_mises_stress=von_mises,
         worn_depth=worn,
+        temperature=read("temperature"),
         plastic_strain=components("plastic_strain"),
         stress=components("stress"),
     )

@@ -208,6 +208,8 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
     block.add_volume("von_mises_stress", which, unknown);
     block.add_tensor("stress", which, unknown);
   }
+  if (body.has_temperature)
+    block.add_volume("temperature", which, unknown);
 }
 
 /// The cells of the contact that lie on the lower body's grid, placed on that of `all`. @returns none if the grids are apart.
@@ -257,6 +259,12 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
   if (contact->has_slip)
     for (const char* name : {"slip_x", "slip_y", "slip_path", "friction_heat"})
       add(name, 0.0);
+  for (const char* name : {"temperature_lower", "temperature_upper"})
+    if (contact->has_temperature)
+      add(name, unknown);
+  for (const char* name : {"heat_flux_lower", "heat_flux_upper"})
+    if (contact->has_temperature)
+      add(name, 0.0);
 }
 
 BodyLayout layout_of(const simulation::BodySnapshot& body)
@@ -267,7 +275,8 @@ BodyLayout layout_of(const simulation::BodySnapshot& body)
           .has_residual_displacement = !body.residual_displacement.empty(),
           .has_plastic_strain = !body.plastic_strain[0].empty(),
           .has_stress = !body.stress[0].empty(),
-          .has_worn_depth = !body.worn_depth.empty()};
+          .has_worn_depth = !body.worn_depth.empty(),
+          .has_temperature = !body.temperature.empty()};
 }
 
 } // namespace
@@ -286,6 +295,7 @@ void BodyLayout::exchange(Archive& archive)
   archive("has_plastic_strain", has_plastic_strain);
   archive("has_stress", has_stress);
   archive("has_worn_depth", has_worn_depth);
+  archive("has_temperature", has_temperature);
 }
 
 void ContactLayout::exchange(Archive& archive)
@@ -296,6 +306,7 @@ void ContactLayout::exchange(Archive& archive)
   archive("row", row);
   archive("has_shear", has_shear);
   archive("has_slip", has_slip);
+  archive("has_temperature", has_temperature);
 }
 
 void StateLayout::exchange(Archive& archive)
@@ -317,7 +328,8 @@ StateLayout layout_of(const simulation::Snapshot& snapshot)
                       .column = static_cast<int>(std::lround(x / grid.dx)),
                       .row = static_cast<int>(std::lround(y / grid.dy)),
                       .has_shear = !snapshot.shear[0].empty(),
-                      .has_slip = !snapshot.slip_path.empty()}};
+                      .has_slip = !snapshot.slip_path.empty(),
+                      .has_temperature = !snapshot.temperature[0].empty()}};
 }
 
 void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states)
@@ -336,9 +348,11 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
     return Block(root, name, body, count++, states);
   };
   const auto& [lower, upper, contact] = states.back().layout;
-  if (lower.has_plastic_strain || lower.has_stress)
+  const auto has_volume = [](const BodyLayout& body)
+  { return body.has_plastic_strain || body.has_stress || body.has_temperature; };
+  if (has_volume(lower))
     write_volume(block("lower_volume", "lower"), &StateLayout::lower, lower, -1.0);
-  if (upper.has_plastic_strain || upper.has_stress)
+  if (has_volume(upper))
     write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper, 1.0);
   write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, &contact);
   if (upper.has_residual_displacement || upper.has_worn_depth)

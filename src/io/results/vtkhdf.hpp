@@ -18,7 +18,8 @@ struct BodyLayout
 {
   VolumeGrid grid;
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
-  bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false, has_worn_depth = false;
+  bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false, has_worn_depth = false,
+       has_temperature = false;
 
   void exchange(Archive& archive);
 };
@@ -28,7 +29,7 @@ struct ContactLayout
 {
   int nx = 0, ny = 0;
   int column = 0, row = 0; ///< of the lower body, where the contact's first ones are
-  bool has_shear = false, has_slip = false;
+  bool has_shear = false, has_slip = false, has_temperature = false;
 
   void exchange(Archive& archive);
 };
