@@ -21,9 +21,9 @@ constexpr Thermal steel{50.0, 7800.0, 470.0, 1.2e-5};
 class HeatedBody
 {
 public:
-  explicit HeatedBody(int steps)
+  HeatedBody(int steps, Symmetry symmetry)
       : motion_{grid_.dx / 1.0, 1.0}, field_(grid_, steel, {200e9, 0.32}, {motion_.duration, steps * motion_.duration},
-                                             depths(), halfspace::HeatImages::coarse),
+                                             depths(), halfspace::HeatImages::coarse, symmetry),
         flux_(grid_.size()), surface_(grid_.size()), stress_(layers * Deviator::size * grid_.size())
   {
     for (int j = 0; j < grid_.ny; ++j)
@@ -81,7 +81,7 @@ void heated_steps(benchmark::State& state)
   for (auto _ : state)
   {
     state.PauseTiming();
-    HeatedBody body(steps);
+    HeatedBody body(steps, state.range(1) == 0 ? Symmetry::none : Symmetry::in_y);
     state.ResumeTiming();
     double start = processor_milliseconds();
     for (int n = 0; n < steps; ++n)
@@ -97,6 +97,10 @@ void heated_steps(benchmark::State& state)
   state.counters["ms_per_step_first"] = first / some;
   state.counters["ms_per_step_last"] = last / some;
 }
-BENCHMARK(heated_steps)->ArgName("steps")->Arg(20)->Arg(100)->Arg(500)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(heated_steps)
+    ->ArgNames({"steps", "one_side"})
+    ->ArgsProduct({{20, 100, 500}, {0, 1}})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace

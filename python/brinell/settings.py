@@ -95,11 +95,16 @@ class Heating(_Table):
 
     Attributes:
         partition: share of the lower body in it; both surfaces have one temperature where they touch if it is None.
+        conductance: of the contact [W/(m² K)]; if it is None nothing resists the heat, or with a partition none passes.
+        regime: all heat since the start, or that of a step as if it had always been there ("steady": surfaces alone,
+            with displacement=False and stress=False).
         displacement: whether the surfaces swell into the gap.
         stress: whether thermal stress counts when the material yields.
     """
 
     partition: float | None = None
+    conductance: Quantity | None = None
+    regime: Literal["transient", "steady"] | None = None
     displacement: bool | None = None
     stress: bool | None = None
 
@@ -120,7 +125,7 @@ class Solver(_Table):
         integration: of the plastic strain in a step.
         mirror: whether bodies that are mirror images are solved once.
         symmetry: whether one side of the plane y = 0 is solved where both are the same.
-        shortcuts: whether the stress is computed only in the layers near yield within an increment.
+        shortcuts: whether the stress is computed only in the layers near yield within an increment, and heat roughly.
     """
 
     accuracy: float | str | None = None

@@ -14,6 +14,14 @@ from brinell.results import Run
 
 THERMAL = brinell.Thermal.carbon_steel()
 
+MELTED = brinell.Material(
+    "200 GPa",
+    0.3,
+    brinell.Linear("900 MPa", "20 GPa"),
+    thermal=brinell.Thermal.carbon_steel(700.0),
+    softening=brinell.JohnsonCook(melting_temperature=600.0, exponent=1.0),
+)
+
 
 def tugging(**arguments: object) -> brinell.Tugging:
     given: dict = {"speed": "1 m/s", "interface": {"friction": 0.1}, "grid": {"resolution": 4}, "normalised": False}
@@ -24,8 +32,8 @@ def tugging(**arguments: object) -> brinell.Tugging:
 
 
 @pytest.fixture(scope="module")
-def run() -> Run:
-    return tugging().run(in_memory=True)
+def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
+    return tugging().run(tmp_path_factory.mktemp("heated"))
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
@@ -49,6 +57,59 @@ def test_fields(run: Run) -> None:
     touching = contact.pressure > 0.05 * contact.pressure.max()
     both = contact.temperature_lower[touching], contact.temperature_upper[touching]
     np.testing.assert_allclose(*both, rtol=1e-3)
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_temperature_in_the_bodies(run: Run) -> None:
+    lower = run.snapshot("aligned").lower
+    assert lower.temperature is not None
+    assert lower.temperature is lower["temperature"]
+    layers = lower.temperature.max(axis=(1, 2))
+    assert layers[0] > layers[1] > layers[-1] > 19.9
+    assert np.asarray(run.field("lower", "temperature"))[-1].shape == lower.temperature.shape
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_temperatures_in_pyvista(run: Run) -> None:
+    pytest.importorskip("pyvista")
+    snapshot = run.snapshot("aligned")
+    blocks = run.to_pyvista(fields=["temperature", "temperature_lower", "heat_flux_upper"])
+    assert set(blocks.keys()) == {"lower_volume", "upper_volume", "contact"}
+    for name, body in (("lower", snapshot.lower), ("upper", snapshot.upper)):
+        assert blocks[f"{name}_volume"].cell_data["temperature"].max() == body.temperature.max()
+    assert blocks["contact"].point_data["temperature_lower"].max() == snapshot.contact.temperature_lower.max()
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_temperatures_in_paraview(run: Run) -> None:
+    """Its reader finds those that are stored, where they are."""
+    pytest.importorskip("vtk")
+    from vtk_images import VtkhdfFile
+
+    step = run.steps[0]
+    snapshot = run.snapshot(step)
+    blocks = VtkhdfFile(run.file).blocks(float(step))
+    for name, body in (("lower", snapshot.lower), ("upper", snapshot.upper)):
+        np.testing.assert_array_equal(blocks[f"{name}_volume"].cell_data["temperature"], body.temperature)
+    surface = blocks["lower_surface"].point_data
+    for name in ("temperature_lower", "temperature_upper", "heat_flux_lower", "heat_flux_upper"):
+        assert np.nanmax(surface[name]) == getattr(snapshot.contact, name).max()
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_a_steady_source_and_a_conductance() -> None:
+    elastic = brinell.Material("200 GPa", 0.3, thermal=THERMAL)
+    rises = []
+    for conductance in (0.0, "1 kW/(mm^2 K)"):
+        heating = brinell.Heating(
+            regime="steady", displacement=False, stress=False, partition=1.0, conductance=conductance
+        )
+        run = tugging(material=elastic, thermal=heating).run(in_memory=True)
+        rises.append([run.history[f"max_temperature_{side}"].max() - 20.0 for side in ("lower", "upper")])
+        assert run.snapshot("aligned").lower.temperature is None
+    assert rises[0][1] == 0.0  # all of it goes into the lower body
+    assert rises[1][0] == pytest.approx(rises[1][1], rel=0.05)  # nearly at one temperature
+    assert rises[0][0] > 1.5 * rises[1][0]
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
@@ -80,6 +141,9 @@ def test_hot_bodies_are_softer(run: Run) -> None:
         ({"speed": None}, "tugging.speed is missing|speed"),
         ({"speed": 0}, "speed"),
         ({"thermal": brinell.Heating(partition=1.5)}, "partition"),
+        ({"thermal": brinell.Heating(conductance=-1.0)}, "conductance"),
+        ({"thermal": brinell.Heating(regime="steady")}, "thermal.displacement = false and thermal.stress = false"),
+        ({"material": MELTED}, "lower.material.thermal.temperature = 700 degC.*melts at 600 degC"),
     ],
 )
 def test_what_cannot_be_is_refused(arguments: dict[str, object], message: str) -> None:

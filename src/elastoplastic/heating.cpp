@@ -4,7 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "foundation/sharing.hpp"
 #include "heat_partition.hpp"
-#include "heated_body.hpp"
+#include "heated_side.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,8 @@ struct Heating::State
 
   [[nodiscard]] BothResponses& of_both();
   [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
-  [[nodiscard]] std::vector<double> flux_of_one_temperature(const std::vector<double>& heat,
-                                                            std::span<const double> pressure, Sharing sharing);
+  [[nodiscard]] std::vector<double> exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
+                                                   Sharing sharing);
 };
 
 namespace
@@ -56,7 +56,11 @@ std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const std::array<
                                    const HeatedRun& run, Twin twin, const HeatNumerics& numerics)
 {
   const auto heat_of = [&](const Heating::Partner& body)
-  { return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, run, numerics) : nullptr; };
+  {
+    return body.material.thermal && run.settings.regime == HeatRegime::transient
+               ? std::make_shared<BodyHeat>(body.grid, body.material, run, numerics)
+               : nullptr;
+  };
   const std::shared_ptr<BodyHeat> lower = heat_of(bodies[0]);
   const bool is_twin = twin != Twin::none;
   return {HeatedSide(contact, bodies[0].material, lower, false),
@@ -71,7 +75,9 @@ Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodie
   require_conductors(bodies);
   if (twin == Twin::alike)
     throw InternalError("Heating: bodies that are alike do not slide on each other");
-  if (twin != Twin::none && run.settings.partition && *run.settings.partition != 0.5)
+  if (run.settings.regime == HeatRegime::steady && (run.settings.displacement || run.settings.stress))
+    throw InputError("Heating: the steady regime has surface temperatures alone; allowed: without displacement and stress");
+  if (twin != Twin::none && run.settings.share() != 0.5)
     throw InternalError("Heating: twins have equal shares in the heat");
   state_ = make_hidden<State>(contact, run.settings, sides_of(contact, bodies, run, twin, numerics),
                               twin == Twin::none ? 1.0 : 2.0);
@@ -106,30 +112,38 @@ Heating::State::BothResponses& Heating::State::of_both()
   return planned.front();
 }
 
-/// The flux into the lower body with which both surfaces have one temperature where they touch:
-///   T_lower + R_lower q_lower = T_upper + R_upper (q - q_lower).
-std::vector<double> Heating::State::flux_of_one_temperature(const std::vector<double>& heat,
-                                                            std::span<const double> pressure, Sharing sharing)
+/// The flux into the lower body where they touch, of heat that passes between the surfaces: a share s of it, and what the
+/// conductance h lets through,
+///   q_lower = s q + h (T_upper + R_upper (q - q_lower) - T_lower - R_lower q_lower),
+/// divided by h, so that without a resistance both have one temperature.
+std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
+                                                   Sharing sharing)
 {
   HeatedSide &lower = sides[0], &upper = sides[1];
+  const double resistance = settings.conductance ? 1.0 / *settings.conductance : 0.0;
+  const double of_heat = resistance * settings.share();
   std::vector<double> rhs(heat.size());
   std::vector<bool> pressed(heat.size());
   upper.warm(heat, rhs);
   double largest = 0.0;
   for (std::size_t i = 0; i < rhs.size(); ++i)
   {
-    rhs[i] += upper.remaining()[i] - lower.remaining()[i];
+    rhs[i] += upper.remaining()[i] - lower.remaining()[i] + of_heat * heat[i];
     pressed[i] = pressure[i] > 0.0 || heat[i] != 0.0; // or they have touched at the beginning of the increment
     if (pressed[i])
       largest = std::max(largest, std::abs(rhs[i]));
   }
   BothResponses& both = of_both();
   const FieldOperator warm_both = [&](std::span<const double> in, std::span<double> out)
-  { both.response.apply(in, out, both.scratch); };
+  {
+    both.response.apply(in, out, both.scratch);
+    for (std::size_t i = 0; i < in.size(); ++i)
+      out[i] += resistance * in[i];
+  };
   const double tolerance = sharing == Sharing::fine ? 1e-6 : 1e-3; // of the difference that the shares make up for
   std::vector<double> flux = lower.flux();
   if (!solve_in_cells(warm_both, rhs, pressed, tolerance * largest, flux))
-    throw ConvergenceError("the surfaces have not come to one temperature where they touch");
+    throw ConvergenceError("the surfaces have not come to the temperatures at which they share the heat");
   return flux;
 }
 
@@ -140,10 +154,10 @@ double Heating::State::share_flux(const std::vector<double>& heat, std::span<con
   std::vector<double> into_lower(heat.size());
   if (!upper.conducts())
     into_lower = heat;
-  else if (settings.partition && lower.conducts())
-    std::transform(heat.begin(), heat.end(), into_lower.begin(), [&](double q) { return *settings.partition * q; });
+  else if (lower.conducts() && settings.exchanges())
+    into_lower = exchanged_flux(heat, pressure, sharing);
   else if (lower.conducts())
-    into_lower = flux_of_one_temperature(heat, pressure, sharing);
+    std::transform(heat.begin(), heat.end(), into_lower.begin(), [&](double q) { return settings.share() * q; });
   std::vector<double> into_upper(heat.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
     into_upper[i] = heat[i] - into_lower[i];
@@ -182,7 +196,7 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
   for (HeatedSide& side : s.sides)
     side.settle();
   for (HeatedSide& side : s.sides)
-    if (side.conducts() && !side.is_mirrored())
+    if (side.remembers() && !side.is_mirrored())
       s.work_on_pressure += s.twins * side.heat().work_against(side.on_body(pressure, "pressure"));
 }
 
@@ -195,7 +209,7 @@ void Heating::restore()
 std::span<const double> Heating::stress(std::size_t side) const
 {
   const HeatedSide& s = state_->sides.at(side);
-  if (!s.conducts() || s.is_mirrored())
+  if (!s.remembers() || s.is_mirrored())
     return {};
   return s.heat().stress();
 }
@@ -203,7 +217,7 @@ std::span<const double> Heating::stress(std::size_t side) const
 std::span<const double> Heating::softening(std::size_t side) const
 {
   const HeatedSide& s = state_->sides.at(side);
-  if (!s.conducts() || s.is_mirrored())
+  if (!s.remembers() || s.is_mirrored())
     return {};
   return s.heat().softening();
 }
@@ -241,8 +255,13 @@ void Heating::add_depth(std::size_t side, const SurfaceGrid& body, const Place& 
 void Heating::layers(std::size_t side, const VolumeGrid& body, const Layers& out) const
 {
   const HeatedSide& s = state_->sides.at(side);
-  if (s.conducts())
+  if (s.remembers())
     s.heat().layers(body, out);
+}
+
+bool Heating::knows_depth() const
+{
+  return state_->settings.regime == HeatRegime::transient;
 }
 
 void Heating::exchange(Archive& archive)

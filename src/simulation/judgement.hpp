@@ -39,6 +39,7 @@ struct Facts
   std::optional<double> cells_per_wave; ///< the shortest one, of rough flats over a period
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
+  bool is_heated = false; ///< by friction
   elastoplastic::Settings solver;
 };
 

@@ -2,6 +2,7 @@
 #include "brinell/simulation/quality.hpp"
 
 #include "footprint.hpp"
+#include "heat.hpp"
 #include "judgement.hpp"
 #include "roughness.hpp"
 
@@ -172,6 +173,26 @@ public:
                       length_text(f_.approach)));
   }
 
+  /// A bulk that is so warm that it yields earlier.
+  void of_warm_bulk()
+  {
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      const constitutive::Material& material = *f_.materials[side];
+      const double left = material.softening && material.is_plastic()
+                              ? constitutive::softening_factor(*material.softening, material.temperature)
+                              : 1.0;
+      if (left < 1.0)
+        add("softened_yield",
+            fmt::format("at its {:g} degC the {} body keeps {} of its yield stress; {}", material.temperature,
+                        side == 0 ? "lower" : "upper", percent_text(left),
+                        f_.is_heated ? "first yield, and what counts from it, as normalised interferences and loads, "
+                                       "first grids and tolerances, is that of all of it"
+                                     : "but it counts with all of it: softening acts where the heat of friction is "
+                                       "computed, which takes friction, a speed and thermal constants"));
+    }
+  }
+
   /// A body that has become hotter than its softening is known for.
   void of_heat(const RunTotals& totals)
   {
@@ -319,6 +340,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.cells_per_wave = cells_per_wave(lower, upper, numerics.domain, f.cell[0], f.cell[1]);
   f.textures = {&lower.texture, &upper.texture};
   f.materials = {&lower.material, &upper.material};
+  f.is_heated = is_heated(numerics, lower, upper);
   return f;
 }
 
@@ -329,6 +351,7 @@ Quality quality_before(const Facts& f)
   judge.of_textures();
   judge.of_step();
   judge.of_size();
+  judge.of_warm_bulk();
   judge.of_expected_yield();
   judge.of_tolerances();
   return std::move(judge).result();
@@ -347,6 +370,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   judge.of_textures();
   judge.of_step();
   judge.of_size();
+  judge.of_warm_bulk();
   judge.of_course(totals);
   judge.of_heat(totals);
   judge.of_wear(totals);

@@ -118,23 +118,6 @@ TEST(Heat, GridsThatGrowKeepTheHeat)
   EXPECT_NEAR((grown.summary.max_temperature[0] - 20.0) / (ample.summary.max_temperature[0] - 20.0), 1.0, 2e-3);
 }
 
-/// An elastic ball that slides without turning over a flat, on which it keeps no heat: it does not conduct.
-RollingCase sliding_ball(double peclet, double cells)
-{
-  RollingCase c = ball_on_flat(elastic_material(), 1e9, 1e-3);
-  c.lower.material.thermal = steel;
-  c.upper.material = {{std::numeric_limits<double>::infinity(), 0.0}, {}};
-  c.slide_to_roll = 2.0;
-  c.friction.coefficient = 0.1;
-  c.heat.displacement = c.heat.stress = false;
-  c.resolution = cells;
-  c.speed = 1.0; // until the contact is known
-  const double half_width = simulation::plan(c).half_width_x;
-  c.speed = 2.0 * steel.diffusivity() * peclet / half_width; // Pe = V a/(2 kappa)
-  c.distance = 8.0 * half_width;
-  return c;
-}
-
 /// Largest temperature that a Hertzian flux of so much heat has made by the end of a way at constant speed.
 double flash_temperature(double heat, double radius, double speed, double distance)
 {

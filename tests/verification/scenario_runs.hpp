@@ -6,6 +6,7 @@
 #include "brinell/simulation/run.hpp"
 #include "tugging_runs.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,23 @@ inline simulation::TuggingCase warm_spheres(const constitutive::Material& materi
   t.speed = speed;
   t.resolution = cells;
   return t;
+}
+
+/// An elastic ball that slides without turning over a flat, on which it keeps no heat: it does not conduct.
+inline simulation::RollingCase sliding_ball(double peclet, double cells)
+{
+  simulation::RollingCase c = ball_on_flat(elastic_material(), 1e9, 1e-3);
+  c.lower.material.thermal = steel;
+  c.upper.material = {{std::numeric_limits<double>::infinity(), 0.0}, {}};
+  c.slide_to_roll = 2.0;
+  c.friction.coefficient = 0.1;
+  c.heat.displacement = c.heat.stress = false;
+  c.resolution = cells;
+  c.speed = 1.0; // until the contact is known
+  const double half_width = simulation::plan(c).half_width_x;
+  c.speed = 2.0 * steel.diffusivity() * peclet / half_width; // Pe = V a/(2 kappa)
+  c.distance = 8.0 * half_width;
+  return c;
 }
 
 } // namespace brinell::verification

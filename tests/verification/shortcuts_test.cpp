@@ -64,7 +64,8 @@ Material material(Law law, Profile profile)
 /// What must agree.
 struct Outcome
 {
-  double plastic_strain = 0.0, dissipation = 0.0, force = 0.0, other_force = 0.0, residual = 0.0;
+  double plastic_strain = 0.0, dissipation = 0.0, force = 0.0, other_force = 0.0, residual = 0.0,
+         temperature = 0.0;
   long evaluations = 0;
 };
 
@@ -75,6 +76,7 @@ void take(const Run& run, Outcome& o)
   o.dissipation = run.summary.dissipation_lower + run.summary.dissipation_upper;
   o.residual = std::max(run.summary.max_residual_lower, run.summary.max_residual_upper);
   o.evaluations = run.summary.evaluations;
+  o.temperature = std::max(run.summary.max_temperature[0], run.summary.max_temperature[1]);
   for (const auto& record : run.history)
     o.force = std::max(o.force, record.F_n);
 }
@@ -127,6 +129,7 @@ void expect_same(const std::string& name, const ScenarioCase& c, Worst& worst)
   worst.force = std::max(worst.force, force);
   EXPECT_LE(force, 1e-3);
   EXPECT_EQ(with.plastic_strain > 0.0, without.plastic_strain > 0.0);
+  EXPECT_LE(difference(with.temperature, without.temperature), 1e-3);
 }
 
 struct Press
@@ -228,6 +231,33 @@ TEST(ShortCuts, Tugging)
     expect_same("tugging " + std::to_string(number++), t, worst);
   }
   worst.tell("tugging");
+}
+
+/// Those of heat: images on coarse cells, shares that are rough until an increment is nearly solved, heat that follows a turn
+/// behind. Without them it is computed as exactly as it can be, along grids long enough for all of them.
+TEST(ShortCuts, Heat)
+{
+  struct Rub
+  {
+    double load, speed, resolution;
+    Law law;
+    bool softens;
+  };
+  Worst worst;
+  int number = 0;
+  for (const Rub& rub : {Rub{2.0, 1.0, 5.0, Law::perfect, false}, Rub{4.0, 0.02, 6.0, Law::linear, false},
+                         Rub{3.0, 10.0, 5.0, Law::kinematic, false}, Rub{3.0, 1.0, 6.0, Law::linear, true}})
+  {
+    if (slow_build && rub.resolution > 5.0)
+      continue;
+    simulation::TuggingCase t =
+        warm_spheres(material(rub.law, Profile::none), rub.load, rub.speed, rub.resolution);
+    if (rub.softens)
+      for (simulation::ShapedBody* body : {&t.lower, &t.upper})
+        body->material.softening = constitutive::LinearSoftening{20.0, 1000.0};
+    expect_same("rub " + std::to_string(number++), t, worst);
+  }
+  worst.tell("heat");
 }
 
 } // namespace

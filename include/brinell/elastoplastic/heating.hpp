@@ -17,15 +17,29 @@
 namespace brinell::elastoplastic
 {
 
+/// What makes a surface warm.
+enum class HeatRegime
+{
+  transient, ///< all heat since the start
+  steady     ///< as if the flux of a step had always been there and moved as it does in that step
+};
+
 /// What the heat of friction does: docs/theory/heat.md (heat-of-friction).
 struct HeatSettings
 {
   double fraction = 1.0; ///< of the friction power that goes into the bodies as heat, [0, 1]
-  /// Share of the lower body in it, everywhere, [0, 1]; none: both surfaces have one temperature where they touch.
+  /// Share of the lower body in it, everywhere, before any passes between the surfaces, [0, 1]; none: half.
   std::optional<double> partition{};
+  /// Between the surfaces where they touch [W/(m^2 K)], >= 0. None: nothing passes with a given partition; without one nothing
+  /// resists, and both have one temperature.
+  std::optional<double> conductance{};
+  HeatRegime regime = HeatRegime::transient; ///< steady: of the surfaces alone, without displacement and stress
   bool displacement = true; ///< whether what the surfaces swell by moves the gap
   bool stress = true;       ///< whether thermal stress counts when the material yields
 
+  [[nodiscard]] double share() const { return partition.value_or(0.5); }
+  /// Whether heat passes between the surfaces.
+  [[nodiscard]] bool exchanges() const { return conductance ? *conductance > 0.0 : !partition; }
   bool operator==(const HeatSettings&) const = default;
 };
 
@@ -73,7 +87,7 @@ public:
     std::span<const double> shear_before{}; ///< along x, at the beginning [Pa]
   };
   void begin(const Start& start);
-  /// How well two surfaces that touch have one temperature.
+  /// How well two surfaces that touch have the temperatures at which they share the heat.
   enum class Sharing
   {
     rough, ///< to 1e-3 of the difference that the shares make up for: while the pressure is looked for
@@ -113,6 +127,8 @@ public:
     std::span<double> temperature, deviator, trace;
   };
   void layers(std::size_t side, const VolumeGrid& body, const Layers& out) const;
+  /// Whether there is anything to tell of the layers: not in the steady regime.
+  [[nodiscard]] bool knows_depth() const;
 
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);

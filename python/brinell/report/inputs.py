@@ -68,6 +68,7 @@ UNITS: Mapping[str, str] = {
     "spin": "rad/m",
     "speed": "m/s",
     "conductivity": "W/(m K)",
+    "conductance": "W/(m² K)",
     "density": "kg/m³",
     "specific_heat": "J/(kg K)",
     "expansion": "1/K",

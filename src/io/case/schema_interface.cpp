@@ -120,9 +120,25 @@ std::vector<Entry> heat_entries()
       of_heat({.key = "thermal.partition",
                .range = between(0.0, 1.0),
                .unset = "both surfaces have one temperature where they touch",
-               .text = "Share of the lower body in the heat of friction, everywhere in the contact. Between two bodies "
-                       "that conduct."},
+               .text = "Share of the lower body in the heat of friction, everywhere in the contact, before any passes "
+                       "from one surface to the other by the conductance. Between two bodies that conduct."},
               &HeatSettings::partition),
+      of_heat({.key = "thermal.conductance",
+               .dimension = dimension::conductance,
+               .range = at_least(0.0),
+               .unset = "nothing resists the heat, and both surfaces have one temperature where they touch; with a "
+                        "partition nothing passes",
+               .text = "Thermal conductance of the contact: heat per area and time that passes from one surface to "
+                       "the other where they touch, per difference of their temperatures. The heat of friction arises "
+                       "on both sides of it, in the shares of the partition, or in halves.",
+               .hint = "metals that are pressed on each other have 1e3 to 1e6 W/(m^2 K)"},
+              &HeatSettings::conductance),
+      of_heat({.key = "thermal.regime",
+               .choices = {"transient", "steady"},
+               .text = "What makes a surface warm. transient: all heat since the start. steady: the heat of a step as "
+                       "if it had always been there and moved as it does now, at any speed; temperatures of the "
+                       "surfaces alone, without displacement, stress and softening, on grids without periodic axes."},
+              &HeatSettings::regime),
       of_heat({.key = "thermal.displacement",
                .text = "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion "
                        "there."},

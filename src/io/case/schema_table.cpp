@@ -144,8 +144,8 @@ std::vector<Entry> solver_entries()
             "check` tells whether it is so. false: solve both sides (a check)."),
       entry("shortcuts", &Settings::shortcuts, {},
             "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all "
-            "of them, so that no yield is missed. false: every layer and every cell in every evaluation (a check; the "
-            "results agree to the tolerances)."),
+            "of them, so that no yield is missed. false: every layer and every cell in every evaluation, and heat as "
+            "exactly as it can be computed (a check; the results agree to the tolerances)."),
       bound({.key = "solver.accuracy",
              .range = up_to(0.0, 0.5),
              .percent = true,

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heated_side.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "foundation/sharing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+SurfaceGrid with_rows_of(SurfaceGrid grid, const SurfaceGrid& other)
+{
+  grid.ny = other.ny;
+  return grid;
+}
+
+/// Steps that are alike but for rounding have one plan, which does not depend on the step that was the first of them.
+double without_rounding(double value)
+{
+  if (value == 0.0)
+    return 0.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 9.0);
+  return std::round(value / unit) * unit;
+}
+
+Place on_heat(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& place)
+{
+  return {place.column + (heat.nx - body.nx) / 2, place.fraction};
+}
+
+} // namespace
+
+HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material& material,
+                       std::shared_ptr<BodyHeat> heat, bool is_mirrored)
+    : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored)
+{
+  for (std::vector<double>* field : {&remaining_displacement_, &own_displacement_, &flux_, &last_flux_, &flux_before_})
+    field->assign(contact.size(), 0.0);
+  remaining_.assign(contact.size(), material.temperature);
+  temperature_ = remaining_;
+}
+
+/// A field on the grid of the heat, from the contact grid.
+std::vector<double> HeatedSide::seen(const std::vector<double>& of_heat, const Place& place) const
+{
+  const SurfaceGrid rows = with_rows_of(heat_->grid(), contact_);
+  std::vector<double> fitted(rows.size()), out(contact_.size(), 0.0);
+  fit(heat_->grid(), of_heat, rows, fitted);
+  if (is_mirrored_)
+    for (auto row = fitted.begin(); row != fitted.end(); row += rows.nx)
+      std::reverse(row, row + rows.nx);
+  elastoplastic::add_depth(rows, fitted, {}, place, contact_, out);
+  return out;
+}
+
+/// The way back, of what acts on a body; all of it.
+std::vector<double> HeatedSide::on_body(std::span<const double> field, const char* what) const
+{
+  const SurfaceGrid rows = with_rows_of(heat_->grid(), contact_);
+  std::vector<double> spread, out(heat_->grid().size());
+  const bool all_columns = spread_traction(contact_, field, place_, rows, spread);
+  fit(rows, spread, heat_->grid(), out);
+  double lost = 0.0;
+  for (int j = 0; j < rows.ny; ++j)
+    if (std::abs(j - 0.5 * (rows.ny - 1)) > 0.5 * heat_->grid().ny)
+      for (int i = 0; i < rows.nx; ++i)
+        lost = std::max(lost, std::abs(spread[rows.index(i, j)]));
+  if (!all_columns || lost > 0.0)
+    throw GridError(std::string("the contact has grown beyond the grid on which the heat of a body is kept, and its ") +
+                    what + " would be lost; allowed: a larger grid.extent");
+  return out;
+}
+
+void HeatedSide::plan(const halfspace::HeatMotion& motion)
+{
+  const auto known = std::find_if(planned_.begin(), planned_.end(),
+                                  [&](const Responses& responses) { return responses.motion == motion; });
+  if (known != planned_.end())
+  {
+    planned_.splice(planned_.begin(), planned_, known);
+    return;
+  }
+  constexpr std::size_t most = 6;
+  if (planned_.size() == most)
+    planned_.pop_back();
+  halfspace::HeatResponse temperature(contact_, *material_.thermal, motion);
+  auto temperature_scratch = temperature.make_scratch();
+  std::optional<halfspace::ThermalResponse> displacement;
+  halfspace::ThermalResponse::Scratch displacement_scratch;
+  if (swells())
+  {
+    displacement.emplace(contact_, *material_.thermal, material_.elastic, motion);
+    displacement_scratch = displacement->make_scratch();
+  }
+  planned_.push_front({motion, std::move(temperature), std::move(displacement), std::move(temperature_scratch),
+                       std::move(displacement_scratch)});
+}
+
+/// Linear in time, of the fluxes of the last two steps as seen from the contact: each is the mean over its step.
+std::vector<double> HeatedSide::expected_flux(double duration) const
+{
+  const double ahead = last_duration_ > 0.0 ? 0.5 * (duration + last_duration_) / last_duration_ : 0.0;
+  std::vector<double> expected(last_flux_);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (last_flux_[i] != 0.0)
+      expected[i] += std::min(ahead, 1.0) * (last_flux_[i] - flux_before_[i]);
+  return expected;
+}
+
+void HeatedSide::begin(const VolumeGrid& body, const Place& place, double columns, double duration)
+{
+  if (!conducts())
+    return;
+  duration_ = without_rounding(duration);
+  const double velocity = without_rounding(columns * contact_.dx / duration_);
+  if (!remembers())
+  {
+    plan({.velocity_x = velocity});
+    set_flux(last_flux_);
+    return;
+  }
+  const halfspace::HeatMotion motion{duration_, velocity};
+  place_ = on_heat(heat_->grid(), body.surface, place);
+  plan(motion);
+  if (!is_mirrored_)
+    heat_->begin(heat_->acts_in_layers() ? on_body(expected_flux(duration), "heat") : std::vector<double>{}, motion,
+                 body);
+  remaining_ = seen(heat_->remaining_temperature(), place_);
+  for (double& t : remaining_)
+    t += material_.temperature;
+  if (swells())
+    remaining_displacement_ = seen(heat_->remaining_displacement(), place_);
+  set_flux(last_flux_);
+}
+
+void HeatedSide::warm(std::span<const double> flux, std::span<double> rise)
+{
+  responses().temperature.apply(flux, rise, responses().temperature_scratch);
+}
+
+double HeatedSide::set_flux(std::span<const double> flux)
+{
+  flux_.assign(flux.begin(), flux.end());
+  if (!swells())
+    return 0.0;
+  const std::vector<double> before = own_displacement_;
+  responses().displacement->apply(flux_, own_displacement_, responses().displacement_scratch);
+  double change = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    change = larger(change, std::abs(own_displacement_[i] - before[i]));
+  return change;
+}
+
+void HeatedSide::add_displacement(std::span<double> gap) const
+{
+  if (!swells())
+    return;
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    gap[i] += remaining_displacement_[i] + own_displacement_[i];
+}
+
+void HeatedSide::settle()
+{
+  flux_before_ = last_flux_;
+  last_flux_ = flux_;
+  last_duration_ = duration_;
+  total_ += sum(flux_) * contact_.cell_area() * duration_;
+  if (!conducts())
+    return;
+  warm(flux_, temperature_);
+  for (std::size_t i = 0; i < temperature_.size(); ++i)
+    temperature_[i] += remaining_[i];
+  if (remembers() && !is_mirrored_)
+    heat_->settle(on_body(flux_, "heat"));
+}
+
+void HeatedSide::restore()
+{
+  if (remembers() && !is_mirrored_)
+    heat_->restore();
+}
+
+void HeatedSide::add_depth(const SurfaceGrid& body, const Place& place, std::span<double> out) const
+{
+  if (!swells())
+    return;
+  const std::vector<double> depth = seen(heat_->displacement(), on_heat(heat_->grid(), body, place));
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] += depth[i];
+}
+
+void HeatedSide::exchange(Archive& archive)
+{
+  archive("temperature", temperature_);
+  archive("flux", last_flux_);
+  archive("flux_before", flux_before_);
+  archive("duration", last_duration_);
+  archive("total", total_);
+  flux_ = last_flux_;
+  if (remembers() && !is_mirrored_)
+    archive("heat", *heat_);
+}
+
+void HeatedSide::move_to(const SurfaceGrid& contact)
+{
+  const auto move = [&](std::vector<double>& field, double outside)
+  {
+    std::vector<double> moved(contact.size(), outside);
+    embed_field(contact_, field, contact, moved);
+    field = std::move(moved);
+  };
+  for (std::vector<double>* field : {&remaining_displacement_, &own_displacement_, &flux_, &last_flux_, &flux_before_})
+    move(*field, 0.0);
+  move(remaining_, material_.temperature);
+  move(temperature_, material_.temperature);
+  contact_ = contact;
+  planned_.clear();
+}
+
+} // namespace brinell::elastoplastic
