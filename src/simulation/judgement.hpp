@@ -49,7 +49,8 @@ struct Facts
                              const Plan& plan, double half_x, double half_y);
 
 /// What can be told before a run.
-[[nodiscard]] Quality quality_before(const Facts& facts);
+/// @param of_scenario  what the scenario itself has to tell
+[[nodiscard]] Quality quality_before(const Facts& facts, std::optional<Warning> of_scenario = std::nullopt);
 
 /// What can be told after it, with what the run has seen.
 /// @param of_course  what the scenario itself found

@@ -344,7 +344,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   return f;
 }
 
-Quality quality_before(const Facts& f)
+Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
 {
   Judge judge(f, resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt));
   judge.of_cells();
@@ -353,6 +353,8 @@ Quality quality_before(const Facts& f)
   judge.of_size();
   judge.of_warm_bulk();
   judge.of_expected_yield();
+  if (of_scenario)
+    judge.add(std::move(*of_scenario));
   judge.of_tolerances();
   return std::move(judge).result();
 }

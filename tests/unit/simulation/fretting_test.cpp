@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -105,6 +106,33 @@ TEST(FrettingTest, AForceThatFrictionCannotCarryIsNamedWhenItIsFound)
   {
     EXPECT_NE(std::string(error.what()).find("friction cannot hold"), std::string::npos) << error.what();
   }
+}
+
+TEST(FrettingTest, ARingOfSlipThinnerThanTwoCellsIsWarnedOf)
+{
+  // Mindlin: the radius of the part that sticks is a sqrt(1 - shift / sliding displacement), and a cbrt(1 - force / (friction load)).
+  const auto is_told = [](const FrettingCase& c)
+  {
+    const std::vector<Warning> list = expected_quality(c, plan(c)).warnings;
+    return std::any_of(list.begin(), list.end(), [](const Warning& w) { return w.key == "thin_slip"; });
+  };
+  const double ring = 0.25;
+  FrettingCase shifted = sample(), forced = sample();
+  shifted.amplitude = (1.0 - (1.0 - ring) * (1.0 - ring)) * plan(shifted).sliding_displacement;
+  forced.kind = FrettingCase::Kind::force;
+  forced.amplitude = (1.0 - std::pow(1.0 - ring, 3.0)) * forced.friction.coefficient * forced.press.value;
+  for (FrettingCase c : {shifted, forced})
+  {
+    c.resolution = 0.9 * 2.0 / ring;
+    EXPECT_TRUE(is_told(c));
+    c.resolution = 1.15 * 2.0 / ring; // an even number of cells may be added to the diameter, or taken from it
+    EXPECT_FALSE(is_told(c));
+    c.resolution = 4.0;
+    c.amplitude = 0.0;
+    EXPECT_FALSE(is_told(c));
+  }
+  shifted.amplitude = 1.1 * plan(shifted).sliding_displacement; // all of it slides
+  EXPECT_FALSE(is_told(shifted));
 }
 
 TEST(FrettingTest, WithoutMotionItIsAnIndentation)
