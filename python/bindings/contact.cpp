@@ -176,6 +176,17 @@ double area(const SurfaceGrid& grid, const Input& pressure, const Input& gap, do
                                contact_modulus);
 }
 
+/// Labels of the cells, and the area of each patch.
+auto patches(const SurfaceGrid& grid, const Input& pressure, const Input& gap, double contact_modulus)
+{
+  const Shape on_grid = shape(grid);
+  contact::Patches found =
+      contact::patches(grid, values(pressure, on_grid, "pressure"), values(gap, on_grid, "gap"), contact_modulus);
+  const Shape count{found.area.size()};
+  return std::tuple{array(std::vector<double>(found.label.begin(), found.label.end()), on_grid),
+                    array(std::move(found.area), count)};
+}
+
 double stiffness(const SurfaceCompliance& compliance, const Input& pressure)
 {
   const auto p = values(pressure, shape(compliance.grid()), "pressure");
@@ -223,6 +234,7 @@ void bind_contact(nb::module_& m)
         "friction"_a, "gap_tolerance"_a, "slip_tolerance"_a, "max_iterations"_a, "before"_a.none(), "carried"_a);
   m.def("contact_stiffness", &stiffness, "compliance"_a, "pressure"_a);
   m.def("contact_area", &area, "grid"_a, "pressure"_a, "gap"_a, "contact_modulus"_a);
+  m.def("patches", &patches, "grid"_a, "pressure"_a, "gap"_a, "contact_modulus"_a);
 }
 
 } // namespace brinell::python

@@ -149,6 +149,7 @@ private:
     };
     add("residual_displacement", std::move(b.residual_displacement), {ny, nx});
     add("worn_depth", std::move(b.worn_depth), {ny, nx});
+    add("height", std::move(b.height), {ny, nx});
     add("equivalent_plastic_strain", std::move(b.equivalent_plastic_strain), {nz, ny, nx});
     add("plastic_strain", joined(b.plastic_strain), {6, nz, ny, nx});
     add("stress", joined(b.stress), {6, nz, ny, nx});

@@ -3,13 +3,16 @@
 #include "module.hpp"
 
 #include "brinell/io/units.hpp"
+#include "brinell/simulation/bearing.hpp"
 #include "brinell/simulation/texture.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <span>
 #include <tuple>
+#include <vector>
 
 namespace brinell::python
 {
@@ -50,6 +53,15 @@ Output random_heights(const std::tuple<double, double>& size, const std::tuple<i
   return array(std::move(heights), {static_cast<std::size_t>(ny), static_cast<std::size_t>(nx)});
 }
 
+/// Sk, Spk, Svk, Smr1 and Smr2 of the heights of a map, [y, x].
+auto bearing(const Input& heights)
+{
+  const auto given = std::span(heights.data(), heights.size());
+  const simulation::Bearing b =
+      without_lock([&] { return simulation::bearing_of(std::vector<double>(given.begin(), given.end())); });
+  return std::tuple{b.core_height, b.peak_height, b.valley_depth, b.peak_share, b.valley_share};
+}
+
 /// "3.85 mm" in m.
 double length(const std::string& text)
 {
@@ -76,6 +88,7 @@ void bind_textures(nb::module_& m)
 {
   m.def("random_heights", &random_heights, "size"_a, "points"_a, "cutoff"_a, "rms_height"_a.none(),
         "rms_slope"_a.none(), "hurst"_a, "rolloff"_a.none(), "seed"_a);
+  m.def("bearing", &bearing, "heights"_a);
   m.def("length", &length, "text"_a);
 }
 

@@ -14,7 +14,8 @@ from __future__ import annotations
 import warnings
 from dataclasses import dataclass
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
@@ -37,9 +38,11 @@ __all__ = [
     "ElasticContact",
     "FrictionResult",
     "FrictionalContact",
+    "Patches",
     "TangentialContact",
     "TangentialResult",
     "contact_area",
+    "patches",
 ]
 
 
@@ -380,6 +383,52 @@ def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact
     return _core.contact_area(
         grid._engine, contiguous(pressure, "pressure"), contiguous(gap, "gap"), float(contact_modulus)
     )
+
+
+@dataclass(frozen=True, eq=False)
+class Patches:
+    """The patches of a contact: cells under pressure that hang together by their sides, over the ends of a period, too.
+
+    Attributes:
+        label: (ny, nx), the number of the patch that a cell is in, from 0; -1 without pressure.
+        area: of each patch, finer than its cells [m^2]; they add up to `contact_area`.
+        load: of each patch [N].
+        cells: of each patch.
+    """
+
+    label: NDArray[np.int64]
+    area: Array
+    load: Array
+    cells: NDArray[np.int64]
+
+    def __len__(self) -> int:
+        return len(self.area)
+
+    def __repr__(self) -> str:
+        return f"<Patches {len(self)}, together {self.area.sum():g} m^2>"
+
+
+def patches(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modulus: float) -> Patches:
+    """The patches of a solved contact.
+
+    Args:
+        grid: of the fields; where it is periodic, patches go on over its ends.
+        pressure: (ny, nx), >= 0 [Pa].
+        gap: (ny, nx) between the deformed surfaces [m].
+        contact_modulus: E' of the pair [Pa].
+
+    Raises:
+        InputError: a wrong shape, or a modulus that is not above 0.
+    """
+    if not contact_modulus > 0.0:
+        raise InputError(f"contact_modulus = {contact_modulus:g}; allowed: > 0")
+    p = contiguous(pressure, "pressure")
+    labels, area = _core.patches(grid._engine, p, contiguous(gap, "gap"), float(contact_modulus))
+    label = labels.astype(np.int64)
+    inside = label >= 0
+    cells = np.bincount(label[inside], minlength=len(area))
+    load = np.bincount(label[inside], weights=p[inside], minlength=len(area)) * grid.dx * grid.dy
+    return Patches(label, area, load, cells)
 
 
 def drive_of(load: float | None, approach: float | None, mean_gap: float | None = None) -> _core.Drive:

@@ -77,7 +77,8 @@ class Stepping(Iterator[dict[str, float]]):
             surfaces slide or stick also ``shear_x``, ``shear_y`` [Pa], ``slip_x``, ``slip_y``, ``slip_path`` [m] and
             ``friction_heat`` [J/m^2], as far as they exist, and a dictionary for each body, ``lower`` and ``upper``:
             ``x``, ``y``, ``z`` [m] on the body, ``contact_x``, the contact's place there, ``residual_displacement`` [m]
-            of shape (y, x), into the body positive, where it wears ``worn_depth`` [m] likewise,
+            of shape (y, x), into the body positive, where it wears ``worn_depth`` [m] likewise, where it has a texture
+            ``height`` [m] of the surface as it is, out of the body positive,
             ``equivalent_plastic_strain`` (z, y, x), and ``plastic_strain`` and ``stress`` [Pa] of shape (6, z, y, x):
             xx, yy, zz, yz, xz, xy. What a rigid body does not have is left out.
         """

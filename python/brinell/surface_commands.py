@@ -210,6 +210,9 @@ def _table(heightmap: HeightMap) -> str:
         ("Sz", f"{heightmap.Sz:.6g} m", "highest peak to deepest pit"),
         ("Ssk", f"{heightmap.Ssk:.4g}", "skewness; 0 if symmetric"),
         ("Sku", f"{heightmap.Sku:.4g}", "kurtosis; 3 if Gaussian"),
+        ("Sk", f"{heightmap.Sk:.6g} m", "height of the core of the bearing-area curve"),
+        ("Spk", f"{heightmap.Spk:.6g} m", "reduced height of the peaks above the core"),
+        ("Svk", f"{heightmap.Svk:.6g} m", "reduced depth of the valleys below it"),
         ("Sdq", f"{heightmap.Sdq:.6g}", "root mean square slope"),
         ("curvature", f"{heightmap.rms_curvature:.6g} 1/m", "root mean square of the mean curvature"),
     ]

@@ -114,6 +114,38 @@ def test_moments_and_bearing_area() -> None:
     np.testing.assert_allclose(height, [3.0, -1.0, -1.0, -1.0])
 
 
+def test_bearing_curve_of_known_shape() -> None:
+    even = HeightMap(np.linspace(0.0, 2e-6, 400).reshape(20, 20), (1e-6, 1e-6))
+    assert even.Sk == pytest.approx(2e-6 * 400 / 399)  # straight: all core
+    assert even.Spk == even.Svk == pytest.approx(0.0, abs=1e-12)
+    plateau = np.zeros((10, 10))
+    plateau[0] = 3e-6  # a tenth stands out
+    stands_out = HeightMap(plateau, (1e-6, 1e-6))
+    assert (stands_out.Sk, stands_out.Svk) == (0.0, 0.0)
+    assert stands_out.Spk == pytest.approx(6e-6)
+    assert (stands_out.Smr1, stands_out.Smr2) == (pytest.approx(0.1), 1.0)
+    gaussian = rough(256)
+    assert gaussian.Sk / gaussian.Sq == pytest.approx(2.574, rel=0.1)
+    assert gaussian.Spk / gaussian.Sq == pytest.approx(0.945, rel=0.2)
+
+
+def test_ends_that_are_joined_go_over_into_each_other() -> None:
+    whole = rough(256)
+    cut = replace(whole, heights=whole.heights[:201, :181], periodic=False).levelled()
+    joined = cut.joined(24 * whole.spacing[0])
+    assert joined.periodic
+    assert joined.heights.shape == (201 - 24, 181 - 24)
+    inside = slice(24, None)
+    assert joined.heights[inside, inside] == pytest.approx(cut.heights[24:177, 24:157], abs=1e-15)
+    # Over the ends it rises no more than anywhere.
+    rise = np.abs(np.diff(joined.heights, axis=1)).max()
+    assert np.abs(joined.heights[:, 0] - joined.heights[:, -1]).max() <= 1.01 * rise
+    assert joined.Sq == pytest.approx(cut.Sq, rel=0.1)
+    for strip in (1e-12, 1.0):
+        with pytest.raises(InputError, match="one point to half of the map"):
+            cut.joined(strip)
+
+
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

@@ -87,14 +87,84 @@ def test_what_has_no_solution_is_refused(arguments: dict[str, object], message: 
         sliding(**arguments).run(in_memory=True)
 
 
+def test_patches_add_up_to_the_contact(run: Run) -> None:
+    assert run.patch_history.keys() == set(run.steps)
+    for step, patches in run.patch_history.items():
+        row = run.snapshot(step).row
+        assert len(patches) == row["patches"]
+        assert patches.area.sum() == pytest.approx(row["contact_area"], rel=1e-12)
+        assert patches.area.max() == pytest.approx(row["largest_patch"], rel=1e-12)
+        assert patches.load.sum() == pytest.approx(row["F_n"], rel=1e-12)
+        assert patches.cells.sum() == (patches.label >= 0).sum()
+    assert len(run.patches("final")) == 0
+    stroke = run.strokes[0]
+    rows = (run.history["pass"] == 1) & (np.diff(run.history["way"], prepend=0.0) > 0.0)
+    assert stroke.patches == pytest.approx(run.history["patches"][rows].mean())
+    assert stroke.largest_patch == pytest.approx(run.history["largest_patch"][rows].mean())
+
+
+def test_surfaces_as_they_are(run: Run) -> None:
+    final = run.snapshot("final")
+    last = run.strokes[-1]
+    x = np.arange(16) * WAVELENGTH / 16
+    waves_before = 3e-6 * np.cos(2 * np.pi * x / WAVELENGTH) * np.cos(2 * np.pi * x / WAVELENGTH)[:, None]
+    for body, name in ((final.lower, "lower"), (final.upper, "upper")):
+        assert body.height is not None and body.height_before is not None
+        assert np.sort(body.height_before, axis=None) == pytest.approx(np.sort(waves_before, axis=None), abs=1e-15)
+        assert body["height"] == pytest.approx(body.height_before - body.residual_displacement)
+        found = brinell.HeightMap(body.height, (1.0, 1.0))
+        assert found.Sq == pytest.approx(getattr(last, f"rms_height_{name}"), rel=1e-3)  # parted since then
+        assert found.Sk == pytest.approx(getattr(last, f"core_height_{name}"), rel=1e-3)
+        assert found.Spk == pytest.approx(getattr(last, f"peak_height_{name}"), rel=1e-2)
+        assert found.Svk == pytest.approx(getattr(last, f"valley_depth_{name}"), rel=1e-2)
+    assert run.field("lower", "height").sel(step=run.steps[0]).values.shape == (16, 16)
+
+
+def test_peaks_meet_on_the_way() -> None:
+    bump = brinell.Bump("0.5 um", "150 um")
+    flat = brinell.Body(brinell.Flat(), ELASTIC, bump)
+    ball = brinell.Body(brinell.Sphere("10 mm"), ELASTIC)
+    case = brinell.Sliding(flat, ball, "100 um", approach="-0.3 um", press_steps=1, grid={"resolution": 3})
+    run = case.run(in_memory=True)
+    load = run.history["F_n"]
+    assert load[0] == load[1] == 0.0 and load.max() > 0.0
+    middle = run.history["slid"][load.argmax()]
+    assert middle == pytest.approx(50e-6, abs=6e-6)
+    with pytest.raises(InputError, match="on their way the undeformed surfaces first touch"):
+        brinell.Sliding(flat, ball, "100 um", approach="-0.6 um", grid={"resolution": 3}).run(in_memory=True)
+
+
+def test_pressure_travels(run: Run) -> None:
+    stored = sliding(output={"snapshots": "all"}, press_steps=1, strokes=1).run(in_memory=True)
+    animation = brinell.plot.animate(stored, field="pressure")
+    image = animation._fig.axes[0].images[0]  # type: ignore[attr-defined]
+    shown = []
+    for frame in animation.new_frame_seq():
+        animation._draw_frame(frame)  # type: ignore[attr-defined]
+        shown.append(np.array(image.get_array()))
+    assert len(shown) == len([step for step in stored.steps if stored.history["pass"][step] == 1])
+    pressed = [values for values in shown if values.max() > 0.0]
+    # On the lower surface its middle of pressure goes on, round the period.
+    angle = 2 * np.pi * np.arange(16) / 16
+    phases = np.unwrap([np.angle((values.sum(axis=0) * np.exp(1j * angle)).sum()) for values in pressed])
+    assert phases[-1] - phases[0] == pytest.approx(np.pi, abs=0.6)  # the crests of both bodies move by half of the way
+    plt.close("all")
+    with pytest.raises(RunError, match="an animation needs two or more"):
+        brinell.plot.animate(run, field="pressure", pass_=9)
+
+
 def test_figures(run: Run, smooth: Run) -> None:
     drawings = TRAITS.drawings()
+    axes = {"along-way": (4, 4), "strokes": (4, 4), "patches": (5, 2), "surfaces": (8, 0)}  # with the colour bars
+    assert axes.keys() == drawings.figures.keys()
     for runs in ([run], [smooth], [run, smooth]):
-        for drawing in drawings.figures.values():
+        for name, drawing in drawings.figures.items():
             fig = drawing.draw(runs)
-            assert fig is not None
-            assert len(fig.axes) == 4
-            plt.close(fig)
+            count = axes[name][len(runs) - 1]
+            assert (fig is None) == (count == 0)
+            if fig is not None:
+                assert len(fig.axes) == count
+                plt.close(fig)
     fig = brinell.plot.along_way([run])
     line = fig.axes[0].lines[1]  # after that at zero
     moving = np.diff(run.history["way"], prepend=0.0) > 0.0

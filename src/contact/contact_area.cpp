@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace brinell::contact
 {
@@ -89,8 +92,10 @@ private:
   double modulus_;
 };
 
-/// Share of the square between the centres of four cells that is in contact; the first one is (i, j).
-double share_of_square(const Field& field, int i, int j)
+/// Shares of the square between the centres of four cells that are in contact, each given to `add` with a cell under pressure whose
+/// patch has it; the first cell is (i, j). Corners that lie across from each other alone are apart.
+template <typename Add>
+void add_square(const Field& field, int i, int j, const Add& add)
 {
   // Around the square, so that corner k and k + 1 are neighbours.
   const std::array<Cell, 4> corner{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
@@ -98,26 +103,61 @@ double share_of_square(const Field& field, int i, int j)
   int count = 0;
   for (std::size_t k = 0; k < 4; ++k)
     count += in[k] = field.touches(corner[k]);
-  if (count == 0 || count == 4)
-    return count / 4.0;
+  if (count == 0)
+    return;
+  if (count == 4)
+    return add(corner[0], 1.0);
   const auto edge = [&](std::size_t k, std::size_t next) { return field.edge(corner[k], corner[next % 4]); };
   if (count == 2 && in[0] != in[2]) // side by side: a trapezium
+  {
     for (std::size_t k = 0; k < 4; ++k)
       if (in[k] && in[(k + 1) % 4])
-        return 0.5 * (edge(k, k + 3).covered + edge((k + 1) % 4, k + 2).covered);
+        add(corner[k], 0.5 * (edge(k, k + 3).covered + edge((k + 1) % 4, k + 2).covered));
+    return;
+  }
   // Corners one by one, those in contact, or of three the one that is not: triangles, beside a wall rectangles.
   const bool odd_one = count != 3;
-  double sum = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
     if (in[k] == odd_one)
     {
       const Edge a = edge(k, k + 1);
       const Edge b = edge(k, k + 3);
       const double box = odd_one ? a.covered * b.covered : (1.0 - a.covered) * (1.0 - b.covered);
-      sum += a.is_wall || b.is_wall ? box : 0.5 * box;
+      const double share = a.is_wall || b.is_wall ? box : 0.5 * box;
+      add(odd_one ? corner[k] : corner[(k + 1) % 4], odd_one ? share : 1.0 - share);
     }
-  return odd_one ? sum : 1.0 - sum;
 }
+
+/// The same of all squares of a grid.
+template <typename Add>
+void add_squares(const SurfaceGrid& grid, const Field& field, const Add& add)
+{
+  for (int j = grid.is_periodic_y() ? 0 : -1; j < grid.ny; ++j)
+    for (int i = grid.is_periodic_x() ? 0 : -1; i < grid.nx; ++i)
+      add_square(field, i, j, add);
+}
+
+/// Cells that are joined, each group with its first cell as its root.
+class Groups
+{
+public:
+  explicit Groups(std::size_t cells) : parent_(cells) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+
+  [[nodiscard]] std::size_t root(std::size_t cell)
+  {
+    while (parent_[cell] != cell)
+      cell = parent_[cell] = parent_[parent_[cell]]; // halves the way for the next question
+    return cell;
+  }
+  void join(std::size_t a, std::size_t b)
+  {
+    const auto [first, other] = std::minmax({root(a), root(b)}); // of values: the pair of references would dangle
+    parent_[other] = first;
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
 
 } // namespace
 
@@ -143,10 +183,40 @@ double contact_area(const SurfaceGrid& grid, std::span<const double> pressure, s
 {
   const Field field(grid, pressure, gap, contact_modulus);
   double cells = 0.0;
-  for (int j = grid.is_periodic_y() ? 0 : -1; j < grid.ny; ++j)
-    for (int i = grid.is_periodic_x() ? 0 : -1; i < grid.nx; ++i)
-      cells += share_of_square(field, i, j);
+  add_squares(grid, field, [&](const Cell& /*cell*/, double share) { cells += share; });
   return cells * grid.cell_area();
+}
+
+Patches patches(const SurfaceGrid& grid, std::span<const double> pressure, std::span<const double> gap,
+                double contact_modulus)
+{
+  const Field field(grid, pressure, gap, contact_modulus);
+  Groups groups(grid.size());
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i)
+      for (const Cell& next : {Cell{i + 1, j}, Cell{i, j + 1}})
+        if (field.touches({i, j}) && field.touches(next))
+          groups.join(grid.index(i, j), grid.index(next.i % grid.nx, next.j % grid.ny));
+  Patches result{std::vector<int>(grid.size(), -1), {}};
+  for (std::size_t cell = 0; cell < grid.size(); ++cell)
+    if (pressure[cell] > 0.0)
+    {
+      const std::size_t root = groups.root(cell);
+      if (root == cell) // the first cell of its patch
+      {
+        result.label[cell] = static_cast<int>(result.area.size());
+        result.area.push_back(0.0);
+      }
+      result.label[cell] = result.label[root];
+    }
+  const auto wrapped = [](int i, int n) { return (i + n) % n; };
+  add_squares(grid, field,
+              [&](const Cell& cell, double share)
+              {
+                const std::size_t at = grid.index(wrapped(cell.i, grid.nx), wrapped(cell.j, grid.ny));
+                result.area[static_cast<std::size_t>(result.label[at])] += share * grid.cell_area();
+              });
+  return result;
 }
 
 } // namespace brinell::contact

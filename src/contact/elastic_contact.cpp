@@ -347,14 +347,23 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& give
     require_size("ElasticContact::solve: the layer", layer, cells);
   layer_ = layer;
   const Drive drive = imposed(given, compliance_.grid(), distance, tolerance);
-  const bool load_given = drive.kind == Drive::Kind::load;
-  if (load_given && !(drive.value > 0.0))
+  if (drive.kind == Drive::Kind::load && !(drive.value > 0.0))
     return touching(distance, pressure, gap);
+  const Problem problem{distance, drive, tolerance, max_iterations, wants_stop};
+  return given.kind == Drive::Kind::mean_gap && !layer.empty() ? keep_gap(problem, pressure, gap)
+                                                               : iterate(problem, pressure, gap);
+}
+
+/// The conjugate gradients, under a load or an approach.
+Report ElasticContact::iterate(const Problem& problem, std::span<double> pressure, std::span<double> gap)
+{
+  const auto& [distance, drive, tolerance, max_iterations, wants_stop] = problem;
+  const bool load_given = drive.kind == Drive::Kind::load;
   guess(distance, drive, tolerance, pressure, wants_stop);
   start(distance, drive, pressure);
   std::fill(direction_.begin(), direction_.end(), 0.0);
-  const auto is_good = [&](const Report& r)
-  { return r.gap_error <= tolerance && r.penetration <= tolerance && std::isfinite(r.approach); };
+  const auto is_good = [most = tolerance](const Report& r)
+  { return r.gap_error <= most && r.penetration <= most && std::isfinite(r.approach); };
   constexpr int few = 8;   // iterations between questions whether to stop
   constexpr int many = 32; // and at most between two products with the pressure itself: rounding does not pile up
   int followed = many;     // steps that the displacement has followed since the last of these; `many`: it has not

@@ -245,13 +245,6 @@ double stressed_depth(double half_x, double half_y)
 namespace
 {
 
-/// Whether only the textures of the bodies touch.
-bool are_flat(const ShapedBody& lower, const ShapedBody& upper)
-{
-  const auto k = relative_curvature(lower.shape, upper.shape);
-  return k && (*k)[0] == 0.0 && (*k)[1] == 0.0;
-}
-
 /// Beyond its radius of curvature no body is a half space, nor its surface a paraboloid.
 void require_within_radius(const Footprint& f, const Shape& lower, const Shape& upper)
 {
@@ -319,6 +312,12 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
 bool alike(const ShapedBody& lower, const ShapedBody& upper)
 {
   return lower.material == upper.material && lower.material.is_plastic() && are_smooth(lower, upper);
+}
+
+bool are_flat(const ShapedBody& lower, const ShapedBody& upper)
+{
+  const auto k = relative_curvature(lower.shape, upper.shape);
+  return k && (*k)[0] == 0.0 && (*k)[1] == 0.0;
 }
 
 bool are_smooth(const ShapedBody& lower, const ShapedBody& upper)

@@ -46,6 +46,9 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 /// Whether neither body has a texture.
 [[nodiscard]] bool are_smooth(const ShapedBody& lower, const ShapedBody& upper);
 
+/// Whether only the textures of the bodies touch.
+[[nodiscard]] bool are_flat(const ShapedBody& lower, const ShapedBody& upper);
+
 /// Whether two half spaces under the same pressure keep the same strain: one plastic material, nothing on the surfaces.
 [[nodiscard]] bool alike(const ShapedBody& lower, const ShapedBody& upper);
 

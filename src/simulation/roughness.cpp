@@ -62,9 +62,7 @@ Roughness roughness_of(std::span<const double> heights, const SurfaceGrid& grid)
 std::optional<double> cells_per_wave(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain, double dx,
                                      double dy)
 {
-  const auto curvature = relative_curvature(lower.shape, upper.shape);
-  const bool are_flat = curvature && (*curvature)[0] == 0.0 && (*curvature)[1] == 0.0;
-  if (!domain.is_periodic() || !are_flat || are_smooth(lower, upper))
+  if (!domain.is_periodic() || !are_flat(lower, upper) || are_smooth(lower, upper))
     return std::nullopt;
   double fewest = std::numeric_limits<double>::infinity();
   for (const Texture* texture : {&lower.texture, &upper.texture})

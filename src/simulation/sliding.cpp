@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/sliding.hpp"
 
+#include "brinell/contact/contact_area.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
-#include "domain.hpp"
-#include "footprint.hpp"
-#include "friction.hpp"
-#include "grid_layout.hpp"
 #include "heat.hpp"
 #include "judgement.hpp"
 #include "period.hpp"
 #include "pressing.hpp"
 #include "run_state.hpp"
+#include "sliding_plan.hpp"
 #include "stroke.hpp"
-#include "symmetry.hpp"
-#include "wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,17 +26,6 @@ namespace
 using contact::Drive;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// The same bodies, only pressed together.
-IndentationCase pressing(const SlidingCase& sliding)
-{
-  IndentationCase pressed;
-  static_cast<Numerics&>(pressed) = sliding;
-  pressed.lower = sliding.lower;
-  pressed.upper = sliding.upper;
-  pressed.sequence = {sliding.press};
-  return pressed;
-}
 
 /// Press, slide stroke after stroke, lift. The contact stays where it is on the upper body.
 class Sliding
@@ -65,7 +50,7 @@ public:
     if (done_ == 0 || done_ == last() || done_ + 1 == plan_.steps) // what has yielded on the way counts
     {
       const Stepper::Distances touch = stepper.distances(centre());
-      lifted_ = without_contact(case_.press.kind, touch);
+      lifted_ = lifted(touch);
       if (done_ == 0)
         at_.approach = touch.smallest;
     }
@@ -95,8 +80,10 @@ public:
     r.slid = slid(done_ + 1.0);
     r.way = before.way + (moves ? plan_.shift : 0.0);
     const Centre here = centre(r.slid);
-    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance(here);
+    // Parted, they count as just apart; before that peaks may be on their way to each other.
+    r.approach = r.F_n > 0.0 || done_ < last() ? stepper.pair().approach() : stepper.clearance(here);
     read_period(stepper.pair(), r);
+    read_patches(stepper.pair(), r);
     r.F_ploughing = sign * ploughing(stepper, here);
     r.F_X = r.F_ploughing + r.F_friction;
     r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
@@ -194,6 +181,23 @@ private:
     return {start + slid, 0.0};
   }
 
+  void read_patches(const elastoplastic::CoupledContact& pair, SlidingRecord& r) const
+  {
+    const contact::Patches found =
+        contact::patches(pair.grid(), pair.pressure(), pair.gap(),
+                         contact_modulus(case_.lower.material.elastic, case_.upper.material.elastic));
+    r.patches = static_cast<int>(found.area.size());
+    r.largest_patch = found.area.empty() ? 0.0 : *std::max_element(found.area.begin(), found.area.end());
+  }
+
+  /// The drive without contact: where peaks only meet on the way, that which is kept.
+  [[nodiscard]] double lifted(const Stepper::Distances& touch) const
+  {
+    const double apart = without_contact(case_.press.kind, touch);
+    return case_.press.kind == Drive::Kind::mean_gap ? std::max(apart, case_.press.value)
+                                                     : std::min(apart, case_.press.value);
+  }
+
   /// The drive after some steps. Loads go by their power 2/3, so that the approach grows evenly.
   [[nodiscard]] double pressed(double steps) const
   {
@@ -229,41 +233,6 @@ private:
   int done_ = 0;        ///< steps
 };
 
-void require_press(const SlidingCase& sliding, double touching_gap)
-{
-  const auto& [kind, value] = sliding.press;
-  if (sliding.press_steps < 1)
-    throw KeyError("sliding.press_steps", fmt::format("sliding.press_steps = {}; allowed: >= 1", sliding.press_steps));
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw InputError(fmt::format("sliding needs a load, an approach or a mean gap > 0, not {:g}", value));
-  if (kind == Drive::Kind::approach)
-    if (const auto reason = reason_against_approach(sliding.lower, sliding.upper, value, sliding.domain, "sliding"))
-      throw KeyError("sliding.approach", fmt::format("sliding.approach = {:.4g} m {}", value, *reason));
-  if (kind == Drive::Kind::mean_gap && !(value < touching_gap))
-    throw KeyError("sliding.mean_gap",
-                   fmt::format("sliding.mean_gap = {:.4g} m: the surfaces first touch at {:.4g} m; allowed: less",
-                               value, touching_gap));
-}
-
-void require_motion(const SlidingCase& sliding)
-{
-  if (!std::holds_alternative<Plane>(sliding.lower.shape))
-    throw KeyError("lower.shape", "sliding needs a flat lower body: the contact stays where it is on the upper one; "
-                                  "allowed: \"plane\", and the other shape for the upper body (two balls that pass "
-                                  "each other: scenario = \"tugging\")");
-  if (!(sliding.distance > 0.0 && std::isfinite(sliding.distance)))
-    throw KeyError("sliding.distance", fmt::format("sliding.distance = {:g} m; allowed: > 0", sliding.distance));
-  if (sliding.strokes < 1)
-    throw KeyError("sliding.strokes", fmt::format("sliding.strokes = {}; allowed: >= 1", sliding.strokes));
-  if (sliding.strokes > 1 && !sliding.to_and_fro && !sliding.domain.x.is_periodic())
-    throw KeyError(
-        "sliding.strokes",
-        fmt::format("sliding.strokes = {} would leave the track for good: without a period along x the upper "
-                    "body has to come back; allowed: sliding.to_and_fro = true, or one stroke over a longer "
-                    "sliding.distance",
-                    sliding.strokes));
-}
-
 // docs/verification.md (expected error)
 constexpr Documented documented[] = {{"friction by ploughing", "strokes[*].friction_ploughing", 0.12, 4.2, 1.9},
                                      {"plastic work", "strokes[*].dissipation_plastic_J", 0.06, 4.2, 1.9}};
@@ -279,40 +248,6 @@ Facts facts(const SlidingCase& c, const SlidingPlan& plan)
 }
 
 } // namespace
-
-SlidingPlan plan(const SlidingCase& sliding)
-{
-  require_friction(sliding, sliding.lower, sliding.upper, "");
-  require_wear(sliding, sliding.press.kind == Drive::Kind::mean_gap
-                            ? "not computed at a mean gap that is kept; allowed with sliding.load, pressure or approach"
-                            : "");
-  require_motion(sliding);
-  require_heat(sliding, sliding.lower, sliding.upper, sliding.speed, "sliding.speed");
-  const IndentationCase pressed = pressing(sliding);
-  const Footprint f =
-      footprint(sliding.lower, sliding.upper, largest_drive(pressed), sliding.domain, sliding.friction.coefficient);
-  SlidingPlan plan;
-  plan.half_width_x = f.half_x;
-  plan.half_width_y = f.half_y;
-  plan.shift = sliding.shift.value_or(cell_sizes(sliding, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
-  if (!(plan.shift > 0.0 && plan.shift <= sliding.distance))
-    throw KeyError("sliding.shift", fmt::format("sliding.shift = {:g} m; allowed: > 0, up to sliding.distance = {:g} m",
-                                                plan.shift, sliding.distance));
-  plan.sliding_steps = std::max(1, step_count(std::round(sliding.distance / plan.shift), "sliding.distance"));
-  lay_out(sliding, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
-  require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
-  plan.reference = reference_distance(sliding.lower.shape, sliding.upper.shape, sliding.domain);
-  plan.touching_gap = sliding.domain.is_periodic() ? touching_gap(pressed, plan.contact) : nan;
-  require_press(sliding, plan.touching_gap);
-  plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,
-                          "sliding.strokes");
-  plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
-  const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
-  plan.memory_bytes = memory_bytes(plan, sliding.lower.material.is_plastic(), sliding.upper.material.is_plastic(),
-                                   sliding.solver.anderson_depth, sliding.friction.coefficient > 0.0 ? 1 : 0,
-                                   heats && sliding.lower.material.thermal, heats && sliding.upper.material.thermal);
-  return plan;
-}
 
 void SlidingRecord::exchange(Archive& archive)
 {

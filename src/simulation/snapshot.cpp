@@ -61,13 +61,30 @@ void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
   snapshot.upper.temperature = pair.upper_temperature();
 }
 
-void set_wear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
+std::span<const double> worn_depth(const elastoplastic::CoupledContact& pair, std::size_t side)
 {
-  const elastoplastic::Wear* wear = pair.wear();
-  if (wear == nullptr)
-    return;
-  snapshot.lower.worn_depth.assign(wear->depth(0).begin(), wear->depth(0).end());
-  snapshot.upper.worn_depth.assign(wear->depth(1).begin(), wear->depth(1).end());
+  return pair.wear() != nullptr ? pair.wear()->depth(side) : std::span<const double>{};
+}
+
+std::vector<double> surface_height(const elastoplastic::BodyView& body, std::span<const double> worn)
+{
+  std::vector<double> height = body.residual_displacement();
+  for (std::size_t i = 0; i < height.size(); ++i)
+    height[i] = -(height[i] + (body.texture().empty() ? 0.0 : body.texture()[i]) + (worn.empty() ? 0.0 : worn[i]));
+  return height;
+}
+
+void set_surfaces(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
+{
+  const auto set = [&](std::size_t side, const elastoplastic::BodyView& view, BodySnapshot& body)
+  {
+    const std::span<const double> worn = worn_depth(pair, side);
+    body.worn_depth.assign(worn.begin(), worn.end());
+    if (!view.texture().empty())
+      body.height = surface_height(view, worn);
+  };
+  set(0, pair.lower(), snapshot.lower);
+  set(1, pair.upper(), snapshot.upper);
 }
 
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)

@@ -4,6 +4,9 @@
 #include "brinell/elastoplastic/increment.hpp"
 #include "brinell/simulation/scenario.hpp"
 
+#include <span>
+#include <vector>
+
 namespace brinell::simulation
 {
 
@@ -14,8 +17,12 @@ namespace brinell::simulation
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// Temperatures and fluxes, where there is heat.
 void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
-/// What the surfaces have lost, where they wear.
-void set_wear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
+/// What a surface of the pair, 0 the lower one, has lost on its grid [m]; empty without wear.
+[[nodiscard]] std::span<const double> worn_depth(const elastoplastic::CoupledContact& pair, std::size_t side);
+/// A surface as it is now, texture, residual displacement and what is worn off, out of the body positive [m].
+[[nodiscard]] std::vector<double> surface_height(const elastoplastic::BodyView& body, std::span<const double> worn);
+/// What the surfaces have lost, where they wear, and how high textured ones are.
+void set_surfaces(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// The stress.
 void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot);
 

@@ -164,7 +164,7 @@ Snapshot Stepper::snapshot(const Centre& centre) const
   if (!setup_.upper.elastic.is_rigid())
     set_stress(pair_->upper_stress(frame.placement.upper), s.upper);
   set_heat(*pair_, s);
-  set_wear(*pair_, s);
+  set_surfaces(*pair_, s);
   return s;
 }
 

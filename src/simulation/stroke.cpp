@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stroke.hpp"
 
+#include "brinell/simulation/bearing.hpp"
+#include "snapshot.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace brinell::simulation
 {
@@ -17,28 +21,25 @@ double plastic_work(const Stepper& stepper)
   return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
 }
 
-/// Of a surface as it is now, texture, residual displacement and what is worn off, about its mean.
+/// Of a surface as it is now, texture, residual displacement and what is worn off.
 struct Heights
 {
-  double root_mean_square = 0.0, mean_size = 0.0; ///< [m]
+  double root_mean_square = 0.0, mean_size = 0.0; ///< about its mean [m]
+  Bearing bearing;
 };
 
 Heights heights_of(const elastoplastic::BodyView& body, std::span<const double> worn)
 {
-  std::vector<double> depth = body.residual_displacement();
-  for (std::size_t i = 0; i < body.texture().size(); ++i)
-    depth[i] += body.texture()[i];
-  for (std::size_t i = 0; i < worn.size(); ++i)
-    depth[i] += worn[i];
-  const auto size = static_cast<double>(depth.size());
-  const double mean = std::accumulate(depth.begin(), depth.end(), 0.0) / size;
+  std::vector<double> height = surface_height(body, worn);
+  const auto size = static_cast<double>(height.size());
+  const double mean = std::accumulate(height.begin(), height.end(), 0.0) / size;
   double squares = 0.0, sizes = 0.0;
-  for (const double d : depth)
+  for (const double h : height)
   {
-    squares += (d - mean) * (d - mean);
-    sizes += std::abs(d - mean);
+    squares += (h - mean) * (h - mean);
+    sizes += std::abs(h - mean);
   }
-  return {std::sqrt(squares / size), sizes / size};
+  return {std::sqrt(squares / size), sizes / size, bearing_of(std::move(height))};
 }
 
 } // namespace
@@ -50,6 +51,8 @@ void StrokeReader::Sums::exchange(Archive& archive)
   archive("F_friction", F_friction);
   archive("contact_area", contact_area);
   archive("contact_fraction", contact_fraction);
+  archive("patches", patches);
+  archive("largest_patch", largest_patch);
   archive("mean_gap", mean_gap);
   archive("max_pressure", max_pressure);
   archive("steps", steps, 0, std::numeric_limits<int>::max() - 1);
@@ -69,6 +72,8 @@ void StrokeReader::add(const SlidingRecord& r)
   sums_.F_friction += r.F_friction;
   sums_.contact_area += r.contact_area;
   sums_.contact_fraction += r.contact_fraction;
+  sums_.patches += r.patches;
+  sums_.largest_patch += r.largest_patch;
   sums_.mean_gap += r.mean_gap;
   sums_.max_pressure += r.max_pressure;
   ++sums_.steps;
@@ -88,19 +93,25 @@ SlidingStroke StrokeReader::end_stroke(const Stepper& stepper, const SlidingReco
   stroke.mean_F_X = (sums_.F_ploughing + sums_.F_friction) / sums_.steps;
   stroke.contact_area = sums_.contact_area / sums_.steps;
   stroke.contact_fraction = sums_.contact_fraction / sums_.steps;
+  stroke.patches = sums_.patches / sums_.steps;
+  stroke.largest_patch = sums_.largest_patch / sums_.steps;
   stroke.mean_gap = sums_.mean_gap / sums_.steps;
   stroke.max_pressure = sums_.max_pressure / sums_.steps;
   stroke.dissipation_plastic = plastic_work(stepper) - plastic_before_;
   stroke.dissipation_friction = last.dissipation_friction - friction_before_;
   stroke.max_equivalent_plastic_strain = last.max_equivalent_plastic_strain;
-  const elastoplastic::Wear* wear = stepper.pair().wear();
-  const auto worn = [&](std::size_t side) { return wear != nullptr ? wear->depth(side) : std::span<const double>{}; };
-  const Heights lower = heights_of(stepper.pair().lower(), worn(0));
-  const Heights upper = heights_of(stepper.pair().upper(), worn(1));
+  const Heights lower = heights_of(stepper.pair().lower(), worn_depth(stepper.pair(), 0));
+  const Heights upper = heights_of(stepper.pair().upper(), worn_depth(stepper.pair(), 1));
   stroke.rms_height_lower = lower.root_mean_square;
   stroke.mean_height_lower = lower.mean_size;
   stroke.rms_height_upper = upper.root_mean_square;
   stroke.mean_height_upper = upper.mean_size;
+  stroke.core_height_lower = lower.bearing.core_height;
+  stroke.core_height_upper = upper.bearing.core_height;
+  stroke.peak_height_lower = lower.bearing.peak_height;
+  stroke.peak_height_upper = upper.bearing.peak_height;
+  stroke.valley_depth_lower = lower.bearing.valley_depth;
+  stroke.valley_depth_upper = upper.bearing.valley_depth;
   return stroke;
 }
 

@@ -22,8 +22,8 @@ private:
   /// Sums over its steps, with the names of the rows.
   struct Sums
   {
-    double F_n = 0.0, F_ploughing = 0.0, F_friction = 0.0, contact_area = 0.0, contact_fraction = 0.0, mean_gap = 0.0,
-           max_pressure = 0.0;
+    double F_n = 0.0, F_ploughing = 0.0, F_friction = 0.0, contact_area = 0.0, contact_fraction = 0.0, patches = 0.0,
+           largest_patch = 0.0, mean_gap = 0.0, max_pressure = 0.0;
     int steps = 0;
 
     void exchange(Archive& archive);

@@ -174,5 +174,43 @@ TEST(Sliding, SurfacesRunIn)
                       strokes[3].dissipation_plastic / strokes[0].dissipation_plastic, 0.0, 0.5, "shakedown");
 }
 
+TEST(Sliding, ShakesDownWhateverTheRoughness)
+{
+  // To and fro the peaks meet the same ones again: what has yielded hardens and is lower, and each stroke finds less to do, until
+  // nothing yields. Higher waves under the same load have smaller and steeper patches, and take longer.
+  for (const double roughness : {0.5, 1.0, 2.0})
+  {
+    SlidingCase c = yielding_waves(16);
+    for (simulation::ShapedBody* body : {&c.lower, &c.upper})
+      std::get<simulation::Sinusoid>(body->texture.parts.front()).amplitude *= roughness;
+    c.to_and_fro = true;
+    c.strokes = slow_build ? 3 : 5;
+    const auto strokes = computed(c).summary.strokes;
+    for (std::size_t i = 1; i < strokes.size(); ++i)
+      EXPECT_LT(strokes[i].dissipation_plastic, strokes[i - 1].dissipation_plastic) << roughness << ' ' << i;
+    test::expect_within("roughness x " + std::to_string(roughness).substr(0, 3) +
+                            ": plastic work of the last of five strokes over that of the first",
+                        strokes.back().dissipation_plastic / strokes.front().dissipation_plastic, 0.0,
+                        slow_build ? 0.2 : 0.02, "elastic shakedown");
+  }
+}
+
+TEST(Sliding, ConvergesWithTheStep)
+{
+  // On the same cells; shifts of whole cells, so that nothing is interpolated. The limit is where two orders lead from the last two.
+  std::vector<double> friction, plastic;
+  for (const int cells_per_step : {4, 2, 1})
+  {
+    SlidingCase c = yielding_waves(slow_build ? 16 : 32);
+    c.shift = cells_per_step * wavelength / c.domain.x.cells;
+    const SlidingStroke stroke = computed(c).summary.strokes[0];
+    friction.push_back(stroke.friction_ploughing);
+    plastic.push_back(stroke.dissipation_plastic);
+  }
+  const auto changes = [](const std::vector<double>& of) { return std::vector{of[1] - of[0], of[2] - of[1]}; };
+  EXPECT_GT(test::Orders("step: change of the friction by ploughing", changes(friction)).last, 1.0);
+  EXPECT_GT(test::Orders("step: change of the plastic work", changes(plastic)).last, 0.8);
+}
+
 } // namespace
 } // namespace brinell::verification

@@ -4,8 +4,9 @@
 #include "brinell/foundation/grid.hpp"
 
 #include <span>
+#include <vector>
 
-/// The area of a contact, finer than its cells.
+/// The area of a contact, and of each of its patches, finer than its cells.
 namespace brinell::contact
 {
 
@@ -21,5 +22,16 @@ namespace brinell::contact
 /// @param contact_modulus  E' of the pair [Pa]
 [[nodiscard]] double contact_area(const SurfaceGrid& grid, std::span<const double> pressure,
                                   std::span<const double> gap, double contact_modulus);
+
+/// Cells under pressure that hang together by their sides.
+struct Patches
+{
+  std::vector<int> label;   ///< of each cell: its patch, in the order of their first cells; -1 without pressure
+  std::vector<double> area; ///< of each patch [m^2]; their sum is contact_area
+};
+
+/// The patches of a contact, over the ends of a period, too: docs/theory/contact.md (contact-area). Parameters as of contact_area.
+[[nodiscard]] Patches patches(const SurfaceGrid& grid, std::span<const double> pressure, std::span<const double> gap,
+                              double contact_modulus);
 
 } // namespace brinell::contact

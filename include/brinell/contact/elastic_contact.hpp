@@ -76,6 +76,17 @@ public:
                              const std::function<bool()>& wants_stop = {}, std::span<const double> layer = {});
 
 private:
+  /// What is to be solved, once all that is imposed is a load or an approach.
+  struct Problem
+  {
+    std::span<const double> distance;
+    Drive drive;
+    double tolerance;
+    int max_iterations;
+    const std::function<bool()>& wants_stop;
+  };
+  [[nodiscard]] Report iterate(const Problem& problem, std::span<double> pressure, std::span<double> gap);
+  [[nodiscard]] Report keep_gap(const Problem& problem, std::span<double> pressure, std::span<double> gap);
   /// What a step has done to the pressure.
   struct Step
   {

@@ -22,7 +22,9 @@ struct SlidingCase : Numerics
 
   ShapedBody lower; ///< flat along x, as the contact stays where it is on the upper body
   ShapedBody upper;
-  contact::Drive press;        ///< load, approach or mean gap: reached first, kept while sliding, given up at last
+  /// Load, approach or mean gap: reached first, kept while sliding, given up at last. Under an approach or a mean gap the
+  /// surfaces may lie apart at first, if their peaks meet on the way; an approach may then be below 0.
+  contact::Drive press;
   int press_steps = 10;        ///< in which it is reached, and given up
   double distance = 0.0;       ///< that the upper body slides in each stroke [m], > 0
   std::optional<double> shift; ///< by which it slides in a step [m]; default: one cell dx
@@ -56,6 +58,8 @@ struct SlidingRecord : HeatedRecord
   double nominal_pressure = 0.0, ///< load over the area of the period [Pa]
       contact_fraction = 0.0,    ///< contact area over the same
       mean_gap = 0.0;            ///< of the deformed surfaces over the period [m], not negative
+  int patches = 0;               ///< of the contact: cells under pressure that hang together by their sides
+  double largest_patch = 0.0;    ///< area [m^2]
 
   void exchange(Archive& archive);
 };
@@ -69,6 +73,8 @@ struct SlidingStroke
   double friction_interfacial = 0.0;          ///< and by the shear between them
   double mean_F_X = 0.0;                      ///< [N]
   double contact_area = 0.0;                  ///< mean [m^2]
+  double patches = 0.0;                       ///< mean number of patches of the contact
+  double largest_patch = 0.0;                 ///< mean area of the largest one [m^2]
   double contact_fraction = 0.0;              ///< mean; NaN unless both axes are periodic
   double mean_gap = 0.0;                      ///< likewise [m]
   double max_pressure = 0.0;                  ///< mean of the largest pressure [Pa]
@@ -78,6 +84,10 @@ struct SlidingStroke
   double rms_height_lower = 0.0,
          rms_height_upper = 0.0; ///< of the surfaces as they are at its end, over their grids [m]
   double mean_height_lower = 0.0, mean_height_upper = 0.0; ///< likewise, mean of the size: Sa, as that is Sq [m]
+  double core_height_lower = 0.0, core_height_upper = 0.0; ///< likewise, of the bearing-area curve: Sk [m]
+  double peak_height_lower = 0.0, peak_height_upper = 0.0; ///< reduced height of the peaks above that core: Spk [m]
+  double valley_depth_lower = 0.0,
+         valley_depth_upper = 0.0; ///< reduced depth of the valleys below it: Svk [m]
 
   void exchange(Archive& archive);
 };
@@ -115,6 +125,8 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     common::share_at_shear_limit,
     common::contact_area,
     {"contact_fraction", "1", &SlidingRecord::contact_fraction, "contact area over the area of the period"},
+    {"patches", "1", &SlidingRecord::patches, "patches of the contact, over the ends of a period"},
+    {"largest_patch", "m^2", &SlidingRecord::largest_patch, "area of the largest patch"},
     {"nominal_pressure", "Pa", &SlidingRecord::nominal_pressure, "load over the area of the period"},
     {"mean_gap", "m", &SlidingRecord::mean_gap, "mean distance of the deformed surfaces over the period"},
     common::max_pressure,
@@ -133,7 +145,7 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
 
 /// In summary.json its unit ends each name.
 template <>
-inline constexpr std::array<Column<SlidingStroke>, 16> columns<SlidingStroke>{{
+inline constexpr std::array<Column<SlidingStroke>, 24> columns<SlidingStroke>{{
     {"stroke", "1", &SlidingStroke::stroke},
     {"friction", "1", &SlidingStroke::friction},
     {"friction_ploughing", "1", &SlidingStroke::friction_ploughing},
@@ -141,6 +153,8 @@ inline constexpr std::array<Column<SlidingStroke>, 16> columns<SlidingStroke>{{
     {"mean_F_X", "N", &SlidingStroke::mean_F_X},
     {"contact_area", "m^2", &SlidingStroke::contact_area},
     {"contact_fraction", "1", &SlidingStroke::contact_fraction},
+    {"patches", "1", &SlidingStroke::patches},
+    {"largest_patch", "m^2", &SlidingStroke::largest_patch},
     {"mean_gap", "m", &SlidingStroke::mean_gap},
     {"max_pressure", "Pa", &SlidingStroke::max_pressure},
     {"dissipation_plastic", "J", &SlidingStroke::dissipation_plastic},
@@ -150,6 +164,12 @@ inline constexpr std::array<Column<SlidingStroke>, 16> columns<SlidingStroke>{{
     {"rms_height_upper", "m", &SlidingStroke::rms_height_upper},
     {"mean_height_lower", "m", &SlidingStroke::mean_height_lower},
     {"mean_height_upper", "m", &SlidingStroke::mean_height_upper},
+    {"core_height_lower", "m", &SlidingStroke::core_height_lower},
+    {"core_height_upper", "m", &SlidingStroke::core_height_upper},
+    {"peak_height_lower", "m", &SlidingStroke::peak_height_lower},
+    {"peak_height_upper", "m", &SlidingStroke::peak_height_upper},
+    {"valley_depth_lower", "m", &SlidingStroke::valley_depth_lower},
+    {"valley_depth_upper", "m", &SlidingStroke::valley_depth_upper},
 }};
 
 } // namespace brinell::simulation

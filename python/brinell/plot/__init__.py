@@ -2,13 +2,13 @@
 """Figures of results; each function returns a matplotlib Figure, `style.save` writes it.
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
-runs of these scenarios), `rough` (several rough surfaces over a period), `fields`, `sections` and `depth` (one state of
-any scenario), `slip` (stick and slip in one state), `history`, `energy`, `temperature` and `wear` (one run step by
-step), `animation` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard`
-(what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures),
-`scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a
-plane), `overlay` (several results in one figure), `states` (which state and which bodies), `cells` (cell values as
-pictures).
+runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
+over a period), `fields`, `sections` and `depth` (one state of any scenario), `slip` (stick and slip in one state),
+`history`, `energy`, `temperature` and `wear` (one run step by step), `animation` and `pressure` (one pass as a moving
+picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run), `surfaces` (a height map),
+`cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by),
+`quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure),
+`states` (which state and which bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -20,6 +20,7 @@ from brinell.plot.fretting import contact_maps, contact_profiles, cycle_by_cycle
 from brinell.plot.history import run_history
 from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
+from brinell.plot.patches import contact_patches
 from brinell.plot.planes import Plane
 from brinell.plot.quantities import QUANTITIES
 from brinell.plot.rolling import (
@@ -32,6 +33,7 @@ from brinell.plot.rolling import (
     track_profile,
 )
 from brinell.plot.rough import contact_fraction
+from brinell.plot.run_in import surfaces_before_and_after
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
 from brinell.plot.sliding import along_way, stroke_by_stroke
@@ -50,6 +52,7 @@ __all__ = [
     "animate",
     "contact_fraction",
     "contact_maps",
+    "contact_patches",
     "contact_pressure",
     "contact_profiles",
     "creep_forces",
@@ -86,6 +89,7 @@ __all__ = [
     "stroke_by_stroke",
     "surface",
     "surface_temperatures",
+    "surfaces_before_and_after",
     "track_profile",
     "worn_course",
     "worn_profiles",

@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
@@ -20,13 +19,11 @@ from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import Quantity, needs_tensors, quantity_of
 from brinell.plot.scales import Scales
 from brinell.plot.sections import across_label, draw_contact, draw_panel, upright_axes
-from brinell.plot.states import Bodies, Side, chosen_sides, state_title
+from brinell.plot.pressure import animate_pressure
+from brinell.plot.states import Bodies, Follow, Side, chosen_sides, state_title, stored_in_pass
 from brinell.results import Run, RunError, Snapshot
 
 __all__ = ["ENDINGS", "Follow", "animate", "save_animation", "writer_of"]
-
-Follow = Literal["contact", "body"]
-"""Whether the picture moves with the contact, or stays with the body while the contact passes."""
 
 ENDINGS = (".gif", ".mp4")
 """Of files that an animation can be saved to."""
@@ -62,12 +59,13 @@ def animate(
 
     Args:
         run: needs at least two stored states in the pass: `[output] snapshots = "all"` of the case stores all.
-        field: one of `brinell.plot.QUANTITIES`.
+        field: one of `brinell.plot.QUANTITIES`; or "pressure", which is seen from above: then plane and bodies do not count.
         plane: normal to x or y; see `planes.plane_of`. A place along x counts from where `follow` says.
         pass_: which pass; counts from 1.
         bodies: "both", "lower" or "upper".
         follow: "contact": x counts from the centre of contact, which stays in the middle; "body", for a single one: x
-            is that of the body. By default "contact" for two bodies, and "body" for one.
+            is that of the body. By default "contact" for two bodies, and "body" for one. Of the pressure "body" is
+            the lower one, over which it travels, round a period if there is one; by default so.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
         interval: time per frame [ms].
 
@@ -75,10 +73,12 @@ def animate(
         RunError: fewer than two states of the pass are stored, or the field is not; the plane lies outside the grids.
         InputError: no such field or plane, or nothing that can be followed.
     """
+    if field == "pressure":
+        return animate_pressure(run, pass_=pass_, follow=follow or "body", interval=interval)
     cut, quantity = plane_of(plane), quantity_of(field)
     if cut.axis == "z":
         raise InputError("an animation needs a plane normal to x or y, as in 'y=0'")
-    steps = _stored_in(run, pass_)
+    steps = stored_in_pass(run, pass_)
     first = run.snapshot(steps[0])
     sides = chosen_sides(run, first, bodies)
     on_body = (follow or ("contact" if len(sides) > 1 else "body")) == "body"
@@ -91,31 +91,11 @@ def animate(
 
 def remark_on(run: Run, pass_: int) -> str:
     """What to say of an animation whose pass is stored with large gaps; nothing if half of its steps are."""
-    stored = len(_stored_in(run, pass_))
+    stored = len(stored_in_pass(run, pass_))
     steps = int(np.count_nonzero(run.history["pass"] == pass_))
     if 2 * stored >= steps:
         return ""
     return f'{stored} frames: of {steps} steps only these are stored; [output] snapshots = "all" in the case stores all'
-
-
-def _stored_in(run: Run, pass_: int) -> list[int]:
-    """Steps of a pass whose fields are stored.
-
-    Raises:
-        RunError: fewer than two.
-        InputError: no pass has that number.
-    """
-    if pass_ < 1:
-        raise InputError(f"pass_ = {pass_}; allowed: 1 or more, passes count from 1")
-    of_pass = set(run.history["step"][run.history["pass"] == pass_].astype(int).tolist())
-    steps = [step for step in run.steps if step in of_pass]
-    if len(steps) < 2:
-        stored = f"{len(steps)} stored {'state' if len(steps) == 1 else 'states'}"
-        raise RunError(
-            f"{run.path}: {stored} in pass {pass_}, an animation needs two or more; "
-            'store more with [output] snapshots = "all" in the case'
-        )
-    return steps
 
 
 def _frames(

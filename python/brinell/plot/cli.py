@@ -28,7 +28,7 @@ from brinell.plot.quantities import QUANTITIES, needs_tensors, quantity_of
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section as draw_section
 from brinell.plot.standard import standard_figures
-from brinell.plot.states import Bodies
+from brinell.plot.states import Bodies, Follow
 from brinell.results import open_run
 from brinell.scenarios import SCENARIOS
 from brinell.scenarios.traits import Drawings
@@ -89,6 +89,10 @@ def _file_endings(text: str) -> list[str]:
 
 def _field(text: str) -> str:
     return quantity_of(text).name
+
+
+def _moving_field(text: str) -> str:
+    return text if text == "pressure" else _field(text)
 
 
 _run_folder = click.argument("run", type=click.Path(path_type=Path), metavar="RUN")
@@ -253,17 +257,17 @@ def _section(
 @_run_folder
 @click.option(
     "--field",
-    callback=_checked(_field),
+    callback=_checked(_moving_field),
     metavar="FIELD",
     default="von_mises_stress",
-    help="As for section; by default von_mises_stress.",
+    help="As for section, or pressure, seen from above; by default von_mises_stress.",
 )
 @_plane
 @_bodies
 @click.option("--pass", "pass_", type=click.IntRange(min=1), default=1, help="Which pass; counts from 1, the default.")
 @click.option(
     "--follow",
-    type=click.Choice(get_args(moving.Follow)),
+    type=click.Choice(get_args(Follow)),
     help="Keep the contact in the middle (default for both bodies), or let it pass over the body (for one).",
 )
 @_cells
@@ -282,7 +286,7 @@ def _animate(
     plane: Plane,
     bodies: Bodies,
     pass_: int,
-    follow: moving.Follow | None,
+    follow: Follow | None,
     cells: bool,
     fps: int,
     output: Path | None,

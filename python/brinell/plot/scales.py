@@ -20,7 +20,7 @@ from brinell.plot import style
 from brinell.results import Run
 from brinell.scenarios import SCENARIOS
 
-__all__ = ["PERCENT", "Scale", "Scales", "common_scales", "draws_si", "in_si", "si", "twin_axis"]
+__all__ = ["PERCENT", "Scale", "Scales", "area_scale", "common_scales", "draws_si", "in_si", "si", "twin_axis"]
 
 _IN_SI: ContextVar[bool] = ContextVar("in_si", default=False)
 
@@ -102,6 +102,11 @@ def si(largest: float, unit: str) -> Scale:
         if abs(largest) >= size:
             return Scale(size, "", f"{prefix}{unit}")
     return Scale(1.0, "", unit)
+
+
+def area_scale(largest: float) -> Scale:
+    """SI for areas up to that [m^2]: a prefix would count twice."""
+    return Scale(1e-12, "", "µm²") if largest < 1e-7 else Scale(1e-6, "", "mm²")
 
 
 class Scales:

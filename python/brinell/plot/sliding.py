@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, zero_line
-from brinell.plot.scales import PERCENT, Scale, si
+from brinell.plot.scales import PERCENT, Scale, area_scale, si
 from brinell.results import Run
 
 __all__ = ["along_way", "stroke_by_stroke"]
@@ -45,11 +45,6 @@ def _has_period(shown: Sequence[Entry]) -> bool:
     return all(not np.all(np.isnan(entry.run.history["contact_fraction"])) for entry in shown)
 
 
-def _area(values: FloatArray) -> Scale:
-    """A prefix of it would count twice."""
-    return Scale(1e-12, "", "µm²") if largest([values]) < 1e-7 else Scale(1e-6, "", "mm²")
-
-
 @style.figure
 def along_way(runs: Sequence[Run]) -> Figure | None:
     """Over the way slid: friction (dashed, its part by ploughing), contact, gap, and plastic work since the start.
@@ -68,7 +63,7 @@ def along_way(runs: Sequence[Run]) -> Figure | None:
     _draw_friction(axes[0, 0], shown, way)
     periodic = _has_period(shown)
     contact, gap = ("contact_fraction", "mean_gap") if periodic else ("contact_area", "approach")
-    area = PERCENT if periodic else _area(np.concatenate([entry.run.history[contact] for entry in shown]))
+    area = PERCENT if periodic else area_scale(largest(entry.run.history[contact] for entry in shown))
     _draw(axes[0, 1], shown, way, area, lambda run: run.history[contact])
     axes[0, 1].set_title("(b)  share of the period in contact" if periodic else "(b)  area of contact")
     axes[0, 1].set_ylabel(area.label("", "A/A_0" if periodic else "A"))
@@ -134,7 +129,7 @@ def stroke_by_stroke(runs: Sequence[Run]) -> Figure | None:
     axes[0, 0].set_ylabel("$F_X/F_n$")
     periodic = _has_period(shown)
     contact = "contact_fraction" if periodic else "contact_area"
-    area = PERCENT if periodic else _area(np.concatenate([_of_strokes(entry.run, contact) for entry in shown]))
+    area = PERCENT if periodic else area_scale(largest(_of_strokes(entry.run, contact) for entry in shown))
     _draw_strokes(axes[0, 1], shown, area, contact)
     axes[0, 1].set_title("(b)  share of the period in contact" if periodic else "(b)  area of contact")
     axes[0, 1].set_ylabel(area.label("", "A/A_0" if periodic else "A"))

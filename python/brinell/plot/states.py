@@ -11,10 +11,13 @@ from brinell.plot import style
 from brinell.results import BodyFields, Run, RunError, Snapshot
 from brinell.scenarios import SCENARIOS
 
-__all__ = ["Bodies", "Side", "both_sides", "chosen_sides", "sides", "state_title"]
+__all__ = ["Bodies", "Follow", "Side", "both_sides", "chosen_sides", "sides", "state_title", "stored_in_pass"]
 
 Bodies = Literal["both", "lower", "upper"]
 """Which bodies to draw."""
+
+Follow = Literal["contact", "body"]
+"""Whether a moving picture goes with the contact, or stays with the body while the contact passes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,3 +80,23 @@ def _drive(snapshot: Snapshot) -> list[str]:
         f"$x$ = {style.length(snapshot.row['x'])}",
         f"$F_n$ = {style.quantity(snapshot.row['F_n'], 'N') if snapshot.in_contact else 0}",
     ]
+
+
+def stored_in_pass(run: Run, pass_: int) -> list[int]:
+    """Steps of a pass whose fields are stored.
+
+    Raises:
+        RunError: fewer than two.
+        InputError: no pass has that number.
+    """
+    if pass_ < 1:
+        raise InputError(f"pass_ = {pass_}; allowed: 1 or more, passes count from 1")
+    of_pass = set(run.history["step"][run.history["pass"] == pass_].astype(int).tolist())
+    steps = [step for step in run.steps if step in of_pass]
+    if len(steps) < 2:
+        stored = f"{len(steps)} stored {'state' if len(steps) == 1 else 'states'}"
+        raise RunError(
+            f"{run.path}: {stored} in pass {pass_}, an animation needs two or more; "
+            'store more with [output] snapshots = "all" in the case'
+        )
+    return steps

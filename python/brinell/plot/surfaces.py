@@ -9,13 +9,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, PercentFormatter
+from numpy.typing import NDArray
 
 from brinell.errors import InputError
 from brinell.plot import style
 from brinell.plot.scales import si
 from brinell.surfaces import HeightMap
 
-__all__ = ["surface"]
+__all__ = ["points_of_curve", "surface"]
 
 _BINS = 60
 _MOST_POINTS = 1000
@@ -107,13 +108,17 @@ def _distribution(ax: Axes, heightmap: HeightMap) -> None:
     ax.legend(loc="upper right")
 
 
+def points_of_curve(size: int) -> NDArray[np.int64]:
+    """Of a bearing-area curve with so many points: few that are even; both ends, which are steep, with all that they have."""
+    picked = np.linspace(0, size - 1, min(size, _MOST_POINTS)).astype(np.int64)
+    ends = np.arange(min(size, 100))
+    return np.unique(np.concatenate([picked, ends, size - 1 - ends]))
+
+
 def _bearing(ax: Axes, heightmap: HeightMap) -> None:
     share, heights = heightmap.bearing_area()
     scale = si(3.0 * heightmap.Sq, "m")
-    # Points that are even in the curve and few; both ends, which are steep, with all that they have.
-    picked = np.unique(np.linspace(0, share.size - 1, _MOST_POINTS).astype(int))
-    ends = np.arange(min(share.size, 100))
-    picked = np.unique(np.concatenate([picked, ends, share.size - 1 - ends]))
+    picked = points_of_curve(share.size)
     ax.plot(share[picked], heights[picked] / scale.size, color=style.LOWER, gid="bearing")
     ax.axhline(0.0, color=style.REFERENCE, lw=0.8)
     ax.xaxis.set_major_formatter(PercentFormatter(1.0, decimals=0, symbol=" %"))

@@ -35,7 +35,7 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     _require_known(fields)
     blocks = pyvista.MultiBlock()
     for name, body, below in (("lower", snapshot.lower, True), ("upper", snapshot.upper, False)):
-        if body.is_rigid and body.worn_depth is None:
+        if body.is_rigid and body.worn_depth is None and body.height is None:
             continue
         left = body.x[0] - (body.contact_x if snapshot.in_contact else 0.0)
         volume = dict(_volume_fields(body, fields))
@@ -54,7 +54,7 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     return blocks
 
 
-_SURFACE = ("residual_displacement", "worn_depth")
+_SURFACE = ("residual_displacement", "worn_depth", "height")
 _VOLUME = (
     "von_mises_stress",
     "equivalent_plastic_strain",

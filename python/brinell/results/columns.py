@@ -33,7 +33,7 @@ _OF_WEAR = (
     "work_of_wear",
 )
 _ADDED_LATER = (
-    *("height", "friction", "contact_cells"),
+    *("height", "friction", "contact_cells", "patches", "largest_patch"),
     *OF_A_PERIOD,
     *_OF_FRICTION,
     *_OF_STICK_AND_SLIP,

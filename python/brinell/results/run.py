@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from brinell._reprs import fact_table
 from brinell._toml import tomllib
+from brinell.contact import Patches
 from brinell.results.accuracy import Accuracy, RunWarning, accuracy_of, warnings_of
 from brinell.results.blocks import blocks_of
 from brinell.results.errors import RunError
 from brinell.results.fields import field_names, labelled_field
 from brinell.results.labelled import Labelled
+from brinell.results.patches import patches_of
 from brinell.results.result_file import FILE_NAME, ResultFile, Source
 from brinell.results.snapshots import Snapshot
 from brinell.scenarios import OfScenarios
@@ -153,6 +155,27 @@ class Run(OfScenarios):
                 for tensor in (body.plastic_strain, body.stress):
                     list(tensor.values())
         return snapshot
+
+    def patches(self, which: int | Literal["aligned", "final"] = "aligned") -> Patches:
+        """The patches of the contact at one step: the cells that hang together, with area and load.
+
+        Args:
+            which: as in `snapshot`.
+
+        Raises:
+            RunError: there is no such step, the run has not finished, or the file is damaged.
+        """
+        cells = (self._value("grid", "spacing_m")[0], self._value("grid", "spacing_m")[1])
+        boundary = str(self.case("grid", "boundary") or "open")
+        modulus = self._number("geometry", "contact_modulus_Pa")
+        return patches_of(self.snapshot(which).contact, (float(cells[0]), float(cells[1])), boundary, modulus)
+
+    @cached_property
+    def patch_history(self) -> dict[int, Patches]:
+        """The patches of all stored steps, by the number of the step. How many there were in each step, and the area of
+        the largest one, also stand in the history of a sliding: `history["patches"]`, `history["largest_patch"]`.
+        """
+        return {step: self.patches(step) for step in self.steps}
 
     def to_pyvista(
         self, which: int | Literal["aligned", "final"] = "aligned", *, fields: Sequence[str] | None = None

@@ -145,6 +145,9 @@ class BodyFields:
     """That the surface has lost by wear since the start [m]; None without wear. A rigid body has it, too."""
     temperature: FloatArray | None = None
     """[deg C]; None if friction does not heat the body, or its temperature is not known below the surface."""
+    height: FloatArray | None = None
+    """Of the surface as it is now, with its texture, out of the body positive [m]; None of a smooth rigid body, and in
+    results of older versions."""
     plastic_strain: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("plastic_strain", None))
     """By component, "xx" to "xy" [-]; read when asked for; empty if not stored."""
     stress: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("stress", None))
@@ -162,6 +165,14 @@ class BodyFields:
         if values is None:
             raise KeyError(f"nothing is stored of {name}")
         return values
+
+    @property
+    def height_before(self) -> FloatArray | None:
+        """Of the surface before the first load, its texture [m]; None where `height` is."""
+        if self.height is None:
+            return None
+        before = self.height if self.is_rigid else self.height + self.residual_displacement
+        return before if self.worn_depth is None else before + self.worn_depth
 
     @property
     def is_rigid(self) -> bool:
@@ -205,7 +216,14 @@ class Snapshot:
         return bool(np.any(self.contact.pressure > 0.0))
 
 
-_SCALARS = ("residual_displacement", "worn_depth", "equivalent_plastic_strain", "von_mises_stress", "temperature")
+_SCALARS = (
+    "residual_displacement",
+    "worn_depth",
+    "height",
+    "equivalent_plastic_strain",
+    "von_mises_stress",
+    "temperature",
+)
 """Fields of a body that are no tensors."""
 
 
@@ -272,7 +290,9 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
     strain = read("equivalent_plastic_strain")
     von_mises = read("von_mises_stress")
     worn = read("worn_depth")
-    nz, ny, nx = _shape(strain if strain is not None else von_mises, residual if residual is not None else worn)
+    height = read("height")
+    surface = next((field for field in (residual, worn, height) if field is not None), None)
+    nz, ny, nx = _shape(strain if strain is not None else von_mises, surface)
     is_rigid = residual is None and nz == 0
     spacing, origin = group.attrs["spacing"], group.attrs["origin"]
     return BodyFields(
@@ -285,6 +305,7 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
         von_mises_stress=von_mises,
         worn_depth=worn,
         temperature=read("temperature"),
+        height=height,
         plastic_strain=components("plastic_strain"),
         stress=components("stress"),
     )

@@ -58,7 +58,7 @@ class Sliding(ScenarioCase):
             load: reached first, and kept while sliding.
             pressure: the load by its mean over the period.
             mean_gap: instead, the mean over the period of the gap between the deformed surfaces.
-            approach: instead of a load.
+            approach: instead of a load; peaks that stand out and meet on the way do so below 0, too.
             strokes: how often it slides by the distance.
             to_and_fro: whether every other stroke goes back; otherwise each goes on where the one before has ended.
             shift: by which it slides in a step.
@@ -135,6 +135,22 @@ class SlidingStroke:
     """Mean contact area over that of the period; NaN unless both axes are periodic [-]."""
     mean_gap: float = math.nan
     """Mean over the period and the stroke [m]; NaN unless both axes are periodic."""
+    patches: float = math.nan
+    """Mean number of patches of the contact [-]."""
+    largest_patch: float = math.nan
+    """Mean area of the largest patch [m^2]."""
+    core_height_lower: float = math.nan
+    """Sk of the lower surface at its end, of the core of the bearing-area curve [m]."""
+    core_height_upper: float = math.nan
+    """Of the upper surface [m]."""
+    peak_height_lower: float = math.nan
+    """Spk of the lower surface: reduced height of the peaks above the core [m]."""
+    peak_height_upper: float = math.nan
+    """Of the upper surface [m]."""
+    valley_depth_lower: float = math.nan
+    """Svk of the lower surface: reduced depth of the valleys below the core [m]."""
+    valley_depth_upper: float = math.nan
+    """Of the upper surface [m]."""
 
 
 class SlidingResult(RunSummary):
@@ -179,11 +195,11 @@ def _panels() -> tuple[Panel, Panel]:
 
 
 def _drawings() -> Drawings:
-    from brinell.plot import sliding
+    from brinell.plot import patches, run_in, sliding
 
     return Drawings(
         "sliding",
-        "Friction and its two parts, contact and roughness over the way slid and stroke by stroke.",
+        "Friction and its two parts, contact, patches and roughness, over the way slid and stroke by stroke.",
         {
             "along-way": Drawing(
                 sliding.along_way,
@@ -192,6 +208,14 @@ def _drawings() -> Drawings:
             "strokes": Drawing(
                 sliding.stroke_by_stroke,
                 "Stroke by stroke: friction and its two parts, contact, plastic work, roughness of both surfaces.",
+            ),
+            "patches": Drawing(
+                patches.contact_patches,
+                "The patches of the contact: how many over the way slid, how large, and where.",
+            ),
+            "surfaces": Drawing(
+                run_in.surfaces_before_and_after,
+                "Both surfaces before and after, and the bearing-area curves of both.",
             ),
         },
     )

@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import InitVar, dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell import _core
 from brinell._arrays import require_unmasked
 from brinell._names import level_of_caller
 from brinell.errors import InputError
@@ -175,6 +177,30 @@ class HeightMap:
         is_all = x is None and y is None
         return HeightMap(self.heights[rows, columns], self.spacing, new_x, new_y, self.periodic and is_all)
 
+    def joined(self, strip: float | str) -> HeightMap:
+        """A periodic map whose ends go over into each other; level the map before.
+
+        Along each axis the map gets shorter by a strip: there its two ends, which then lie on each other, are faded over,
+        with weights whose squares add up to one, so that the height of what is not correlated is kept.
+
+        Args:
+            strip: its width [m], or with a unit as "10 um"; several of the longest waves, up to half of the map.
+
+        Raises:
+            InputError: less than one point, or more than half of the map.
+        """
+        width = pair((strip, strip))[0]
+        heights = self.heights - self.heights.mean()
+        for axis, (spacing, count) in enumerate(zip(self.spacing[::-1], self.heights.shape, strict=True)):
+            points = round(width / spacing)
+            if count > 1 and not 1 <= points <= count // 2:
+                raise InputError(
+                    f"ends joined over {width:g} m, {points} of {count} points; allowed: one point to half of the map"
+                )
+            if count > 1:
+                heights = _faded(heights, points, axis)
+        return HeightMap(heights, self.spacing, self.x, self.y, periodic=True)
+
     @property
     def size(self) -> tuple[float, float]:
         """Along x and y, a spacing for each point [m]."""
@@ -208,6 +234,36 @@ class HeightMap:
     def _moment(self, power: int) -> float:
         heights = self.heights - self.heights.mean()
         return float((heights**power).mean() / self.Sq**power) if self.Sq > 0.0 else np.nan
+
+    @property
+    def Sk(self) -> float:
+        """Core height: by how much the line through the core of the bearing-area curve falls [m] (ISO 25178-2)."""
+        return self._bearing[0]
+
+    @property
+    def Spk(self) -> float:
+        """Reduced height of the peaks that stand out of the core [m] (ISO 25178-2)."""
+        return self._bearing[1]
+
+    @property
+    def Svk(self) -> float:
+        """Reduced depth of the valleys below the core [m] (ISO 25178-2)."""
+        return self._bearing[2]
+
+    @property
+    def Smr1(self) -> float:
+        """Share of the area at which the core begins, 0 to 1 (ISO 25178-2)."""
+        return self._bearing[3]
+
+    @property
+    def Smr2(self) -> float:
+        """Share of the area at which the core ends, 0 to 1 (ISO 25178-2)."""
+        return self._bearing[4]
+
+    @cached_property
+    def _bearing(self) -> tuple[float, float, float, float, float]:
+        """What the core computes of the bearing-area curve, the same as of surfaces that slide."""
+        return _core.bearing(self.heights)
 
     @property
     def Sdq(self) -> float:
@@ -284,6 +340,15 @@ class HeightMap:
             "y": self.y,
             "periodic": self.periodic,
         }
+
+
+def _faded(heights: FloatArray, points: int, axis: int) -> FloatArray:
+    """Without as many points at the end, which fade out over those at the beginning."""
+    rows = np.moveaxis(heights, axis, 0)
+    angle = 0.5 * np.pi * np.arange(points)[:, None] / points
+    kept = rows[: len(rows) - points].copy()
+    kept[:points] = np.sin(angle) * rows[:points] + np.cos(angle) * rows[len(rows) - points :]
+    return np.moveaxis(kept, 0, axis)
 
 
 def _hann(count: int) -> FloatArray:

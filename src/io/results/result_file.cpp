@@ -130,6 +130,9 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
   if (is_stored(body.worn_depth))
     h5::write_dataset(group, "worn_depth", body.worn_depth, surface, "m",
                       "depth that the surface has lost by wear since the start", deflated);
+  if (is_stored(body.height))
+    h5::write_dataset(group, "height", body.height, surface, "m",
+                      "height of the surface as it is now, with its texture, out of the body", deflated);
   if (is_stored(body.temperature))
     h5::write_dataset(group, "temperature", body.temperature, volume, "degC", "temperature", deflated);
   write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain", deflated);

@@ -247,6 +247,8 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
     block.add_surface("residual_displacement", which, unknown);
   if (body.has_worn_depth)
     block.add_surface("worn_depth", which, unknown);
+  if (body.has_height)
+    block.add_surface("height", which, unknown);
   if (contact == nullptr)
     return;
   const auto add = [&](const char* name, double elsewhere)
@@ -276,7 +278,8 @@ BodyLayout layout_of(const simulation::BodySnapshot& body)
           .has_plastic_strain = !body.plastic_strain[0].empty(),
           .has_stress = !body.stress[0].empty(),
           .has_worn_depth = !body.worn_depth.empty(),
-          .has_temperature = !body.temperature.empty()};
+          .has_temperature = !body.temperature.empty(),
+          .has_height = !body.height.empty()};
 }
 
 } // namespace
@@ -296,6 +299,7 @@ void BodyLayout::exchange(Archive& archive)
   archive("has_stress", has_stress);
   archive("has_worn_depth", has_worn_depth);
   archive("has_temperature", has_temperature);
+  archive("has_height", has_height);
 }
 
 void ContactLayout::exchange(Archive& archive)
@@ -355,7 +359,7 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
   if (has_volume(upper))
     write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper, 1.0);
   write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, &contact);
-  if (upper.has_residual_displacement || upper.has_worn_depth)
+  if (upper.has_residual_displacement || upper.has_worn_depth || upper.has_height)
     write_surface(block("upper_surface", "upper"), &StateLayout::upper, upper, nullptr);
   if (states.size() > 1)
     Block(root, "Steps", "", count, states).imitate_steps();

@@ -19,7 +19,7 @@ struct BodyLayout
   VolumeGrid grid;
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
   bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false, has_worn_depth = false,
-       has_temperature = false;
+       has_temperature = false, has_height = false;
 
   void exchange(Archive& archive);
 };

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace brinell::contact
@@ -44,6 +45,42 @@ TEST(ContactLayer, AddsToTheComplianceOfAWave)
     for (std::size_t n = 0; n < distance.size(); ++n)
       ASSERT_NEAR(pressure[n], mean_pressure + wave_pressure * wave[n], 1e-7 * mean_pressure) << ratio;
   }
+}
+
+// The approach, load and pressure of a mean gap that is kept are those which an imposed load finds, whose way through the solver is
+// another one.
+TEST(ContactLayer, GivesWayWhileAMeanGapIsKept)
+{
+  constexpr int cells = 24;
+  constexpr double dx = 1e-6, modulus = 100e9, amplitude = 1e-8;
+  const SurfaceGrid grid{cells, cells, dx, dx, Boundary::periodic, Boundary::periodic};
+  const halfspace::SurfaceCompliance compliance(grid, modulus);
+  ElasticContact contact(compliance);
+  std::vector<double> distance(grid.size());
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i)
+      distance[grid.index(i, j)] = amplitude * (2.0 - std::cos(2.0 * std::numbers::pi * i / cells) *
+                                                          std::cos(2.0 * std::numbers::pi * j / cells));
+  const double tolerance = 1e-7 * amplitude;
+  // Far softer than the half spaces: what gives way is larger than the gap.
+  for (const double layer : {0.1 * dx / modulus, 10.0 * dx / modulus, 1e4 * dx / modulus})
+    for (const double wanted : {0.05 * amplitude, 0.6 * amplitude})
+    {
+      const std::vector<double> layers(grid.size(), layer);
+      std::vector<double> pressure(grid.size()), gap(grid.size()), again(grid.size()), gap_again(grid.size());
+      const Report kept =
+          contact.solve(distance, {Drive::Kind::mean_gap, wanted}, tolerance, 5000, pressure, gap, {}, layers);
+      ASSERT_TRUE(kept.converged) << layer << ' ' << wanted;
+      const auto size = static_cast<double>(grid.size());
+      EXPECT_NEAR(std::accumulate(gap.begin(), gap.end(), 0.0) / size, wanted, 2.0 * tolerance);
+      const double load = std::accumulate(pressure.begin(), pressure.end(), 0.0) * grid.cell_area();
+      ASSERT_GT(load, 0.0);
+      const Report loaded =
+          contact.solve(distance, {Drive::Kind::load, load}, tolerance, 5000, again, gap_again, {}, layers);
+      ASSERT_TRUE(loaded.converged);
+      EXPECT_NEAR(kept.approach, loaded.approach, 1e-5 * amplitude + 1e-5 * kept.approach) << layer << ' ' << wanted;
+      EXPECT_NEAR(std::accumulate(gap_again.begin(), gap_again.end(), 0.0) / size, wanted, 1e-4 * amplitude);
+    }
 }
 
 } // namespace

@@ -137,9 +137,6 @@ TEST(WearTest, IsRefusedWhereItMakesNoSense)
   s.wear.upper = std::numeric_limits<double>::infinity();
   expect_refused("interface.wear.upper", "inf", s);
   s = waves();
-  s.press = {Kind::mean_gap, 1e-7};
-  expect_refused("interface.wear.lower", "mean gap", s);
-  s = waves();
   s.wear.kind = WearLaw::Kind::energy;
   s.friction.coefficient = 0.0;
   expect_refused("interface.wear.law", "interface.friction = 0", s);
@@ -158,6 +155,35 @@ TEST(WearTest, IsRefusedWhereItMakesNoSense)
   f = fretting();
   f.cycles = 0;
   expect_refused("interface.wear.lower", "nothing slides", f);
+}
+
+// Under a mean gap that is kept the load changes, and the volume is coefficient x load x way step by step.
+TEST(WearTest, OfSlidingAtAMeanGapKeepsTheGap)
+{
+  SlidingCase c = waves();
+  c.lower.material.hardening.reset();
+  c.upper.material.hardening.reset();
+  const double gap = computed(c).history.at(1).mean_gap;
+  c.press = {Kind::mean_gap, gap};
+  c.wear = {.lower = 2e-12, .upper = 1e-12}; // a step wears a tenth of the gap
+  const Result<SlidingCase> r = computed(c);
+  double load_times_way = 0.0;
+  for (std::size_t i = 1; i < r.history.size(); ++i)
+    if (const double moved = r.history[i].way - r.history[i - 1].way; moved > 0.0)
+    {
+      load_times_way += r.history[i].F_n * moved;
+      EXPECT_NEAR(r.history[i].mean_gap, gap, 1e-6 * gap) << i; // tolerance of the contact
+      EXPECT_GT(r.history[i].approach, r.history[i - 1].approach) << i;
+    }
+  ASSERT_GT(r.summary.max_wear_step, 0.01 * gap);
+  EXPECT_NEAR(r.summary.worn_volume_lower / (c.wear.lower * load_times_way), 1.0, 1e-9);
+  EXPECT_NEAR(r.summary.worn_volume_upper / (c.wear.upper * load_times_way), 1.0, 1e-9);
+  // Over the period the worn depths in the mean are what the mean planes have come together by.
+  const double area = period * period;
+  const double depth = (r.summary.worn_volume_lower + r.summary.worn_volume_upper) / area;
+  const std::size_t last = r.history.size() - 1 - static_cast<std::size_t>(c.press_steps);
+  EXPECT_NEAR(r.history.at(last).approach - r.history.at(1).approach, depth, 1e-5 * gap);
+  EXPECT_LT(std::abs(r.summary.energy_balance_error), 0.1 * r.summary.work_of_wear / r.summary.work);
 }
 
 // Of what slides everywhere under a constant load the volume is coefficient x load x way, however it is shared out.

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sliding: the patches of the contact, how many there are and how large, and where."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from brinell.contact import Patches
+from brinell.plot import style
+from brinell.plot.cells import extent
+from brinell.plot.overlay import Entry, entries, legend_beside
+from brinell.plot.scales import area_scale, si
+from brinell.results import Run
+
+__all__ = ["contact_patches"]
+
+FloatArray = NDArray[np.float64]
+
+
+@style.figure
+def contact_patches(runs: Sequence[Run]) -> Figure | None:
+    """Over the way slid: the number of patches, and the area of the largest (dotted: their mean).
+
+    Of one run also where they are in the last stored state in contact, and which share of them is larger than an area, there and
+    in the first one.
+
+    Returns:
+        None if nothing has slid, or the results are from before patches were counted.
+    """
+    shown = entries(runs, "sliding")
+    if any("patches" not in entry.run.history for entry in shown) or not any(_moving(e.run).any() for e in shown):
+        return None
+    states = _states(shown[0].run) if len(shown) == 1 else []
+    fig = style.new_figure(9.6, 6.4 if states else 3.4)
+    axes = fig.subplots(2 if states else 1, 2, squeeze=False)
+    _draw_course(axes[0, 0], axes[0, 1], shown)
+    if states:
+        _draw_map(fig, axes[1, 0], shown[0].run, *states[-1])
+        _draw_sizes(axes[1, 1], shown[0].run, states)
+    legend_beside(axes[0, 1], [entry.look for entry in shown])
+    return fig
+
+
+def _moving(run: Run) -> NDArray[np.bool_]:
+    return np.diff(run.history["way"], prepend=0.0) > 0.0
+
+
+def _states(run: Run) -> list[tuple[int, Patches]]:
+    """Stored steps that touch, of a run that has finished."""
+    if not run.complete:
+        return []
+    return [(step, patches) for step, patches in run.patch_history.items() if len(patches)]
+
+
+def _draw_course(number: Axes, size: Axes, shown: Sequence[Entry]) -> None:
+    largest = max(float(entry.run.history["largest_patch"].max()) for entry in shown)
+    way = si(max(float(entry.run.history["way"].max()) for entry in shown), "m")
+    area = area_scale(largest)
+    for entry in shown:
+        moving = _moving(entry.run)
+        x = entry.run.history["way"][moving] / way.size
+        count = entry.run.history["patches"][moving]
+        mean = np.divide(entry.run.history["contact_area"][moving], count, out=np.zeros(len(count)), where=count > 0)
+        number.plot(x, count, **(entry.look | {"drawstyle": "steps-mid"}))
+        size.plot(x, entry.run.history["largest_patch"][moving] / area.size, **entry.look)
+        size.plot(x, mean / area.size, color=entry.look["color"], linestyle=":", linewidth=1.2)
+    number.set_title("(a)  patches of the contact")
+    number.set_ylabel("number")
+    size.set_title("(b)  area of the largest patch; dotted, mean")
+    size.set_ylabel(area.label("", "A"))
+    for ax in (number, size):
+        ax.set_xlabel(way.label("way slid", "s"))
+        ax.set_ylim(bottom=0.0)
+        ax.margins(x=0.02)
+
+
+def _draw_map(fig: Figure, ax: Axes, run: Run, step: int, patches: Patches) -> None:
+    contact = run.snapshot(step).contact
+    length = si(float(max(np.abs(contact.x).max(), np.abs(contact.y).max())), "m")
+    area = area_scale(float(patches.area.max()))
+    areas = np.ma.masked_array(patches.area[np.maximum(patches.label, 0)], patches.label < 0) / area.size
+    lowest, highest = float(areas.min()), float(areas.max())
+    image = ax.imshow(
+        areas,
+        origin="lower",
+        extent=extent(contact.x, contact.y, length.size),
+        cmap=style.PRESSURE_MAP,
+        norm=LogNorm(0.8 * lowest, 1.25 * highest),
+        interpolation="nearest",
+        aspect="equal",
+    )
+    ax.set_facecolor("0.93")
+    ax.set_title(f"(c)  at step {step}: {len(patches)}")
+    ax.set_xlabel(length.label("", "x'"))
+    ax.set_ylabel(length.label("", "y'"))
+    fig.colorbar(image, ax=ax, label=area.label("area of the patch", "A"), pad=0.02)
+
+
+def _draw_sizes(ax: Axes, run: Run, states: Sequence[tuple[int, Patches]]) -> None:
+    area = area_scale(max(float(patches.area.max()) for _, patches in states))
+    picked = [states[0], states[-1]] if len(states) > 1 else [states[-1]]
+    for (step, patches), color in zip(picked, (style.REFERENCE, style.LOWER), strict=False):
+        sizes = np.sort(patches.area)[::-1] / area.size
+        share = (np.arange(len(sizes)) + 1.0) / len(sizes)
+        ax.step(sizes, share, where="post", color=color, label=f"step {step}")
+    ax.set_xscale("log")
+    ax.set_ylim(0.0, 1.05)
+    ax.set_title("(d)  share of the patches that are as large")
+    ax.set_xlabel(area.label("area of a patch, at least", "A"))
+    ax.set_ylabel("share of their number")
+    ax.legend()

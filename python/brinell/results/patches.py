@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The patches of a contact in stored states."""
+
+from __future__ import annotations
+
+from brinell.contact import Patches, patches
+from brinell.halfspace import SurfaceGrid
+from brinell.results.snapshots import ContactFields
+
+__all__ = ["patches_of"]
+
+_PERIODIC_ALONG = {"open": "", "periodic_x": "x", "periodic_y": "y", "periodic": "xy"}
+
+
+def patches_of(
+    contact: ContactFields, cell: tuple[float, float], boundary: str, contact_modulus: float
+) -> Patches:
+    """Those of one state.
+
+    Args:
+        contact: its fields.
+        cell: sizes dx, dy of its cells [m].
+        boundary: grid.boundary of the case.
+        contact_modulus: E' of the pair [Pa].
+    """
+    along = _PERIODIC_ALONG[boundary]
+    ends = tuple("periodic" if axis in along else "open" for axis in "xy")
+    ny, nx = contact.pressure.shape
+    grid = SurfaceGrid(nx, ny, *cell, boundary=(ends[0], ends[1]))
+    return patches(grid, contact.pressure, contact.gap, contact_modulus)
