@@ -225,7 +225,7 @@ std::optional<std::string> reason_against_approach(const ShapedBody& lower, cons
   const double mean = std::accumulate(distance.begin(), distance.end(), 0.0) / size;
   const double magnitude =
       std::sqrt(std::inner_product(distance.begin(), distance.end(), distance.begin(), 0.0) / size);
-  const bool may_be_apart = scenario == "sliding"; // at first: peaks meet further on the way, below zero too
+  const bool may_be_apart = scenario == "sliding";           // at first: peaks meet further on the way, below zero too
   const double most = mean > 1e-12 * magnitude ? mean : 0.0; // textures about the mean plane leave rounding
   if (approach < 0.0 || (most > 0.0 && approach <= most * rounding))
     return std::nullopt;

@@ -200,7 +200,7 @@ struct BodySnapshot
   std::array<std::vector<double>, 6> plastic_strain; ///< xx yy zz yz xz xy [-]
   std::vector<double> equivalent_plastic_strain;     ///< [-]
   std::vector<double> residual_displacement;         ///< surface, into the body positive [m]
-  std::vector<double> worn_depth;  ///< that the surface has lost since the start [m]; empty without wear
+  std::vector<double> worn_depth; ///< that the surface has lost since the start [m]; empty without wear
   /// Of a surface with a texture as it is now: texture less residual displacement and worn depth, out of the body positive
   /// [m]; empty of others.
   std::vector<double> height;

@@ -16,10 +16,10 @@ from brinell.plot import style
 from brinell.plot.cells import extent
 from brinell.plot.cuts import Cut, Panel, Window, contact_on, cut_of, panel_over, window_of
 from brinell.plot.planes import Plane, plane_of
+from brinell.plot.pressure import animate_pressure
 from brinell.plot.quantities import Quantity, needs_tensors, quantity_of
 from brinell.plot.scales import Scales
 from brinell.plot.sections import across_label, draw_contact, draw_panel, upright_axes
-from brinell.plot.pressure import animate_pressure
 from brinell.plot.states import Bodies, Follow, Side, chosen_sides, state_title, stored_in_pass
 from brinell.results import Run, RunError, Snapshot
 
@@ -59,7 +59,8 @@ def animate(
 
     Args:
         run: needs at least two stored states in the pass: `[output] snapshots = "all"` of the case stores all.
-        field: one of `brinell.plot.QUANTITIES`; or "pressure", which is seen from above: then plane and bodies do not count.
+        field: one of `brinell.plot.QUANTITIES`; or "pressure", which is seen from above: then plane and bodies do not
+            count.
         plane: normal to x or y; see `planes.plane_of`. A place along x counts from where `follow` says.
         pass_: which pass; counts from 1.
         bodies: "both", "lower" or "upper".

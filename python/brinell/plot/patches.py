@@ -7,8 +7,10 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
 from brinell.contact import Patches
@@ -27,8 +29,8 @@ FloatArray = NDArray[np.float64]
 def contact_patches(runs: Sequence[Run]) -> Figure | None:
     """Over the way slid: the number of patches, and the area of the largest (dotted: their mean).
 
-    Of one run also where they are in the last stored state in contact, and which share of them is larger than an area, there and
-    in the first one.
+    Of one run also where they are in the last stored state that slides, and which share of them is larger than an area,
+    there and in the first one.
 
     Returns:
         None if nothing has slid, or the results are from before patches were counted.
@@ -52,10 +54,11 @@ def _moving(run: Run) -> NDArray[np.bool_]:
 
 
 def _states(run: Run) -> list[tuple[int, Patches]]:
-    """Stored steps that touch, of a run that has finished."""
+    """The first and the last of the stored steps that slide and touch, of a run that has finished."""
     if not run.complete:
         return []
-    return [(step, patches) for step, patches in run.patch_history.items() if len(patches)]
+    steps = [step for step in run.steps if _moving(run)[step] and run.history["patches"][step] > 0]
+    return [(step, run.patches(step)) for step in sorted({steps[0], steps[-1]})] if steps else []
 
 
 def _draw_course(number: Axes, size: Axes, shown: Sequence[Entry]) -> None:
@@ -96,22 +99,32 @@ def _draw_map(fig: Figure, ax: Axes, run: Run, step: int, patches: Patches) -> N
         aspect="equal",
     )
     ax.set_facecolor("0.93")
-    ax.set_title(f"(c)  at step {step}: {len(patches)}")
+    ax.set_title(f"(c)  where they are at step {step}")
     ax.set_xlabel(length.label("", "x'"))
     ax.set_ylabel(length.label("", "y'"))
-    fig.colorbar(image, ax=ax, label=area.label("area of the patch", "A"), pad=0.02)
+    bar = fig.colorbar(image, ax=ax, label=area.label("area of the patch", "A"), pad=0.02)
+    _plain_ticks(bar.ax.yaxis)
 
 
 def _draw_sizes(ax: Axes, run: Run, states: Sequence[tuple[int, Patches]]) -> None:
     area = area_scale(max(float(patches.area.max()) for _, patches in states))
-    picked = [states[0], states[-1]] if len(states) > 1 else [states[-1]]
-    for (step, patches), color in zip(picked, (style.REFERENCE, style.LOWER), strict=False):
-        sizes = np.sort(patches.area)[::-1] / area.size
-        share = (np.arange(len(sizes)) + 1.0) / len(sizes)
-        ax.step(sizes, share, where="post", color=color, label=f"step {step}")
+    looks = ((style.LOWER, "-"), (style.REFERENCE, (0, (4, 2))))
+    for (step, patches), (color, dash) in zip(states[::-1], looks, strict=False):
+        sizes = np.sort(patches.area) / area.size
+        share = 1.0 - np.arange(len(sizes) + 1) / len(sizes)
+        ends = np.append(sizes, sizes[-1])
+        ax.step(ends, share, where="pre", color=color, linestyle=dash, label=f"step {step}: {len(patches)}")
     ax.set_xscale("log")
+    _plain_ticks(ax.xaxis)
     ax.set_ylim(0.0, 1.05)
-    ax.set_title("(d)  share of the patches that are as large")
-    ax.set_xlabel(area.label("area of a patch, at least", "A"))
+    ax.set_title("(d)  share of the patches that are as large, or larger")
+    ax.set_xlabel(area.label("area of a patch", "A"))
     ax.set_ylabel("share of their number")
     ax.legend()
+
+
+def _plain_ticks(axis: Axis) -> None:
+    """Numbers without powers on an axis over a decade or two."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: style.number(value)))
+    axis.set_minor_formatter(NullFormatter())

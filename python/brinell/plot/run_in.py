@@ -27,8 +27,9 @@ FloatArray = NDArray[np.float64]
 
 @style.figure
 def surfaces_before_and_after(runs: Sequence[Run]) -> Figure | None:
-    """Of one run, a row for each body with a texture: its heights before the first load, those at the end, and both curves of
-    the bearing area, with Sk, Spk and Svk.
+    """Heights before the first load and at the end, and both bearing-area curves, with Sk, Spk and Svk.
+
+    Of one run, a row for each body with a texture.
 
     Returns:
         None of several runs, of a run that has not finished, or of smooth bodies.

@@ -109,7 +109,7 @@ def _distribution(ax: Axes, heightmap: HeightMap) -> None:
 
 
 def points_of_curve(size: int) -> NDArray[np.int64]:
-    """Of a bearing-area curve with so many points: few that are even; both ends, which are steep, with all that they have."""
+    """Few points of a bearing-area curve that are even, and all of both ends, which are steep."""
     picked = np.linspace(0, size - 1, min(size, _MOST_POINTS)).astype(np.int64)
     ends = np.arange(min(size, 100))
     return np.unique(np.concatenate([picked, ends, size - 1 - ends]))

@@ -12,9 +12,7 @@ __all__ = ["patches_of"]
 _PERIODIC_ALONG = {"open": "", "periodic_x": "x", "periodic_y": "y", "periodic": "xy"}
 
 
-def patches_of(
-    contact: ContactFields, cell: tuple[float, float], boundary: str, contact_modulus: float
-) -> Patches:
+def patches_of(contact: ContactFields, cell: tuple[float, float], boundary: str, contact_modulus: float) -> Patches:
     """Those of one state.
 
     Args:

@@ -172,8 +172,10 @@ class Run(OfScenarios):
 
     @cached_property
     def patch_history(self) -> dict[int, Patches]:
-        """The patches of all stored steps, by the number of the step. How many there were in each step, and the area of
-        the largest one, also stand in the history of a sliding: `history["patches"]`, `history["largest_patch"]`.
+        """The patches of all stored steps, by the number of the step.
+
+        How many there were in each step, and the area of the largest one, stand in the history of a sliding:
+        `history["patches"]`, `history["largest_patch"]`.
         """
         return {step: self.patches(step) for step in self.steps}
 

@@ -180,7 +180,7 @@ class HeightMap:
     def joined(self, strip: float | str) -> HeightMap:
         """A periodic map whose ends go over into each other; level the map before.
 
-        Along each axis the map gets shorter by a strip: there its two ends, which then lie on each other, are faded over,
+        Along each axis the map gets shorter by a strip: there its two ends, which then lie on each other, fade over,
         with weights whose squares add up to one, so that the height of what is not correlated is kept.
 
         Args:
