@@ -427,7 +427,8 @@ def patches(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modu
     label = labels.astype(np.int64)
     inside = label >= 0
     cells = np.bincount(label[inside], minlength=len(area))
-    load = np.bincount(label[inside], weights=p[inside], minlength=len(area)) * grid.dx * grid.dy
+    sums = np.bincount(label[inside], weights=p[inside], minlength=len(area))
+    load = np.asarray(sums * grid.dx * grid.dy, dtype=np.float64)
     return Patches(label, area, load, cells)
 
 
