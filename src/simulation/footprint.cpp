@@ -98,6 +98,7 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
   f.half_x = e.semi_axis_x * growth;
   f.half_y = e.semi_axis_y * growth;
   f.approach = e.approach;
+  f.elastic_load = e.load;
   f.peak_ratio = e.peak_pressure / pair.yield_pressure;
   const double over_yield = std::max(1.0, f.peak_ratio);
   f.first_yield_approach = e.approach / (over_yield * over_yield); // peak pressure grows as the root of the approach
@@ -289,6 +290,8 @@ Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, con
   f.depth = std::max(stressed_depth(f.half_x, half_y), 1.3 * f.plastic_reach);
   f.over_x = f.half_x;
   f.over_y = f.half_y;
+  if (domain.x.is_periodic() || domain.y.is_periodic()) // the neighbours share the approach
+    f.elastic_load = std::numeric_limits<double>::infinity();
   return f;
 }
 

@@ -4,6 +4,8 @@
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/simulation/scenario.hpp"
 
+#include <limits>
+
 namespace brinell::simulation
 {
 
@@ -22,6 +24,9 @@ struct Footprint
   double approach = 0.0;      ///< [m]
   double peak_ratio = 0.0;    ///< peak pressure of the smooth, elastic contact over that of first yield
   double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
+  /// That the bodies would carry if they stayed elastic, without textures and friction [N]: under an approach, plastic flow takes
+  /// from it. Infinite where no closed form tells.
+  double elastic_load = std::numeric_limits<double>::infinity();
 };
 
 /// @param friction  of surfaces that slide: it counts for first yield.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace brinell::simulation
 {
@@ -227,8 +228,38 @@ void require_cycles(const FrettingCase& fretting)
     throw KeyError("fretting.direction", fmt::format("fretting.direction = {:g}; allowed: finite", fretting.direction));
 }
 
+/// Load above which no contact of these bodies comes [N]. Under an approach it is that of the elastic bodies, if these are smooth,
+/// and more where they stick: surfaces that do not slip are stiffer, most of all beside a rigid body (Spence 1968).
+double largest_load(const FrettingCase& fretting, const Footprint& footprint)
+{
+  if (fretting.press.kind == Drive::Kind::load)
+    return fretting.press.value;
+  if (!are_smooth(fretting.lower, fretting.upper))
+    return std::numeric_limits<double>::infinity();
+  double stuck = 1.0;
+  for (const Elastic& body : {fretting.lower.material.elastic, fretting.upper.material.elastic})
+    if (const double nu = body.poisson_ratio; !body.is_rigid() && nu < 0.499) // there the ratio is 1
+      stuck = std::max(stuck, (1.0 - nu) * std::log(3.0 - 4.0 * nu) / (1.0 - 2.0 * nu));
+  constexpr double error_of_cells = 0.1; // of coarse ones
+  return (1.0 + error_of_cells) * stuck * footprint.elastic_load;
+}
+
+void require_held(const FrettingCase& fretting, const std::string& given, double load)
+{
+  const double most = fretting.friction.coefficient * load;
+  if (fretting.amplitude < most)
+    return;
+  const std::string carried =
+      fretting.press.kind == Drive::Kind::load
+          ? "friction times load"
+          : fmt::format("friction times the largest load under fretting.approach = {:g} m", fretting.press.value);
+  throw KeyError("fretting.force", fmt::format("{}; allowed: below {:g} N, {}, at which all of the contact slides: "
+                                               "give a displacement for that",
+                                               given, most, carried));
+}
+
 /// What friction can carry, and the contact that stays where it is.
-void require_amplitude(const FrettingCase& fretting, double contact_radius)
+void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
 {
   const bool by_force = fretting.kind == FrettingCase::Kind::force;
   const std::string key = by_force ? "fretting.force" : "fretting.displacement";
@@ -238,17 +269,13 @@ void require_amplitude(const FrettingCase& fretting, double contact_radius)
   if (fretting.amplitude > 0.0 && fretting.friction.coefficient == 0.0)
     throw KeyError("interface.friction",
                    "interface.friction = 0 with " + given + ": nothing holds the surfaces; allowed: > 0");
-  if (by_force && fretting.press.kind == Drive::Kind::load && fretting.amplitude > 0.0)
-    if (const double most = fretting.friction.coefficient * fretting.press.value; !(fretting.amplitude < most))
-      throw KeyError(key,
-                     fmt::format("{}; allowed: below {:g} N, friction times load, at which all of the contact slides: "
-                                 "give a displacement for that",
-                                 given, most));
-  if (!by_force && !(fretting.amplitude <= contact_radius))
+  if (by_force && fretting.amplitude > 0.0)
+    require_held(fretting, given, largest_load(fretting, footprint));
+  if (!by_force && !(fretting.amplitude <= footprint.half_x))
     throw KeyError(
         key, fmt::format("{}; allowed: up to {:.3g} m, the radius of the contact, which is counted as staying where "
                          "it is",
-                         given, contact_radius));
+                         given, footprint.half_x));
 }
 
 /// Of a round contact (Mindlin 1949): shift over approach at full sliding.
@@ -326,7 +353,7 @@ FrettingPlan plan(const FrettingCase& fretting)
   // Where nothing moves, there is no shear that would let the bodies yield earlier.
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
-  require_amplitude(fretting, f.half_x);
+  require_amplitude(fretting, f);
   require_wear(fretting, fretting.amplitude > 0.0 && fretting.cycles > 0
                              ? ""
                              : "nothing slides in no cycle, or with an amplitude of 0; allowed: 0, or a motion");
