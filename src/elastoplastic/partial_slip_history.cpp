@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/partial_slip.hpp"
+
+#include "brinell/elastoplastic/placement.hpp"
+#include "drive_axis.hpp"
+#include "foundation/sharing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// The end of an increment of stick and slip, and what is kept and told of it.
+namespace brinell::elastoplastic
+{
+
+/// Whether the shear of the trial is at its bound there.
+bool PartialSlip::slips_at(std::size_t cell) const
+{
+  const double size = std::hypot(state_.shear[0][cell], state_.shear[1][cell]);
+  return size > 0.0 && size >= contact::slip_threshold * bound_[cell];
+}
+
+std::vector<double> PartialSlip::slipped() const
+{
+  std::vector<double> length(bound_.size());
+  for (std::size_t i = 0; i < length.size(); ++i)
+    if (slips_at(i))
+      length[i] = std::hypot(slip_[0][i], slip_[1][i]);
+  return length;
+}
+
+/// The slip of an increment is along the shear at its end, which is then at its bound: what a cell slips before it has reached
+/// the bound is nothing. The bound changes with the pressure; its mean over the increment is of second order.
+void PartialSlip::settle(const Bodies& bodies)
+{
+  state_.sticking = state_.pressed = 0;
+  int limited = 0;
+  for (std::size_t i = 0; i < bound_.size(); ++i)
+  {
+    const double size = std::hypot(state_.shear[0][i], state_.shear[1][i]);
+    const bool slips = slips_at(i);
+    const bool is_pressed = bodies.pressure[i] > 0.0;
+    state_.pressed += is_pressed ? 1 : 0;
+    state_.sticking += is_pressed && !slips ? 1 : 0;
+    limited += slips && friction().coefficient * bodies.pressure[i] > start_.limit[i] ? 1 : 0;
+    if (!slips)
+      continue;
+    const double along = (slip_[0][i] * state_.shear[0][i] + slip_[1][i] * state_.shear[1][i]) / size;
+    const double heat = 0.5 * (bound_before_[i] + bound_[i]) * along;
+    state_.heat[i] += heat;
+    state_.total_heat += heat * pair_.grid().cell_area();
+    state_.path[i] += std::hypot(slip_[0][i], slip_[1][i]);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      state_.slip[axis][i] += slip_[axis][i];
+  }
+  state_.limited_share = state_.pressed > 0 ? static_cast<double>(limited) / state_.pressed : 0.0;
+  add_parting_heat();
+  const std::array<double, 2> force = forces();
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    state_.shift[axis] = is_forced(axis) ? before_.shift[axis] + shift_[axis] : axis_of(start_.along, axis).value;
+    const double before = sum(before_.shear[axis]) * pair_.grid().cell_area();
+    state_.work += 0.5 * (before + force[axis]) * (state_.shift[axis] - before_.shift[axis]);
+  }
+  state_.turned = start_.along.spin;
+  state_.work += 0.5 * (moment_of(shear_before_) + moment_of(state_.shear)) * (state_.turned - before_.turned);
+}
+
+/// Points that leave the contact in the increment slip until their shear is gone.
+void PartialSlip::add_parting_heat()
+{
+  const auto parts = [&](std::size_t i)
+  { return bound_[i] == 0.0 && (shear_before_[0][i] != 0.0 || shear_before_[1][i] != 0.0); };
+  const SurfaceGrid& grid = pair_.grid();
+  bool any = false;
+  for (std::size_t i = 0; i < bound_.size() && !any; ++i)
+    any = parts(i);
+  if (!any)
+    return;
+  Pair added{state_.shear[0], state_.shear[1]}; // shears first, then what they displace
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (std::size_t i = 0; i < bound_.size(); ++i)
+      added[axis][i] -= shear_before_[axis][i];
+  const Pair shears = added;
+  pair_.apply({.shear_x = shears[0], .shear_y = shears[1]}, {.x = added[0], .y = added[1]}, scratch_);
+  for (int row = 0; row < grid.ny; ++row)
+    for (int column = 0; column < grid.nx; ++column)
+      if (const std::size_t i = grid.index(column, row); parts(i))
+      {
+        std::array<double, 2> slip{};
+        for (std::size_t axis = 0; axis < 2; ++axis)
+        {
+          const double found = is_forced(axis) ? shift_[axis] : 0.0;
+          slip[axis] = imposed(axis, column, row) + found - change_[axis][i] - added[axis][i];
+          state_.slip[axis][i] += slip[axis];
+        }
+        const double work = slip[0] * shear_before_[0][i] + slip[1] * shear_before_[1][i];
+        const double heat = std::max(0.0, 0.5 * work);
+        state_.path[i] += std::hypot(slip[0], slip[1]);
+        state_.heat[i] += heat;
+        state_.total_heat += heat * grid.cell_area();
+      }
+}
+
+double PartialSlip::moment_of(const Pair& shear) const
+{
+  const SurfaceGrid& grid = pair_.grid();
+  double moment = 0.0;
+  for (int row = 0; row < grid.ny; ++row)
+    for (int column = 0; column < grid.nx; ++column)
+    {
+      const std::size_t i = grid.index(column, row);
+      moment += grid.x(column) * shear[1][i] - grid.y(row) * shear[0][i];
+    }
+  return moment * grid.cell_area();
+}
+
+std::array<double, 2> PartialSlip::forces() const
+{
+  const double area = pair_.grid().cell_area();
+  return {sum(state_.shear[0]) * area, sum(state_.shear[1]) * area};
+}
+
+double PartialSlip::elastic_energy(std::span<const double> pressure) const
+{
+  std::array<std::vector<double>, 2> along{std::vector<double>(bound_.size()), std::vector<double>(bound_.size())};
+  pair_.apply({.shear_x = state_.shear[0], .shear_y = state_.shear[1]}, {.x = along[0], .y = along[1]});
+  const double together = state_.depth.empty() ? 0.0 : dot(pressure, state_.depth);
+  const double alone = 0.5 * (dot(state_.shear[0], along[0]) + dot(state_.shear[1], along[1]));
+  return (together + alone) * pair_.grid().cell_area();
+}
+
+void PartialSlip::embed(const Interface& smaller)
+{
+  const auto& other = dynamic_cast<const PartialSlip&>(smaller);
+  const auto copy = [&](const std::vector<double>& from, std::vector<double>& to)
+  { embed_field(other.pair_.grid(), from, pair_.grid(), to); };
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    copy(other.state_.shear[axis], state_.shear[axis]);
+    copy(other.state_.slip[axis], state_.slip[axis]);
+  }
+  copy(other.state_.path, state_.path);
+  copy(other.state_.heat, state_.heat);
+  state_.shift = other.state_.shift;
+  state_.turned = other.state_.turned;
+  state_.total_heat = other.state_.total_heat;
+  state_.work = other.state_.work;
+  state_.limited_share = other.state_.limited_share;
+  state_.sticking = other.state_.sticking;
+  state_.pressed = other.state_.pressed;
+}
+
+void PartialSlip::State::exchange(Archive& archive)
+{
+  archive("shear_x", shear[0]);
+  archive("shear_y", shear[1]);
+  archive("slip_x", slip[0]);
+  archive("slip_y", slip[1]);
+  archive("path", path);
+  archive("heat", heat);
+  if (!depth.empty())
+    archive("depth", depth);
+  archive("shift_x", shift[0]);
+  archive("shift_y", shift[1]);
+  archive("turned", turned);
+  archive("work", work);
+  archive("total_heat", total_heat);
+  archive("limited_share", limited_share, 0.0, 1.0);
+  archive("sticking", sticking);
+  archive("pressed", pressed);
+}
+
+} // namespace brinell::elastoplastic
