@@ -5,6 +5,7 @@
 #include "domain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace brinell::simulation
@@ -28,13 +29,11 @@ double pressure_ratio(double poisson_ratio, ContactKind kind, double friction)
 }
 
 /// Of one body; empty if it stays elastic.
-std::optional<PairYield> yield_of(const Material& material, double factor, YieldsFirst body, ContactKind kind,
-                                  double friction = 0.0)
+std::optional<PairYield> yield_of(const Material& material, double factor, YieldsFirst body, double ratio)
 {
   if (!material.is_plastic())
     return std::nullopt;
-  return PairYield{pressure_ratio(material.elastic.poisson_ratio, kind, friction),
-                   factor * constitutive::initial_yield_stress(*material.hardening), body};
+  return PairYield{ratio, factor * constitutive::initial_yield_stress(*material.hardening), body};
 }
 
 std::optional<PairYield> weaker(const std::optional<PairYield>& lower, const std::optional<PairYield>& upper)
@@ -45,6 +44,19 @@ std::optional<PairYield> weaker(const std::optional<PairYield>& lower, const std
   if (lower->peak_pressure() == upper->peak_pressure())
     weaker.body = YieldsFirst::both;
   return weaker;
+}
+
+/// @param factors  on the yield stress, of the lower and the upper body
+std::optional<PairYield> yield_of_pair(const Material& lower, const Material& upper,
+                                       const std::array<double, 2>& factors, ContactKind kind, double friction)
+{
+  const auto ratio_of = [&](const Material& material)
+  { return material.is_plastic() ? pressure_ratio(material.elastic.poisson_ratio, kind, friction) : 0.0; };
+  const double of_lower = ratio_of(lower);
+  const bool are_alike = lower.is_plastic() && lower.elastic.poisson_ratio == upper.elastic.poisson_ratio;
+  const double of_upper = are_alike ? of_lower : ratio_of(upper); // with friction it is a search
+  return weaker(yield_of(lower, factors[0], YieldsFirst::lower, of_lower),
+                yield_of(upper, factors[1], YieldsFirst::upper, of_upper));
 }
 
 /// 1/R of bodies that are round where they touch, or cylinders.
@@ -85,13 +97,12 @@ ContactKind contact_kind(const Shape& lower, const Shape& upper, const Domain& d
 
 std::optional<PairYield> nominal_yield(const Material& lower, const Material& upper, ContactKind kind)
 {
-  return weaker(yield_of(lower, 1.0, YieldsFirst::lower, kind), yield_of(upper, 1.0, YieldsFirst::upper, kind));
+  return yield_of_pair(lower, upper, {1.0, 1.0}, kind, 0.0);
 }
 
 std::optional<PairYield> earliest_yield(const Material& lower, const Material& upper, ContactKind kind, double friction)
 {
-  return weaker(yield_of(lower, smallest_yield_factor(lower), YieldsFirst::lower, kind, friction),
-                yield_of(upper, smallest_yield_factor(upper), YieldsFirst::upper, kind, friction));
+  return yield_of_pair(lower, upper, {smallest_yield_factor(lower), smallest_yield_factor(upper)}, kind, friction);
 }
 
 std::optional<std::string> reason_against_first_yield(const ShapedBody& lower, const ShapedBody& upper,
