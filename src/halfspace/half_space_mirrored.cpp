@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "half_space_operators.hpp"
 
+#include <algorithm>
 #include <omp.h>
 
 /// The parts of an evaluation that are not the same where both sides of the plane y = 0 are mirror images:
@@ -34,14 +35,11 @@ const ComplexLanes* HalfSpace::Operators::loaded(int block, const MirroredFft::P
 {
   const ComplexLanes* column =
       work.stress.data() + volume_fft.plane_at(block, Deviator::size * part.layer + part.component);
-  for (std::size_t t = 0; t < tractions.size(); ++t)
-    if (kernels[t] != nullptr)
-    {
-      kernels[t]->add(block, part.component, part.layer, spectrum_rows(work.symmetry),
-                      work.surface[t].data() + surface_fft.plane_at(block, 0), column, sum);
-      column = sum;
-    }
-  return column;
+  if (std::all_of(kernels.begin(), kernels.end(), [](const auto* kernel) { return kernel == nullptr; }))
+    return column;
+  TractionStress::add(kernels, block, part.component, part.layer, spectrum_rows(work.symmetry),
+                      surface_spectra(block, work), column, sum);
+  return sum;
 }
 
 void HalfSpace::Operators::add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,

@@ -121,7 +121,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
         const SpectrumRows own{first, std::min(SpectrumRows::most, rows - first)};
         for (const SpectrumRows& tile : {own, work.symmetry == Symmetry::none ? mirrored(own) : SpectrumRows{}})
         {
-          eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
+          if (layers > 0)
+            eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
           sum_displacement(block, tile, parts, kernels, work);
         }
       }
@@ -136,7 +137,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
         surface_fft.columns_inverse(spectrum, block, 0, work.displacement_rows[t].data(), scratch.fft);
       }
   }
-  image_correction.respond(strained, work.images, work.symmetry);
+  if (layers > 0)
+    image_correction.respond(strained, work.images, work.symmetry);
 }
 
 /// Along x, and what else is to be taken from each plane. To be called by all threads.
@@ -177,16 +179,14 @@ void HalfSpace::Operators::transform_layers(int block, int part, int layers,
   ComplexLanes* sums = work.displacement_parts.data() + part_at(part, 0);
   std::fill_n(sums, part_at(1, 0), ComplexLanes{});
   for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
-    for (int component = 0; component < Deviator::size; ++component)
-    {
-      const int plane = Deviator::size * layer + component;
-      ComplexLanes* strain = work.strain.data() + volume_fft.plane_at(0, plane);
-      if (!is_mirrored)
-        volume_fft.columns_forward(work.rows.data(), block, plane, strain, scratch.fft);
-      for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-        kernels[t]->add_displacement(block, component, layer, spectrum_rows(work.symmetry), strain,
-                                     sums + part_at(0, t));
-    }
+  {
+    ComplexLanes* strain = work.strain.data() + volume_fft.plane_at(0, Deviator::size * layer);
+    for (int component = 0; component < Deviator::size && !is_mirrored; ++component)
+      volume_fft.columns_forward(work.rows.data(), block, Deviator::size * layer + component,
+                                 strain + static_cast<std::ptrdiff_t>(component) * volume_fft.pitch(), scratch.fft);
+    for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
+      kernels[t]->add_displacement(block, layer, spectrum_rows(work.symmetry), strain, sums + part_at(0, t));
+  }
 }
 
 /// Sums the parts at some wavenumbers.
@@ -238,21 +238,29 @@ void HalfSpace::Operators::add_load_and_invert(const SurfaceLoad& load, std::spa
   }
 }
 
+OfTraction<const ComplexLanes*> HalfSpace::Operators::surface_spectra(int block, const Work::Buffers& work) const
+{
+  OfTraction<const ComplexLanes*> spectra{};
+  for (std::size_t t = 0; t < spectra.size(); ++t)
+    if (!work.surface[t].empty())
+      spectra[t] = work.surface[t].data() + surface_fft.plane_at(block, 0);
+  return spectra;
+}
+
 void HalfSpace::Operators::invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels,
                                         const BlockedFft& fft, const ComplexLanes* spectra, int plane,
                                         const Work::Buffers& work, Work::Buffers::Scratch& scratch, double* field) const
 {
+  const bool is_loaded =
+      std::any_of(kernels.begin(), kernels.end(), [](const auto* kernel) { return kernel != nullptr; });
   for (int block = 0; block < fft.blocks(); ++block)
   {
     const ComplexLanes* column = spectra + fft.plane_at(block, plane);
-    for (std::size_t t = 0; t < tractions.size(); ++t)
-      if (kernels[t] != nullptr)
-      {
-        ComplexLanes* sum = scratch.fft.column.data();
-        kernels[t]->add(block, component, layer, fft.py(), work.surface[t].data() + surface_fft.plane_at(block, 0),
-                        column, sum);
-        column = sum;
-      }
+    if (ComplexLanes* sum = scratch.fft.column.data(); is_loaded)
+    {
+      TractionStress::add(kernels, block, component, layer, fft.py(), surface_spectra(block, work), column, sum);
+      column = sum;
+    }
     surface_fft.columns_inverse(column, block, 0, scratch.rows.data(), scratch.fft);
   }
   surface_fft.rows_inverse(scratch.rows.data(), 0, field, scratch.fft);

@@ -15,9 +15,6 @@
 namespace brinell::halfspace
 {
 
-/// A value for each component of the traction on the surface, and of the displacement that it works on.
-template <typename Value>
-using OfTraction = std::array<Value, 3>;
 inline constexpr OfTraction<Traction> tractions{Traction::pressure, Traction::shear_x, Traction::shear_y};
 [[nodiscard]] inline std::size_t index(Traction traction)
 {
@@ -119,6 +116,8 @@ private:
   [[nodiscard]] const ComplexLanes* loaded(int block, const MirroredFft::Part& part,
                                            const OfTraction<const TractionStress*>& kernels, const Work::Buffers& work,
                                            ComplexLanes* sum) const;
+  /// Spectra of the traction in one block.
+  [[nodiscard]] OfTraction<const ComplexLanes*> surface_spectra(int block, const Work::Buffers& work) const;
   /// Rows of a spectrum that are worked on: with symmetry those of the wavenumbers >= 0.
   [[nodiscard]] int spectrum_rows(Symmetry symmetry) const
   {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace brinell::halfspace
 {
@@ -56,7 +58,8 @@ namespace
 /// What is stored of a stress, in the order of the kernels.
 std::array<double, 6> kernel_values(const SymTensor& t)
 {
-  return {t[0] - t[2], t[1] - t[2], t[3], t[4], t[5], trace(t)};
+  const double mean = trace(t) / 3.0;
+  return {t[0] - mean, t[1] - mean, t[3], t[4], t[5], trace(t)};
 }
 
 /// Mean over a layer of the stress of a unit traction on one cell.
@@ -175,52 +178,116 @@ void TractionStress::tabulate_waves(int layer, double poisson_ratio, const Padde
     }
 }
 
-/// @param factor  of a stored row
-template <bool is_imaginary, typename Factor>
-void TractionStress::add_rows(const Factor& factor, int rows, const ComplexLanes* traction, const ComplexLanes* stress,
-                              ComplexLanes* total) const
+namespace
 {
-  const auto add_row = [&](int row, const Lanes& number)
-  {
-    const ComplexLanes product = number * traction[row];
-    total[row] = stress[row] + (is_imaginary ? times_i(product) : product);
-  };
-  for (int row = 0; row < std::min(rows, rows_); ++row)
-    add_row(row, factor(row, 1.0));
-  for (int row = rows_; row < rows; ++row)
-    add_row(row, factor(fft_.folded(row), -1.0));
+
+/// Calls work(row, row of the stored numbers, whether the wavenumber along y is below 0).
+template <typename Work>
+void for_rows(int rows, const BlockedFft& fft, const Work& work)
+{
+  const int stored = fft.py() / 2 + 1;
+  for (int row = 0; row < std::min(rows, stored); ++row)
+    work(row, row, std::false_type{});
+  for (int row = stored; row < rows; ++row)
+    work(row, fft.folded(row), std::true_type{});
 }
 
-void TractionStress::add(int block, int component, int layer, int rows, const ComplexLanes* traction,
-                         const ComplexLanes* stress, ComplexLanes* total) const
+/// A kernel, the spectrum that it acts on, and whether the kernel changes its sign with that of the wavenumber along y.
+struct Source
 {
-  const auto [odd_x, odd_y] = parity(component);
-  if (component == xx || component == yy) // stored are differences from zz
+  const Lanes* kernel = nullptr;
+  const ComplexLanes* values = nullptr;
+  bool odd_y = false;
+
+  template <bool is_below>
+  [[nodiscard]] ComplexLanes at(int row, int stored, std::bool_constant<is_below> /*below*/) const
   {
-    const Lanes* own = kernel(block, layer, component);
-    const Lanes* other = kernel(block, layer, component == xx ? yy : xx);
-    const auto deviator = [=, is_odd = odd_y](int row, double sign)
-    { return ((is_odd ? sign : 1.0) / 3.0) * (2.0 * own[row] - other[row]); };
-    return odd_x != odd_y ? add_rows<true>(deviator, rows, traction, stress, total)
-                          : add_rows<false>(deviator, rows, traction, stress, total);
+    const ComplexLanes product = kernel[stored] * values[row];
+    return is_below && odd_y ? -1.0 * product : product;
   }
-  const Lanes* own = kernel(block, layer, component);
-  const auto plain = [=, is_odd = odd_y](int row, double sign) { return (is_odd ? sign : 1.0) * own[row]; };
-  return odd_x != odd_y ? add_rows<true>(plain, rows, traction, stress, total)
-                        : add_rows<false>(plain, rows, traction, stress, total);
+};
+
+/// @tparam parts  of the traction that act, a bit each
+template <unsigned parts>
+void add_parts(const OfTraction<Source>& sources, bool pressure_is_imaginary, int rows, const BlockedFft& fft,
+               const ComplexLanes* stress, ComplexLanes* total)
+{
+  const auto add_as = [&](auto is_imaginary)
+  {
+    for_rows(rows, fft,
+             [&](int row, int stored, auto below)
+             {
+               ComplexLanes of_pressure, of_shear;
+               if constexpr ((parts & 1U) != 0)
+                 of_pressure = sources[0].at(row, stored, below);
+               if constexpr ((parts & 2U) != 0)
+                 of_shear = sources[1].at(row, stored, below);
+               if constexpr ((parts & 4U) != 0)
+                 of_shear = of_shear + sources[2].at(row, stored, below);
+               total[row] =
+                   stress[row] + (is_imaginary ? times_i(of_pressure) + of_shear : of_pressure + times_i(of_shear));
+             });
+  };
+  pressure_is_imaginary ? add_as(std::true_type{}) : add_as(std::false_type{});
 }
 
-void TractionStress::add_displacement(int block, int component, int layer, int rows, const ComplexLanes* strain,
+} // namespace
+
+/// Of one component the kernels of both shears are imaginary where that of the pressure is real, and the other way round.
+void TractionStress::add(const OfTraction<const TractionStress*>& kernels, int block, int component, int layer,
+                         int rows, const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress,
+                         ComplexLanes* total)
+{
+  OfTraction<Source> sources;
+  unsigned parts = 0;
+  bool pressure_is_imaginary = false;
+  const BlockedFft* fft = nullptr;
+  for (std::size_t t = 0; t < kernels.size(); ++t)
+    if (kernels[t] != nullptr)
+    {
+      const Parity parity = kernels[t]->parity(component);
+      sources[t] = {kernels[t]->kernel(block, layer, component), traction[t], parity.odd_y};
+      parts |= 1U << t;
+      pressure_is_imaginary = parity.is_imaginary() == (t == 0);
+      fft = &kernels[t]->fft_;
+    }
+  const auto add_if = [&](auto which)
+  {
+    if (parts == which)
+      add_parts<which>(sources, pressure_is_imaginary, rows, *fft, stress, total);
+  };
+  [&]<unsigned... which>(std::integer_sequence<unsigned, 0, which...> /*all*/)
+  {
+    (add_if(std::integral_constant<unsigned, which>{}), ...);
+  }
+  (std::make_integer_sequence<unsigned, 8>{});
+}
+
+void TractionStress::add_displacement(int block, int layer, int rows, const ComplexLanes* strain,
                                       ComplexLanes* displacement) const
 {
-  const Parity parity_of = parity(component);
-  const bool is_shear = component != xx && component != yy;
-  // Of the transpose, with conj(i K) = -i K; a shear is in two places of the tensor.
-  const double weight = (parity_of.is_imaginary() ? -1.0 : 1.0) * (is_shear ? 2.0 : 1.0) * grid_.dz;
-  const Lanes* own = kernel(block, layer, component);
-  const auto factor = [=](int row, double sign) { return (parity_of.odd_y ? sign * weight : weight) * own[row]; };
-  return parity_of.is_imaginary() ? add_rows<true>(factor, rows, strain, displacement, displacement)
-                                  : add_rows<false>(factor, rows, strain, displacement, displacement);
+  const std::ptrdiff_t pitch = fft_.pitch();
+  const double thickness = grid_.dz;
+  const auto add_as = [&](auto is_pressure)
+  {
+    for_rows(rows, fft_,
+             [&](int row, int stored, auto below)
+             {
+               const auto k = [&](int c) -> Lanes
+               {
+                 const Lanes number = kernel(block, layer, c)[stored];
+                 return below && parity(c).odd_y ? -number : number;
+               };
+               const auto e = [&](int c) { return strain[c * pitch + row]; };
+               const ComplexLanes in_plane =
+                   k(xx) * (2.0 * e(xx) + e(yy)) + k(yy) * (e(xx) + 2.0 * e(yy)) + (2.0 * k(xy)) * e(xy);
+               const ComplexLanes across = 2.0 * (k(yz) * e(yz) + k(xz) * e(xz));
+               // Of the transpose, with conj(i K) = -i K.
+               displacement[row] = displacement[row] +
+                                   thickness * (is_pressure ? in_plane - times_i(across) : across - times_i(in_plane));
+             });
+  };
+  traction_ == Traction::pressure ? add_as(std::true_type{}) : add_as(std::false_type{});
 }
 
 } // namespace brinell::halfspace

@@ -12,6 +12,10 @@
 namespace brinell::halfspace
 {
 
+/// A value for each component of the traction on the surface, and of the displacement that it works on.
+template <typename Value>
+using OfTraction = std::array<Value, 3>;
+
 /// One component of the traction on the surface -> stress under it, and the transpose: plastic strain -> displacement of the
 /// surface along that component.
 ///
@@ -29,20 +33,20 @@ public:
   TractionStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft, Traction traction);
 
   static constexpr int trace = Deviator::size; ///< component of the stress after those of its deviator
-  /// Adds one component of the stress of the traction in one layer.
+  /// Adds one component of the stress of a traction in one layer, in one go for those of its components that act.
+  /// @param kernels        of them; nullptr where there is no traction
   /// @param rows           of the spectra that are worked on, from the first one
   /// @param traction       [row]
   /// @param stress, total  [row] [Pa]; may be the same
-  void add(int block, int component, int layer, int rows, const ComplexLanes* traction, const ComplexLanes* stress,
-           ComplexLanes* total) const;
-  /// Adds the displacement of the surface [m] of one component of plastic strain in one layer: that which the traction
-  /// works on. The sum over all components is that of a traceless strain.
-  /// @param strain, displacement  [row]
-  void add_displacement(int block, int component, int layer, int rows, const ComplexLanes* strain,
-                        ComplexLanes* displacement) const;
+  static void add(const OfTraction<const TractionStress*>& kernels, int block, int component, int layer, int rows,
+                  const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress, ComplexLanes* total);
+  /// Adds the displacement of the surface [m] of the plastic strain in one layer: that which the traction works on.
+  /// @param strain        [component][pitch], traceless
+  /// @param displacement  [row]
+  void add_displacement(int block, int layer, int rows, const ComplexLanes* strain, ComplexLanes* displacement) const;
 
 private:
-  /// Kernels of a layer: those of a deviator, of which xx and yy hold their difference from zz, and the trace.
+  /// Kernels of a layer.
   enum : int
   {
     xx = Deviator::xx,
@@ -55,9 +59,6 @@ private:
   [[nodiscard]] Parity parity(int which) const;
   [[nodiscard]] const Lanes* kernel(int block, int layer, int which) const;
   [[nodiscard]] double& number(int row, int column, int layer, int which);
-  template <bool is_imaginary, typename Factor>
-  void add_rows(const Factor& factor, int rows, const ComplexLanes* traction, const ComplexLanes* stress,
-                ComplexLanes* total) const;
   void tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft);
   void tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft);
 
