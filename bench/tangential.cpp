@@ -87,7 +87,7 @@ void partial_slip(benchmark::State& state)
 }
 BENCHMARK(partial_slip)
     ->ArgNames({"cells", "percent", "warm"})
-    ->ArgsProduct({{64, 128, 256}, {50, 90}, {0, 1}})
+    ->ArgsProduct({{32, 64, 128, 256}, {50, 90}, {0, 1}})
     ->Unit(benchmark::kMillisecond);
 
 } // namespace

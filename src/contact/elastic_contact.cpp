@@ -207,7 +207,7 @@ Drive imposed(const Drive& drive, const SurfaceGrid& grid, std::span<const doubl
 void ElasticContact::guess(std::span<const double> distance, const Drive& drive, double tolerance,
                            std::span<double> pressure, const std::function<bool()>& wants_stop)
 {
-  if (touches(pressure) || !CoarserContact::helps(compliance_.grid()))
+  if (touches(pressure) || !CoarserCells::helps(compliance_.grid()))
     return;
   if (!coarser_)
     coarser_ = std::make_unique<CoarserContact>(compliance_);

@@ -64,7 +64,7 @@ void add(const Along& q, double bound, Total& total)
 bool balance(const Forced& forced, const Along& sum, bool of_slip, std::span<const double> bound,
              std::span<const Zone> zone, std::span<double> x, std::span<double> y)
 {
-  const auto moves = [&](std::size_t i) { return zone[i] == Zone::stick || (of_slip && zone[i] == Zone::slip); };
+  const auto moves = [&](std::size_t i) { return of_slip || zone[i] == Zone::stick; };
   const auto total = [&](const Along& added)
   {
     const auto part = [&](std::size_t first, std::size_t last)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -46,7 +46,17 @@ struct AlongField
 {
   std::vector<double> x, y;
 
-  explicit AlongField(std::size_t cells) : x(cells), y(cells) {}
+  explicit AlongField(std::size_t cells = 0) : x(cells), y(cells) {}
+  void resize(std::size_t cells)
+  {
+    x.resize(cells);
+    y.resize(cells);
+  }
+  void clear() ///< to zero
+  {
+    std::fill(x.begin(), x.end(), 0.0);
+    std::fill(y.begin(), y.end(), 0.0);
+  }
   [[nodiscard]] Along at(std::size_t cell) const { return {x[cell], y[cell]}; }
   void set(std::size_t cell, const Along& value)
   {
@@ -80,10 +90,9 @@ struct Forced
   [[nodiscard]] Along solution(const AlongMatrix& m, const Along& right) const;
 };
 
-/// Whether a cell moves with the other surface, slips past it, or carries nothing.
+/// Whether a cell moves with the other surface or slips past it.
 enum class Zone : unsigned char
 {
-  none,
   stick,
   slip
 };

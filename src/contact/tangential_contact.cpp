@@ -2,6 +2,7 @@
 #include "brinell/contact/tangential_contact.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "coarser_tangential.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 #include "tangential_iteration.hpp"
@@ -14,7 +15,7 @@ namespace brinell::contact
 {
 
 TangentialContact::TangentialContact(const halfspace::TractionCompliance& compliance)
-    : iteration_(std::make_unique<Iteration>(compliance)), cell_area_(compliance.grid().cell_area())
+    : compliance_(compliance), iteration_(std::make_unique<Iteration>(compliance))
 {
 }
 
@@ -63,28 +64,46 @@ void require_force_below(double carried, const TangentialDrive& drive)
 
 } // namespace
 
+/// By the same step on larger cells, on large grids.
+void TangentialContact::improve_guess(const TangentialStep& step, double tolerance, TangentialReport& report,
+                                      const AlongSurface& shear, const std::function<bool()>& wants_stop)
+{
+  Iteration& it = *iteration_;
+  it.keep();
+  it.settle(report);
+  if (!(report.slip_error > CoarserTangential::worth * tolerance) || !CoarserCells::helps(compliance_.grid()))
+    return;
+  if (!coarser_)
+    coarser_ = std::make_unique<CoarserTangential>(compliance_);
+  if (!coarser_->guess(step, tolerance, shear, wants_stop))
+    return;
+  it.restart({shear[0], shear[1]});
+  if (!it.has_descended())
+    it.take_back();
+  it.keep();
+}
+
 TangentialReport TangentialContact::solve(const TangentialStep& step, double tolerance, int max_iterations,
                                           const AlongSurface& shear, const AlongSurface& slip,
                                           const std::function<bool()>& wants_stop)
 {
   Iteration& it = *iteration_;
-  require_size("TangentialContact::solve: the bound", step.bound, it.cells());
-  require_pair("TangentialContact::solve: the shear", {shear[0], shear[1]}, it.cells());
-  require_pair("TangentialContact::solve: the slip", {slip[0], slip[1]}, it.cells());
+  require_size("TangentialContact::solve: the bound", step.bound, it.grid().size());
+  require_pair("TangentialContact::solve: the shear", {shear[0], shear[1]}, it.grid().size());
+  require_pair("TangentialContact::solve: the slip", {slip[0], slip[1]}, it.grid().size());
   if (!step.before[0].empty() || !step.before[1].empty())
-    require_pair("TangentialContact::solve: the shear before", step.before, it.cells());
+    require_pair("TangentialContact::solve: the shear before", step.before, it.grid().size());
   if (!step.change[0].empty() || !step.change[1].empty())
-    require_pair("TangentialContact::solve: the change of displacement", step.change, it.cells());
+    require_pair("TangentialContact::solve: the change of displacement", step.change, it.grid().size());
   require_bound(step.bound);
   require_finite(step.drive);
-  require_force_below(sum(step.bound) * cell_area_, step.drive);
+  require_force_below(sum(step.bound) * compliance_.grid().cell_area(), step.drive);
 
   constexpr int few = 8;   // iterations between questions whether to stop
   constexpr int many = 32; // and at most between two products with the shears themselves: rounding does not pile up
   it.start(step, shear);
-  it.keep();
   TangentialReport report;
-  report.products = 2;
+  improve_guess(step, tolerance, report, shear, wants_stop);
   bool is_known = true; // the displacement, but for rounding
   for (int followed = 0;; ++report.iterations)
   {
@@ -97,26 +116,22 @@ TangentialReport TangentialContact::solve(const TangentialStep& step, double tol
     {
       it.restore_bounds();
       it.displace();
-      ++report.products;
       followed = 0;
       if (!it.has_descended() && !is_last)
       {
         ++report.retreats;
-        if (!it.retreat())
-        {
+        if (it.retreat())
+          followed = 1; // between two points of a disc's edge shears are within it
+        else
           it.displace();
-          ++report.products;
-        }
       }
       it.settle(report);
       it.keep();
     }
-    report.converged = report.slip_error <= tolerance;
+    report.converged = report.slip_error <= tolerance && followed == 0;
     if (report.converged || is_last)
       break;
-    const double length = it.aim();
-    ++report.products;
-    is_known = it.advance(length, 0.1 * report.slip_error / it.largest_displacement());
+    is_known = it.advance(it.aim(), report.slip_error);
     ++followed;
   }
   it.finish(report, shear, slip);

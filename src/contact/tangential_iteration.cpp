@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace brinell::contact
 {
@@ -20,6 +21,7 @@ void for_cells(std::size_t cells, const Work& work)
   for_pieces(cells,
              [&](std::size_t first, std::size_t last)
              {
+#pragma omp simd
                for (std::size_t i = first; i < last; ++i)
                  work(i);
              });
@@ -37,23 +39,6 @@ auto sum_of_cells(std::size_t cells, const Part& part)
                            sum += part(i);
                          return sum;
                        });
-}
-
-/// The part of a vector that a cell is free to move along: all of it, or the tangent of its disc.
-Along free_part(Zone zone, const Along& shear, const Along& a)
-{
-  if (zone == Zone::none)
-    return {};
-  if (zone == Zone::stick)
-    return a;
-  const Along n = (1.0 / shear.size()) * shear;
-  return a - dot(a, n) * n;
-}
-
-/// Stiffness that the bound gives to the tangent: slip along the shear over its size [m/Pa].
-double stiffening(Zone zone, const Along& shear, const Along& slip)
-{
-  return zone == Zone::slip ? std::max(0.0, dot(slip, shear)) / dot(shear, shear) : 0.0;
 }
 
 /// Weight of a cell that leaves its bound while it sticks: no step may do so.
@@ -82,65 +67,95 @@ struct Largest
   }
 };
 
-struct Errors
+[[nodiscard]] double square(const Along& a)
 {
-  Largest slip, displacement;
-  Errors& operator+=(const Errors& other)
-  {
-    slip += other.slip;
-    displacement += other.displacement;
-    return *this;
-  }
-};
+  return dot(a, a);
+}
+
+/// Whether a shear is as large as its bound.
+/// @param threshold  share of the bound from which on it counts as such
+bool is_bound(double square_of_shear, double bound, double threshold = slip_threshold)
+{
+  return square_of_shear >= threshold * threshold * bound * bound;
+}
 
 } // namespace
 
 TangentialContact::Iteration::Iteration(const halfspace::TractionCompliance& compliance)
-    : compliance_(compliance), scratch_(compliance.make_scratch()), bound_(compliance.grid().size()),
-      zone_(bound_.size()), target_(cells()), shear_(cells()), displacement_(cells()), slip_(cells()),
-      direction_(cells()), image_(cells()), gradient_(cells()), stiff_(cells()), kept_shear_(cells()),
-      kept_displacement_(cells()), between_(std::sqrt(compliance.largest_of_shear() / compliance.stiffness_of_cell()))
+    : compliance_(compliance), scratch_(compliance.make_scratch()), all_(compliance.grid().size()),
+      before_(compliance.grid().size()),
+      between_(std::sqrt(compliance.largest_of_shear() / compliance.stiffness_of_cell()))
 {
+}
+
+/// One value for each of the cells.
+void TangentialContact::Iteration::resize()
+{
+  for (AlongField* field : {&target_, &shear_, &displacement_, &slip_, &normal_, &direction_, &image_, &gradient_,
+                            &kept_shear_, &kept_displacement_})
+    field->resize(cells());
+  for (std::vector<double>* field : {&bound_, &added_, &soft_, &stiff_})
+    field->resize(cells());
+  zone_.resize(cells());
 }
 
 void TangentialContact::Iteration::start(const TangentialStep& step, const AlongSurface& shear)
 {
   using Kind = TangentialDrive::Kind;
-  const SurfaceGrid& grid = compliance_.grid();
   const TangentialDrive& drive = step.drive;
-  std::copy(step.bound.begin(), step.bound.end(), bound_.begin());
+  cells_.clear();
+  for (std::size_t cell = 0; cell < step.bound.size(); ++cell)
+    if (step.bound[cell] > 0.0)
+      cells_.push_back(cell);
+  resize();
+  for (std::size_t i = 0; i < cells(); ++i)
+    bound_[i] = step.bound[cells_[i]];
+  largest_bound_ = bound_.empty() ? 0.0 : *std::max_element(bound_.begin(), bound_.end());
   forced_ = {drive.x.kind == Kind::force, drive.y.kind == Kind::force};
-  sum_ = {drive.x.value / grid.cell_area(), drive.y.value / grid.cell_area()};
+  sum_ = {drive.x.value / grid().cell_area(), drive.y.value / grid().cell_area()};
   imposed_ = {forced_.x ? 0.0 : drive.x.value, forced_.y ? 0.0 : drive.y.value};
-  shift_ = {};
-  for_cells(cells(), [&](std::size_t i) { target_.set(i, {}); });
-  if (!step.before[0].empty() || !step.before[1].empty())
+  has_before_ = !step.before[0].empty() || !step.before[1].empty();
+  if (has_before_)
   {
-    carry(grid, step.carried, step.before[0], kept_shear_.x);
-    carry(grid, step.carried, step.before[1], kept_shear_.y);
-    compliance_.apply({.shear_x = kept_shear_.x, .shear_y = kept_shear_.y}, {.x = target_.x, .y = target_.y}, scratch_);
+    carry(grid(), step.carried, step.before[0], before_.x);
+    carry(grid(), step.carried, step.before[1], before_.y);
   }
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-    {
-      const std::size_t cell = grid.index(i, j);
-      const Along change{step.change[0].empty() ? 0.0 : step.change[0][cell],
-                         step.change[1].empty() ? 0.0 : step.change[1][cell]};
-      const Along turned{-drive.spin * grid.y(j), drive.spin * grid.x(i)};
-      target_.set(cell, target_.at(cell) + imposed_ + turned - change);
-    }
-  for_cells(cells(),
-            [&](std::size_t i)
-            {
-              zone_[i] = bound_[i] > 0.0 ? Zone::stick : Zone::none;
-              shear_.set(i, bounded({shear[0][i], shear[1][i]}, bound_[i]));
-              direction_.set(i, {});
-              gradient_.set(i, {});
-            });
-  bound_shears(true);
+  read_targets(step);
+  products_ = 0;
+  restart({shear[0], shear[1]});
+}
+
+void TangentialContact::Iteration::read_targets(const TangentialStep& step)
+{
+  const auto columns = static_cast<std::size_t>(grid().nx);
+  const double spin = step.drive.spin;
+  for (std::size_t i = 0; i < cells(); ++i)
+  {
+    const std::size_t cell = cells_[i];
+    const Along change{step.change[0].empty() ? 0.0 : step.change[0][cell],
+                       step.change[1].empty() ? 0.0 : step.change[1][cell]};
+    const Along turned{-spin * grid().y(static_cast<int>(cell / columns)),
+                       spin * grid().x(static_cast<int>(cell % columns))};
+    target_.set(i, imposed_ + turned - change);
+  }
+}
+
+void TangentialContact::Iteration::restart(const ConstAlongSurface& shear)
+{
+  for (std::size_t i = 0; i < cells(); ++i)
+  {
+    const Along guess = bounded({shear[0][cells_[i]], shear[1][cells_[i]]}, bound_[i]);
+    zone_[i] = is_bound(square(guess), bound_[i]) ? Zone::slip : Zone::stick;
+    shear_.set(i, guess);
+    direction_.set(i, {});
+    gradient_.set(i, {});
+  }
+  bound_shears(false);
   displace();
+  shift_ = {};
   shift_ = shift_of_sticking();
   slope_ = 0.0;
+  threshold_ = slip_threshold;
 }
 
 /// The mean of what the cells within their bound ask for, so that the others can be told apart.
@@ -148,16 +163,50 @@ Along TangentialContact::Iteration::shift_of_sticking() const
 {
   const auto asked = [&](std::size_t i)
   {
-    const bool is_within = zone_[i] != Zone::none && shear_.at(i).size() < slip_threshold * bound_[i];
+    const bool is_within = !is_bound(square(shear_.at(i)), bound_[i]);
     return is_within ? Mean{displacement_.at(i) - target_.at(i), 1.0} : Mean{};
   };
   const Mean mean = sum_of_cells(cells(), asked);
   return mean.count > 0.0 ? forced_.part((1.0 / mean.count) * mean.sum) : Along{};
 }
 
+/// Lays values of the cells on the grid, with nothing in the others.
+template <typename Value>
+void TangentialContact::Iteration::lay_out(const Value& value)
+{
+  all_.clear();
+  for (std::size_t i = 0; i < cells(); ++i)
+    all_.set(cells_[i], value(i));
+}
+
+/// Takes values of the cells from the grid.
+template <typename Use>
+void TangentialContact::Iteration::take_in(const Use& use)
+{
+  for (std::size_t i = 0; i < cells(); ++i)
+    use(i, all_.at(cells_[i]));
+}
+
 void TangentialContact::Iteration::displace()
 {
-  compliance_.apply({.shear_x = shear_.x, .shear_y = shear_.y}, {.x = displacement_.x, .y = displacement_.y}, scratch_);
+  lay_out([&](std::size_t i) { return shear_.at(i); });
+  bool is_zero = true;
+  for (const auto& [of_axis, before] : {std::pair{&all_.x, &before_.x}, {&all_.y, &before_.y}})
+    for (std::size_t cell = 0; cell < of_axis->size(); ++cell)
+    {
+      (*of_axis)[cell] -= has_before_ ? (*before)[cell] : 0.0;
+      is_zero = is_zero && (*of_axis)[cell] == 0.0;
+    }
+  if (!is_zero)
+    multiply();
+  take_in([&](std::size_t i, const Along& u) { displacement_.set(i, u); });
+}
+
+/// What is laid out, by the compliance.
+void TangentialContact::Iteration::multiply()
+{
+  compliance_.apply({.shear_x = all_.x, .shear_y = all_.y}, {.x = all_.x, .y = all_.y}, scratch_);
+  ++products_;
 }
 
 /// Cuts shears at their bound; those of a force keep its sum.
@@ -177,25 +226,18 @@ void TangentialContact::Iteration::classify()
 {
   const auto of_cell = [&](std::size_t i)
   {
-    Unbalanced here;
-    if (zone_[i] == Zone::none)
-      return here;
     const Along q = shear_.at(i);
     const Along slip = target_.at(i) + shift_ - displacement_.at(i);
-    const bool slips = q.size() >= slip_threshold * bound_[i] && dot(slip, q) > 0.0;
+    const double square_of_q = square(q);
+    const bool slips = is_bound(square_of_q, bound_[i], threshold_) && dot(slip, q) > 0.0;
+    const Along n = slips ? (1.0 / std::sqrt(square_of_q)) * q : Along{};
     zone_[i] = slips ? Zone::slip : Zone::stick;
-    here.slip = free_part(zone_[i], q, slip);
-    here.free = {1.0, 1.0, 0.0};
-    if (slips)
-    {
-      const Along n = (1.0 / q.size()) * q;
-      here.free = {n.y * n.y, n.x * n.x, -n.x * n.y};
-    }
-    return here;
+    normal_.set(i, n);
+    return Unbalanced{free_part(i, slip), {1.0 - n.x * n.x, 1.0 - n.y * n.y, -n.x * n.y}};
   };
   unbalanced_ = sum_of_cells(cells(), of_cell);
-  const Along added = forced_.solution(unbalanced_.free, unbalanced_.slip);
-  shift_ = shift_ - added;
+  slips_ = std::find(zone_.begin(), zone_.end(), Zone::slip) != zone_.end();
+  shift_ = shift_ - forced_.solution(unbalanced_.free, unbalanced_.slip);
 }
 
 void TangentialContact::Iteration::settle(TangentialReport& report)
@@ -203,29 +245,31 @@ void TangentialContact::Iteration::settle(TangentialReport& report)
   classify();
   const auto error = [&](std::size_t i)
   {
-    const Along slip = target_.at(i) + shift_ - displacement_.at(i);
-    slip_.set(i, zone_[i] == Zone::none ? Along{} : slip);
-    if (zone_[i] == Zone::none)
-      return Errors{};
     const Along q = shear_.at(i);
-    const double along = q.size() >= slip_threshold * bound_[i] ? std::max(0.0, dot(slip, q)) / dot(q, q) : 0.0;
-    return Errors{{(slip - along * q).size()}, {displacement_.at(i).size()}};
+    const Along slip = target_.at(i) + shift_ - displacement_.at(i);
+    const double square_of_q = square(q);
+    const double along = is_bound(square_of_q, bound_[i], threshold_) ? std::max(0.0, dot(slip, q)) / square_of_q : 0.0;
+    slip_.set(i, slip);
+    added_[i] = zone_[i] == Zone::slip ? along : 0.0;
+    return Largest{square(slip - along * q)};
   };
-  const Errors errors = sum_of_cells(cells(), error);
-  report.slip_error = errors.slip.value;
-  largest_displacement_ = errors.displacement.value;
+  report.slip_error = std::sqrt(sum_of_cells(cells(), error).value);
+  threshold_ = std::min(slip_threshold, 1.0 - excess_allowed(report.slip_error));
   const Along shift = imposed_ + shift_;
   report.shift = {shift.x, shift.y};
 }
 
 void TangentialContact::Iteration::keep()
 {
-  for_cells(cells(),
-            [&](std::size_t i)
-            {
-              kept_shear_.set(i, shear_.at(i));
-              kept_displacement_.set(i, displacement_.at(i));
-            });
+  kept_shear_ = shear_;
+  kept_displacement_ = displacement_;
+}
+
+void TangentialContact::Iteration::take_back()
+{
+  shear_ = kept_shear_;
+  displacement_ = kept_displacement_;
+  slope_ = 0.0;
 }
 
 bool TangentialContact::Iteration::has_descended() const
@@ -243,44 +287,40 @@ bool TangentialContact::Iteration::has_descended() const
   return work.x >= -rounding * work.y;
 }
 
-/// The free part of a field, weighed for one of the two parts of the preconditioner.
-void TangentialContact::Iteration::weigh(const AlongField& of, bool stiff, AlongField& weighed) const
+/// Of the cells in both parts of the preconditioner.
+void TangentialContact::Iteration::weigh_zones()
 {
   const double cell = compliance_.stiffness_of_cell();
-  const auto weight = [&](std::size_t i)
-  {
-    const double added = stiffening(zone_[i], shear_.at(i), slip_.at(i));
-    const double share = 1.0 / (1.0 + cell * added);
-    return std::sqrt(stiff ? (1.0 - share) * between_ / (between_ + added) : share);
-  };
-  for_cells(cells(), [&](std::size_t i) { weighed.set(i, weight(i) * free_part(zone_[i], shear_.at(i), of.at(i))); });
+  for_cells(cells(),
+            [&](std::size_t i)
+            {
+              const double share = 1.0 / (1.0 + cell * added_[i]);
+              soft_[i] = std::sqrt(share);
+              stiff_[i] = std::sqrt((1.0 - share) * between_ / (between_ + added_[i]));
+            });
 }
 
 /// Shears that would about take the slip away, where the cells are free: docs/theory/contact.md (stick-slip).
 void TangentialContact::Iteration::want()
 {
-  const bool slips = std::find(zone_.begin(), zone_.end(), Zone::slip) != zone_.end();
-  if (slips)
+  const auto invert = [&](const std::vector<double>& weight, double added, const auto& use)
   {
-    weigh(slip_, true, stiff_);
-    compliance_.apply_inverse({stiff_.x, stiff_.y}, {stiff_.x, stiff_.y}, scratch_, between_);
-    weigh(stiff_, true, stiff_);
-  }
-  weigh(slip_, false, image_);
-  compliance_.apply_inverse({image_.x, image_.y}, {image_.x, image_.y}, scratch_);
-  weigh(image_, false, image_);
-  if (slips)
-    for_cells(cells(), [&](std::size_t i) { image_.set(i, image_.at(i) + stiff_.at(i)); });
+    lay_out([&](std::size_t i) { return weight[i] * free_part(i, slip_.at(i)); });
+    compliance_.apply_inverse({all_.x, all_.y}, {all_.x, all_.y}, scratch_, added);
+    take_in([&](std::size_t i, const Along& q) { use(i, weight[i] * free_part(i, q)); });
+  };
+  weigh_zones();
+  invert(soft_, 0.0, [&](std::size_t i, const Along& q) { image_.set(i, q); });
+  if (slips_)
+    invert(stiff_, between_, [&](std::size_t i, const Along& q) { image_.set(i, image_.at(i) + q); });
 }
 
 /// The next direction of what is wanted and `beta` times the last one, without what would change a force.
 void TangentialContact::Iteration::combine(double beta)
 {
-  const auto combined = [&](std::size_t i)
-  { return free_part(zone_[i], shear_.at(i), image_.at(i) + beta * direction_.at(i)); };
+  const auto combined = [&](std::size_t i) { return free_part(i, image_.at(i) + beta * direction_.at(i)); };
   const Along uniform = forced_.any() ? forced_.solution(unbalanced_.free, sum_of_cells(cells(), combined)) : Along{};
-  for_cells(cells(),
-            [&](std::size_t i) { direction_.set(i, combined(i) - free_part(zone_[i], shear_.at(i), uniform)); });
+  for_cells(cells(), [&](std::size_t i) { direction_.set(i, combined(i) - free_part(i, uniform)); });
 }
 
 double TangentialContact::Iteration::aim()
@@ -288,7 +328,7 @@ double TangentialContact::Iteration::aim()
   want();
   const auto slopes_of_cell = [&](std::size_t i)
   {
-    const Along now = free_part(zone_[i], shear_.at(i), slip_.at(i));
+    const Along now = free_part(i, slip_.at(i));
     const Along slopes{dot(now, image_.at(i)), dot(gradient_.at(i), image_.at(i))};
     gradient_.set(i, now);
     return slopes;
@@ -305,28 +345,39 @@ double TangentialContact::Iteration::aim()
     combine(0.0);
     along = descent();
   }
-  compliance_.apply({.shear_x = direction_.x, .shear_y = direction_.y}, {.x = image_.x, .y = image_.y}, scratch_);
+  lay_out([&](std::size_t i) { return direction_.at(i); });
+  multiply();
+  take_in([&](std::size_t i, const Along& u) { image_.set(i, u); });
   const auto curvature_of_cell = [&](std::size_t i)
   {
     const Along d = direction_.at(i);
-    return dot(d, image_.at(i)) + stiffening(zone_[i], shear_.at(i), slip_.at(i)) * dot(d, d);
+    return dot(d, image_.at(i)) + added_[i] * dot(d, d);
   };
   const double curvature = sum_of_cells(cells(), curvature_of_cell);
   return curvature > 0.0 ? along / curvature : 0.0;
 }
 
-bool TangentialContact::Iteration::advance(double step, double allowed)
+/// By which share the shears where the surfaces slip may exceed their bound, so that they displace by no more than a tenth of the
+/// error. No shears below a bound on a given area displace a point by more than those on a disc around it.
+double TangentialContact::Iteration::excess_allowed(double error) const
+{
+  const double area = static_cast<double>(cells()) * grid().cell_area();
+  const double all = static_cast<double>(grid().size()) * grid().cell_area();
+  const double share =
+      std::min(1.0, 2.0 * std::sqrt(area / (std::numbers::pi * all))); // of the response to the longest wave
+  return 0.1 * error / (largest_bound_ * compliance_.largest_of_shear() * share);
+}
+
+bool TangentialContact::Iteration::advance(double step, double error)
 {
   const auto move = [&](std::size_t i)
   {
     displacement_.set(i, displacement_.at(i) + step * image_.at(i));
-    if (zone_[i] == Zone::none)
-      return Largest{};
     const Along moved = shear_.at(i) + step * direction_.at(i);
     shear_.set(i, moved);
-    return Largest{(moved.size() / bound_[i] - 1.0) * (zone_[i] == Zone::slip ? 1.0 : never)};
+    return Largest{(square(moved) / (bound_[i] * bound_[i]) - 1.0) * (zone_[i] == Zone::slip ? 0.5 : never)};
   };
-  return sum_of_cells(cells(), move).value <= allowed;
+  return sum_of_cells(cells(), move).value <= excess_allowed(error);
 }
 
 void TangentialContact::Iteration::restore_bounds()
@@ -334,10 +385,12 @@ void TangentialContact::Iteration::restore_bounds()
   for_cells(cells(),
             [&](std::size_t i)
             {
-              if (zone_[i] == Zone::slip)
-                shear_.set(i, (bound_[i] / shear_.at(i).size()) * shear_.at(i));
+              const Along q = shear_.at(i);
+              const double factor = zone_[i] == Zone::slip ? bound_[i] / q.size() : 1.0;
+              shear_.set(i, factor * q);
             });
   bound_shears(false);
+  threshold_ = slip_threshold;
 }
 
 bool TangentialContact::Iteration::retreat()
@@ -354,14 +407,19 @@ bool TangentialContact::Iteration::retreat()
   if (work.x > 0.0 && work.y > work.x)
   {
     const double share = work.x / work.y;
-    const auto between = [&](AlongField& now, const AlongField& kept, std::size_t i)
-    { now.set(i, share * now.at(i) + (1.0 - share) * kept.at(i)); };
-    for_cells(cells(),
-              [&](std::size_t i)
-              {
-                between(shear_, kept_shear_, i);
-                between(displacement_, kept_displacement_, i);
-              });
+    const auto between = [&](const Along& now, const Along& kept) { return share * now + (1.0 - share) * kept; };
+    const auto move = [&](std::size_t i)
+    {
+      const Along now = shear_.at(i), kept = kept_shear_.at(i), q = between(now, kept);
+      const double square_of_bound = bound_[i] * bound_[i];
+      // Between two points of a disc's edge that are near each other the shear still counts as bound.
+      constexpr double near = 0.99;
+      const bool turns = is_bound(square(now), bound_[i]) && dot(now, kept) > near * square_of_bound;
+      shear_.set(i, q);
+      displacement_.set(i, between(displacement_.at(i), kept_displacement_.at(i)));
+      return Largest{turns ? 1.0 - square(q) / square_of_bound : 0.0};
+    };
+    threshold_ = std::min(threshold_, 1.0 - sum_of_cells(cells(), move).value);
     return true;
   }
   // The gradient of a quadratic function, over its largest curvature, followed by the nearest shears that are allowed.
@@ -370,7 +428,7 @@ bool TangentialContact::Iteration::retreat()
             [&](std::size_t i)
             {
               const Along slip = target_.at(i) + shift_ - kept_displacement_.at(i);
-              shear_.set(i, zone_[i] == Zone::none ? Along{} : kept_shear_.at(i) + step * slip);
+              shear_.set(i, kept_shear_.at(i) + step * slip);
             });
   bound_shears(true);
   return false;
@@ -379,18 +437,24 @@ bool TangentialContact::Iteration::retreat()
 void TangentialContact::Iteration::finish(TangentialReport& report, const AlongSurface& shear,
                                           const AlongSurface& slip) const
 {
-  const double area = compliance_.grid().cell_area();
-  const auto work_of_cell = [&](std::size_t i)
+  for (const AlongSurface* fields : {&shear, &slip})
+    for (const std::span<double>& field : *fields)
+      std::fill(field.begin(), field.end(), 0.0);
+  Along force;
+  double work = 0.0;
+  for (std::size_t i = 0; i < cells(); ++i)
   {
-    shear[0][i] = shear_.x[i];
-    shear[1][i] = shear_.y[i];
-    slip[0][i] = slip_.x[i];
-    slip[1][i] = slip_.y[i];
-    return dot(shear_.at(i), slip_.at(i));
-  };
-  report.dissipated = area * sum_of_cells(cells(), work_of_cell);
-  const Along force = area * sum_of_cells(cells(), [&](std::size_t i) { return shear_.at(i); });
-  report.force = {force.x, force.y};
+    shear[0][cells_[i]] = shear_.x[i];
+    shear[1][cells_[i]] = shear_.y[i];
+    slip[0][cells_[i]] = slip_.x[i];
+    slip[1][cells_[i]] = slip_.y[i];
+    force += shear_.at(i);
+    work += dot(shear_.at(i), slip_.at(i));
+  }
+  const double area = grid().cell_area();
+  report.dissipated = area * work;
+  report.force = {area * force.x, area * force.y};
+  report.products = products_;
 }
 
 } // namespace brinell::contact

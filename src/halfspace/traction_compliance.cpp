@@ -42,21 +42,22 @@ using Terms = std::array<Lanes, term_count>;
 struct TractionCompliance::Operator
 {
   green::PairConstants constants;
+  double reference;
   BlockedFft fft;
   int rows;                   ///< stored rows, ky >= 0
   AlignedVector<Terms> terms; ///< [block][row]
   ShearStiffness stiffness;
   double largest_of_shear = 0.0; ///< [m/Pa]
 
-  Operator(const SurfaceGrid& grid, const green::PairConstants& pair, double reference)
-      : constants(pair), fft(grid, padded_lengths(grid).x, padded_lengths(grid).y, 1), rows(fft.py() / 2 + 1),
+  Operator(const SurfaceGrid& grid, const green::PairConstants& pair, double at)
+      : constants(pair), reference(at), fft(grid, padded_lengths(grid).x, padded_lengths(grid).y, 1), rows(fft.py() / 2 + 1),
         terms(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows)), stiffness(grid, pair, reference)
   {
     const PaddedFft padded(grid, fft.px(), fft.py());
     if (grid.is_periodic())
       tabulate_waves(padded);
     else
-      tabulate_cells(padded, reference);
+      tabulate_cells(padded);
     for (int row = 0; row < rows; ++row)
       for (int i = 0; i < fft.kx(); ++i)
         largest_of_shear = std::max(largest_of_shear, shear_wave(row, i).largest());
@@ -75,7 +76,7 @@ struct TractionCompliance::Operator
                  static_cast<std::size_t>(row)];
   }
 
-  void tabulate_cells(const PaddedFft& padded, double reference)
+  void tabulate_cells(const PaddedFft& padded)
   {
     const Quadrant<green::SurfaceTerms> response = cell_surface_terms(padded.grid(), reference);
     for (std::size_t t = 0; t < term_count; ++t)
@@ -129,6 +130,11 @@ TractionCompliance::TractionCompliance(const SurfaceGrid& grid, const Elastic& b
   if (grid.is_periodic_x() != grid.is_periodic_y() && !(reference > 0.0))
     throw InternalError("TractionCompliance: with one periodic axis the displacement needs a reference distance, > 0");
   operator_ = make_hidden<Operator>(grid, green::pair_constants(body1, body2), reference);
+}
+
+TractionCompliance TractionCompliance::on(const SurfaceGrid& grid) const
+{
+  return TractionCompliance(make_hidden<Operator>(grid, operator_->constants, operator_->reference));
 }
 
 const SurfaceGrid& TractionCompliance::grid() const

@@ -54,7 +54,8 @@ struct TangentialReport
 {
   bool converged = false;
   int iterations = 0;
-  int products = 0;              ///< with the compliance; about its inverse is applied once per iteration
+  int products =
+      0; ///< with the compliance, beside those on larger cells for a guess; about its inverse is applied twice per iteration
   int retreats = 0;              ///< steps that had to be replaced by one that is certain to descend
   std::array<double, 2> shift{}; ///< of the step along x and y, imposed or found [m]
   std::array<double, 2> force{}; ///< sum of the shear [N]
@@ -64,6 +65,8 @@ struct TangentialReport
 
 /// Share of its bound up to which a cell sticks; rounding keeps no shear just at its bound.
 inline constexpr double slip_threshold = 1.0 - 1e-12;
+
+class CoarserTangential;
 
 /// Stick and slip under a given bound of the shear, by conjugate gradients on the discs |q| <= g of all cells.
 ///
@@ -92,8 +95,12 @@ public:
 
 private:
   class Iteration;
-  std::unique_ptr<Iteration> iteration_; ///< its fields are kept from step to step
-  double cell_area_;
+  void improve_guess(const TangentialStep& step, double tolerance, TangentialReport& report, const AlongSurface& shear,
+                     const std::function<bool()>& wants_stop);
+
+  const halfspace::TractionCompliance& compliance_;
+  std::unique_ptr<Iteration> iteration_;       ///< its fields are kept from step to step
+  std::unique_ptr<CoarserTangential> coarser_; ///< made when it is first wanted
 };
 
 } // namespace brinell::contact

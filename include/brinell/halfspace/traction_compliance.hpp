@@ -32,6 +32,8 @@ public:
   [[nodiscard]] Scratch make_scratch() const;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
+  /// The same bodies on another grid, with the same boundaries and reference.
+  [[nodiscard]] TractionCompliance on(const SurfaceGrid& grid) const;
   /// Whether a pressure displaces along the surface, and a shear along z: the bodies differ (Dundurs).
   [[nodiscard]] bool couples() const;
   /// The displacement [m]; parts of the load and of the displacement that are empty cost nothing.
@@ -55,6 +57,7 @@ public:
 
 private:
   struct Operator; ///< transforms and spectra
+  explicit TractionCompliance(Hidden<Operator> made) : operator_(std::move(made)) {}
   Hidden<Operator> operator_;
 };
 

@@ -53,7 +53,7 @@ TEST(CoarserContactTest, ASolutionDoesNotDependOnWhereItBegan)
   for (const SurfaceGrid& grid :
        {SurfaceGrid{65, 49, 0.02, 0.02}, {96, 51, 0.02, 0.03}, {128, 128, 0.01, 0.01}, {48, 200, 0.03, 0.005}})
   {
-    ASSERT_TRUE(CoarserContact::helps(grid));
+    ASSERT_TRUE(CoarserCells::helps(grid));
     for (const double roughness : {0.0, 0.02})
       for (const Drive& drive : {Drive{Drive::Kind::approach, 0.05}, Drive{Drive::Kind::load, 0.01}})
       {

@@ -297,6 +297,52 @@ TEST(TangentialContactTest, ShearsThatAreCarriedAreThoseOfShearsThatWereThere)
   EXPECT_NEAR(total(after.x, 1.0), 0.0, 1e-10);
 }
 
+TEST(TangentialContactTest, OnManyCellsTheGuessIsOfLargerOnes)
+{
+  // Odd numbers of cells and a spin, so that the larger cells have another middle; unlike bounds, so that they see another surface;
+  // a step before, carried along, and a change.
+  for (const SurfaceGrid& grid :
+       {SurfaceGrid{65, 51, 0.03, 0.04}, {64, 48, 0.03, 0.04, Boundary::periodic, Boundary::open}})
+  {
+    const halfspace::TractionCompliance compliance(grid, {1.0, 0.3}, {2.0, 0.2}, 10.0);
+    TangentialContact contact(compliance);
+    const Field rough = test::random_field(grid.size(), 5, 0.7, 1.0),
+                changes = test::random_field(grid.size(), 6, -0.01, 0.01);
+    Field bound(grid.size());
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        bound[grid.index(i, j)] =
+            rough[grid.index(i, j)] * std::max(0.0, 1.0 - 2.0 * (std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)));
+    const double carried = total(bound, grid.cell_area());
+    Fields shear(grid.size()), slip(grid.size()), before(grid.size());
+    constexpr double tolerance = 1e-9;
+    for (const TangentialDrive& drive :
+         {TangentialDrive{{Kind::force, 0.9 * carried}, {Kind::shift, 0.05}, 0.2},
+          TangentialDrive{{Kind::force, -0.5 * carried}, {Kind::force, 0.3 * carried}, 0.0},
+          TangentialDrive{{Kind::force, 0.9995 * carried}, {}, 0.0}})
+    {
+      const TangentialStep step{bound, before.in(), {changes, changes}, drive};
+      const TangentialReport report = contact.solve(step, tolerance, 200, shear.out(), slip.out());
+      ASSERT_TRUE(report.converged) << report.slip_error;
+      const Violations worst = violations(compliance, step, report, shear, slip);
+      EXPECT_LE(worst.bound, 1e-14);
+      EXPECT_LE(worst.slip, 1.01 * tolerance);
+      EXPECT_LE(worst.reported, 0.01 * tolerance);
+      before = shear;
+    }
+  }
+}
+
+TEST(TangentialContactTest, AGuessOfLargerCellsSavesIterations)
+{
+  // A bound near the limit of sliding: from no shear it takes 24 iterations with 38 products.
+  Push push(256);
+  const TangentialReport report = push.solve({{Kind::force, 0.9 * push.carried()}, {}, 0.0});
+  ASSERT_TRUE(report.converged);
+  EXPECT_LE(report.iterations, 20);
+  EXPECT_LE(report.products, 30);
+}
+
 TEST(TangentialContactTest, SaysThatItHasNotConverged)
 {
   Push push(40);

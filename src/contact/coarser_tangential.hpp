@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/tangential_contact.hpp"
+#include "coarser_cells.hpp"
+
+#include <vector>
+
+namespace brinell::contact
+{
+
+/// The same step of stick and slip on cells twice as large, which gives a guess of the shears.
+class CoarserTangential
+{
+public:
+  explicit CoarserTangential(const halfspace::TractionCompliance& fine);
+
+  /// @param tolerance  of the finer solution [m]; this one is not solved as well
+  /// @param shear      in: a guess on the finer cells; out: a better one [Pa]
+  /// @returns whether there is one
+  [[nodiscard]] bool guess(const TangentialStep& step, double tolerance, const AlongSurface& shear,
+                           const std::function<bool()>& wants_stop);
+
+  /// Slip error of a guess over the tolerance from which on this saves more than it costs.
+  static constexpr double worth = 1000.0;
+
+private:
+  using Pair = std::array<std::vector<double>, 2>;
+  void read(const TangentialStep& step);
+  void interpolate(std::span<const double> bound, const AlongSurface& shear) const;
+
+  CoarserCells cells_;
+  halfspace::TractionCompliance compliance_;
+  TangentialContact contact_;
+  std::vector<double> bound_, finer_; ///< `finer_`: one value for each finer cell
+  Pair before_, change_, shear_, guess_, slip_;
+};
+
+} // namespace brinell::contact
