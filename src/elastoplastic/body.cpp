@@ -226,8 +226,9 @@ void Body::integrate(Integration integration)
         }
       },
       *material_.hardening);
-  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, found_at_once(), symmetry_));
-  loaded_->displacement(displacements_found_at_once());
+  const halfspace::Displacements wanted = found_at_once();
+  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, wanted, symmetry_));
+  find_displacements(wanted);
 }
 
 bool Body::update(const halfspace::SurfaceLoad& load)

@@ -43,11 +43,10 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   thermal_stress_ = state_.thermal_stress;
   prepare_trial();
   work_ = half_space_->make_work();
-  find_displacement_x();
-  const halfspace::HalfSpace::Loaded loaded =
-      half_space_->load(state_.plastic_strain, grid().nz, work_, found_at_once());
-  loaded.displacement(displacements_found_at_once());
-  loaded.stress(load, stress_);
+  const halfspace::Displacements wanted = found_at_once();
+  loaded_.emplace(half_space_->load(state_.plastic_strain, grid().nz, work_, wanted));
+  find_displacements(wanted);
+  loaded_->stress(load, stress_);
   add_initial_stress(grid().nz, grid().surface.ny, stress_);
   add_thermal_stress(grid().nz, grid().surface.ny, stress_);
   state_.stress = stress_;

@@ -8,30 +8,40 @@
 namespace brinell::elastoplastic
 {
 
-/// What an evaluation finds of the displacement: all of it where the shear depends on it, otherwise the part on which the gap
-/// depends.
+/// What an evaluation finds of the displacement: the part on which the gap depends, and all of it where the shear depends on it.
+/// Along x it is wanted of the last evaluation of an increment alone, which is one of those that compute all layers.
 halfspace::Displacements Body::found_at_once() const
 {
-  return displacement_y_.empty() ? halfspace::Displacements::normal : halfspace::Displacements::all;
+  if (!displacement_y_.empty())
+    return halfspace::Displacements::all;
+  return !displacement_x_.empty() && computes_all_layers() ? halfspace::Displacements::along_x
+                                                           : halfspace::Displacements::normal;
 }
 
-halfspace::SurfaceDisplacement Body::displacements_found_at_once()
+/// Of the strain that has been loaded.
+void Body::find_displacements(halfspace::Displacements wanted)
 {
-  if (displacement_y_.empty())
-    return {.z = displacement_};
-  return {.z = displacement_, .x = displacement_x_, .y = displacement_y_};
+  using halfspace::Displacements;
+  halfspace::SurfaceDisplacement found{.z = displacement_, .x = {}, .y = {}};
+  if (wanted != Displacements::normal)
+    found.x = displacement_x_;
+  if (wanted == Displacements::all)
+    found.y = displacement_y_;
+  loaded_->displacement(found);
+  knows_displacement_x_ = wanted != Displacements::normal;
 }
 
 /// Of the same strain the displacement into the body and the stress are known by now: no layer is asked for.
 void Body::find_displacement_x()
 {
-  if (displacement_x_.empty() || !displacement_y_.empty())
+  if (displacement_x_.empty() || knows_displacement_x_)
     return;
   if (work_.empty())
     work_ = half_space_->make_work();
   loaded_.reset();
   half_space_->load(state_.plastic_strain, 0, work_, halfspace::Displacements::along_x, symmetry_)
       .displacement({.x = displacement_x_});
+  knows_displacement_x_ = true;
 }
 
 /// In pure shear the yield surface is a circle of the radius yield stress / sqrt(3) around its centre (xz, yz).

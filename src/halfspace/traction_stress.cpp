@@ -209,7 +209,7 @@ struct Source
 
 /// @tparam parts  of the traction that act, a bit each
 template <unsigned parts>
-void add_parts(const OfTraction<Source>& sources, bool pressure_is_imaginary, int rows, const BlockedFft& fft,
+void add_parts(const OfTraction<Source> sources, bool pressure_is_imaginary, int rows, const BlockedFft& fft,
                const ComplexLanes* stress, ComplexLanes* total)
 {
   const auto add_as = [&](auto is_imaginary)
@@ -217,15 +217,19 @@ void add_parts(const OfTraction<Source>& sources, bool pressure_is_imaginary, in
     for_rows(rows, fft,
              [&](int row, int stored, auto below)
              {
-               ComplexLanes of_pressure, of_shear;
+               ComplexLanes sum = stress[row];
+               const auto add_source = [&](std::size_t t, bool is_turned)
+               {
+                 const ComplexLanes part = sources[t].at(row, stored, below);
+                 sum = sum + (is_turned ? times_i(part) : part);
+               };
                if constexpr ((parts & 1U) != 0)
-                 of_pressure = sources[0].at(row, stored, below);
+                 add_source(0, is_imaginary);
                if constexpr ((parts & 2U) != 0)
-                 of_shear = sources[1].at(row, stored, below);
+                 add_source(1, !is_imaginary);
                if constexpr ((parts & 4U) != 0)
-                 of_shear = of_shear + sources[2].at(row, stored, below);
-               total[row] =
-                   stress[row] + (is_imaginary ? times_i(of_pressure) + of_shear : of_pressure + times_i(of_shear));
+                 add_source(2, !is_imaginary);
+               total[row] = sum;
              });
   };
   pressure_is_imaginary ? add_as(std::true_type{}) : add_as(std::false_type{});
@@ -266,22 +270,28 @@ void TractionStress::add(const OfTraction<const TractionStress*>& kernels, int b
 void TractionStress::add_displacement(int block, int layer, int rows, const ComplexLanes* strain,
                                       ComplexLanes* displacement) const
 {
-  const std::ptrdiff_t pitch = fft_.pitch();
   const double thickness = grid_.dz;
-  const auto add_as = [&](auto is_pressure)
+  const std::ptrdiff_t pitch = fft_.pitch();
+  const Lanes* const k = kernel(block, layer, 0);
+  std::array<double, Deviator::size> sign_below{};
+  for (int c = 0; c < Deviator::size; ++c)
+    sign_below[static_cast<std::size_t>(c)] = parity(c).odd_y ? -1.0 : 1.0;
+  const auto add_as = [=, this](auto is_pressure)
   {
     for_rows(rows, fft_,
-             [&](int row, int stored, auto below)
+             [=, this](int row, int stored, auto below)
              {
-               const auto k = [&](int c) -> Lanes
+               const auto times = [&](int c, const ComplexLanes& strain_of)
                {
-                 const Lanes number = kernel(block, layer, c)[stored];
-                 return below && parity(c).odd_y ? -number : number;
+                 const Lanes number = k[c * rows_ + stored];
+                 return (below ? sign_below[static_cast<std::size_t>(c)] * number : number) * strain_of;
                };
-               const auto e = [&](int c) { return strain[c * pitch + row]; };
+               const ComplexLanes e_xx = strain[xx * pitch + row], e_yy = strain[yy * pitch + row];
+               const ComplexLanes sum = e_xx + e_yy;
                const ComplexLanes in_plane =
-                   k(xx) * (2.0 * e(xx) + e(yy)) + k(yy) * (e(xx) + 2.0 * e(yy)) + (2.0 * k(xy)) * e(xy);
-               const ComplexLanes across = 2.0 * (k(yz) * e(yz) + k(xz) * e(xz));
+                   times(xx, e_xx + sum) + times(yy, e_yy + sum) + 2.0 * times(xy, strain[xy * pitch + row]);
+               const ComplexLanes across =
+                   2.0 * (times(yz, strain[yz * pitch + row]) + times(xz, strain[xz * pitch + row]));
                // Of the transpose, with conj(i K) = -i K.
                displacement[row] = displacement[row] +
                                    thickness * (is_pressure ? in_plane - times_i(across) : across - times_i(in_plane));

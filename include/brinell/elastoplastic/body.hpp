@@ -172,7 +172,7 @@ private:
   [[nodiscard]] bool may_yield_beneath() const;
   [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load) const;
   [[nodiscard]] halfspace::Displacements found_at_once() const;
-  [[nodiscard]] halfspace::SurfaceDisplacement displacements_found_at_once();
+  void find_displacements(halfspace::Displacements wanted);
 
   VolumeGrid grid_;
   constitutive::Material material_;
@@ -196,6 +196,7 @@ private:
   std::vector<std::size_t> guessed_cells_;
   std::vector<double> guessed_q_;
   std::vector<double> displacement_, displacement_x_, displacement_y_;
+  bool knows_displacement_x_ = false; ///< of the present trial
 };
 
 } // namespace brinell::elastoplastic
