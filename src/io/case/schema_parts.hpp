@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "body_options.hpp"
 #include "brinell/io/case_file.hpp"
 
 #include <algorithm>
@@ -84,8 +85,24 @@ Entry bound(Entry entry, First first, Rest... rest)
 /// The keys of a table, which apply under one condition unless they have their own.
 [[nodiscard]] std::vector<Entry> in_table(const std::string& table, const Condition& when, std::vector<Entry> entries);
 
+/// The entries of several tables.
+[[nodiscard]] std::vector<Entry> joined(std::vector<std::vector<Entry>> parts);
+
+/// A number of some of the options, required unless it has a default.
+template <typename Product>
+Entry parameter(const std::string& choice, const std::vector<Option<Product>>& options, Entry entry)
+{
+  entry.type = Type::number;
+  entry.required = !entry.fallback && entry.unset.empty();
+  entry.when = {choice, names_of(options, entry.key)};
+  return entry;
+}
+
 /// Keys of one body, "lower" or "upper": shape, texture, material.
 [[nodiscard]] std::vector<Entry> body_entries(const std::string& body);
+
+/// Keys of a material. @param material  its table, ends with a dot
+[[nodiscard]] std::vector<Entry> material_entries(const std::string& material);
 
 /// What a material has to do with heat. @param material  its table, ends with a dot
 [[nodiscard]] std::vector<Entry> thermal_entries(const std::string& material);

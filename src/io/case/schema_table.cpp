@@ -198,20 +198,13 @@ std::vector<Entry> scenario_entries()
   return entries;
 }
 
-std::vector<Entry> build_schema()
-{
-  std::vector<Entry> schema;
-  for (auto part : {root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(),
-                    interface_entries(), heat_entries(), grid_entries(), solver_entries(), output_entries()})
-    schema.insert(schema.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
-  return schema;
-}
-
 } // namespace
 
 const std::vector<Entry>& case_schema()
 {
-  static const std::vector<Entry> schema = build_schema();
+  static const std::vector<Entry> schema =
+      joined({root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(), interface_entries(),
+              heat_entries(), grid_entries(), solver_entries(), output_entries()});
   return schema;
 }
 
