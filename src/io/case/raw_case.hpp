@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -63,14 +62,6 @@ struct RawCase
   /// Where a missing key is missed: the innermost table that exists, or the file.
   [[nodiscard]] std::string place_for(std::string_view missing_key) const;
 };
-
-/// Parts that a key may have, as a.b.c has three. Those of a case have four at most; toml++ recurses into each of them, and
-/// tens of thousands are more than a stack holds.
-inline constexpr int deepest_key = 30;
-
-/// The line of the first key of TOML that has more parts, counted from 1; none if there is none. Behind the first syntax error
-/// it may go astray, but there the parser does not go.
-[[nodiscard]] std::optional<int> line_of_deep_key(std::string_view toml);
 
 /// Reads TOML, flattens it into dotted keys, applies the overrides and reports unknown keys.
 /// @throws InputError on a syntax error, which leaves nothing to go on with

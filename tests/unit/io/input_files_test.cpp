@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "io/case/raw_case.hpp"
+#include "io/case/toml_text.hpp"
 #include "io/files.hpp"
 #include "sample.hpp"
 
