@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hdf5.hpp"
+#include "hdf5_checks.hpp"
 
 #include "brinell/foundation/error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <fmt/format.h>
@@ -15,10 +14,6 @@ namespace brinell::io::h5
 namespace
 {
 
-/// Of chunks, by rank; 64^3 doubles are 2 MB, a good size for the deflate filter.
-constexpr std::array<hsize_t, 4> longest_chunk_side{1, 4096, 512, 64};
-constexpr unsigned deflate_level = 1; ///< fields are smooth or zero: higher levels gain little and cost much
-
 /// The text of the innermost HDF5 error, where the cause is.
 herr_t take_description(unsigned n, const H5E_error2_t* error, void* data)
 {
@@ -27,120 +22,10 @@ herr_t take_description(unsigned n, const H5E_error2_t* error, void* data)
   return 0;
 }
 
-[[noreturn]] void fail(std::string_view what)
-{
-  std::string cause;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_description, &cause);
-  H5Eclear2(H5E_DEFAULT);
-  throw IoError(fmt::format("HDF5: cannot {}{}{}", what, cause.empty() ? "" : ": ", cause));
-}
-
 /// HDF5 prints errors by itself unless told not to.
 void silence()
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
-Handle checked(hid_t id, std::string_view what)
-{
-  if (id < 0)
-    fail(what);
-  return Handle(id);
-}
-
-void check(herr_t status, std::string_view what)
-{
-  if (status < 0)
-    fail(what);
-}
-
-template <typename Number>
-hid_t type_of()
-{
-  return std::is_same_v<Number, int> ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE;
-}
-
-/// Variable length, because a fixed one cannot hold an empty string; UTF-8 for titles.
-Handle text_type()
-{
-  Handle type = checked(H5Tcopy(H5T_C_S1), "make a string type");
-  check(H5Tset_size(type.id(), H5T_VARIABLE), "size a string type");
-  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "set UTF-8");
-  return type;
-}
-
-Handle properties(hid_t kind)
-{
-  return checked(H5Pcreate(kind), "make a property list");
-}
-
-/// An array; a single value if it has no side.
-Handle space_of(std::span<const hsize_t> shape)
-{
-  return checked(shape.empty() ? H5Screate(H5S_SCALAR)
-                               : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
-                 "make a data space");
-}
-
-/// The same, of which a box is selected.
-Handle selection(std::span<const hsize_t> shape, const Box& box)
-{
-  Handle space = space_of(shape);
-  check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, box.start.data(), nullptr, box.count.data(), nullptr),
-        "select a part of a dataset");
-  return space;
-}
-
-void write_attribute_of(const Handle& object, const char* name, hid_t type, std::span<const hsize_t> shape,
-                        const void* data)
-{
-  const std::string what = fmt::format("write the attribute {}", name);
-  const Handle attribute =
-      checked(H5Acreate2(object.id(), name, type, space_of(shape).id(), H5P_DEFAULT, H5P_DEFAULT), what);
-  check(H5Awrite(attribute.id(), type, data), what);
-}
-
-template <typename Number>
-void write_list_attribute(const Handle& object, const char* name, std::span<const Number> values)
-{
-  const hsize_t size = values.size();
-  write_attribute_of(object, name, type_of<Number>(), {&size, 1}, values.data());
-}
-
-/// @param data  none for one that stores nothing
-Handle write_dataset_of(const Handle& group, const std::string& name, hid_t type, std::span<const hsize_t> shape,
-                        const void* data, hid_t creation = H5P_DEFAULT)
-{
-  const std::string what = fmt::format("write the dataset {}", name);
-  Handle dataset = checked(
-      H5Dcreate2(group.id(), name.c_str(), type, space_of(shape).id(), H5P_DEFAULT, creation, H5P_DEFAULT), what);
-  if (data)
-    check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), what);
-  return dataset;
-}
-
-Handle chunks(std::span<const hsize_t> shape, Storage storage)
-{
-  Handle creation = properties(H5P_DATASET_CREATE);
-  if (storage == Storage::contiguous)
-    return creation;
-  std::vector<hsize_t> chunk(shape.begin(), shape.end());
-  // Of one size, as chunks are stored whole: 69 cells in chunks of 64 would take the place of 128.
-  for (hsize_t& side : chunk)
-  {
-    const hsize_t longest = longest_chunk_side.at(shape.size());
-    const hsize_t count = std::max<hsize_t>(1, (side + longest - 1) / longest);
-    side = (side + count - 1) / count;
-  }
-  check(H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
-  if (storage == Storage::plain)
-  {
-    check(H5Pset_fletcher32(creation.id()), "set the checksum filter");
-    return creation;
-  }
-  check(H5Pset_shuffle(creation.id()), "set the shuffle filter");
-  check(H5Pset_deflate(creation.id(), deflate_level), "set the deflate filter");
-  return creation;
 }
 
 /// The bytes of a chunk as they are stored. @param mask  tells which filters were left out
@@ -177,6 +62,32 @@ void require_same_chunks(const Handle& dataset, const Handle& other, const std::
 }
 
 } // namespace
+
+void fail(std::string_view what)
+{
+  std::string cause;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_description, &cause);
+  H5Eclear2(H5E_DEFAULT);
+  throw IoError(fmt::format("HDF5: cannot {}{}{}", what, cause.empty() ? "" : ": ", cause));
+}
+
+Handle checked(hid_t id, std::string_view what)
+{
+  if (id < 0)
+    fail(what);
+  return Handle(id);
+}
+
+void check(herr_t status, std::string_view what)
+{
+  if (status < 0)
+    fail(what);
+}
+
+Handle properties(hid_t kind)
+{
+  return checked(H5Pcreate(kind), "make a property list");
+}
 
 Handle create_file(const std::filesystem::path& path)
 {
@@ -236,89 +147,6 @@ Handle create_ordered_group(const Handle& parent, const std::string& name)
 Handle open_group(const Handle& parent, const std::string& name)
 {
   return checked(H5Gopen2(parent.id(), name.c_str(), H5P_DEFAULT), fmt::format("open the group {}", name));
-}
-
-void write_attribute(const Handle& object, const char* name, std::string_view text)
-{
-  const std::string copy(text);
-  const char* data = copy.c_str();
-  write_attribute_of(object, name, text_type().id(), {}, &data);
-}
-
-void write_attribute(const Handle& object, const char* name, double value)
-{
-  write_attribute_of(object, name, H5T_NATIVE_DOUBLE, {}, &value);
-}
-
-void write_attribute(const Handle& object, const char* name, int value)
-{
-  write_attribute_of(object, name, H5T_NATIVE_INT, {}, &value);
-}
-
-void write_attribute(const Handle& object, const char* name, std::span<const double> values)
-{
-  write_list_attribute(object, name, values);
-}
-
-void write_attribute(const Handle& object, const char* name, std::span<const int> values)
-{
-  write_list_attribute(object, name, values);
-}
-
-void write_fixed_attribute(const Handle& object, const char* name, std::string_view text)
-{
-  const Handle type = checked(H5Tcopy(H5T_C_S1), "make a string type");
-  check(H5Tset_size(type.id(), text.size()), "size a string type");
-  check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "pad a string type");
-  write_attribute_of(object, name, type.id(), {}, text.data());
-}
-
-template <typename Number>
-void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
-                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
-                   Storage storage)
-{
-  std::size_t size = 1;
-  for (const std::size_t n : shape)
-    size *= n;
-  if (size != values.size() || size == 0)
-    throw InternalError(fmt::format("field {} has {} values on a grid of {} cells", name, values.size(), size));
-  const std::vector<hsize_t> dims(shape.begin(), shape.end());
-  const Handle dataset =
-      write_dataset_of(group, name, type_of<Number>(), dims, values.data(), chunks(dims, storage).id());
-  write_attribute(dataset, "units", units);
-  write_attribute(dataset, "long_name", long_name);
-}
-
-template void write_dataset(const Handle&, const char*, const std::vector<double>&, std::span<const std::size_t>,
-                            std::string_view, std::string_view, Storage);
-template void write_dataset(const Handle&, const char*, const std::vector<int>&, std::span<const std::size_t>,
-                            std::string_view, std::string_view, Storage);
-
-void write_text(const Handle& group, const char* name, std::string_view text)
-{
-  const std::string copy(text);
-  const char* data = copy.c_str();
-  (void)write_dataset_of(group, name, text_type().id(), {}, static_cast<const void*>(&data));
-}
-
-void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
-                           std::span<const VirtualPart> parts)
-{
-  const std::string what = fmt::format("write the virtual dataset {}", name);
-  const Handle creation = properties(H5P_DATASET_CREATE);
-  check(H5Pset_fill_value(creation.id(), H5T_NATIVE_DOUBLE, &fill), what);
-  for (const VirtualPart& part : parts)
-    check(H5Pset_virtual(creation.id(), selection(shape, part.target).id(), part.file.c_str(), part.dataset.c_str(),
-                         selection(part.shape, part.source).id()),
-          what);
-  (void)write_dataset_of(group, name, H5T_NATIVE_DOUBLE, shape, nullptr, creation.id());
-}
-
-void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values)
-{
-  const hsize_t size = values.size();
-  (void)write_dataset_of(group, name, H5T_NATIVE_DOUBLE, {&size, 1}, values.data());
 }
 
 std::vector<double> read_numbers(const Handle& group, const std::string& name)
