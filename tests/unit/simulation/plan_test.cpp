@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/foundation/error.hpp"
-#include "brinell/reference/hertz.hpp"
-#include "brinell/reference/sliding_contact.hpp"
-#include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/quality.hpp"
 #include "brinell/simulation/run.hpp"
-#include "brinell/simulation/tugging.hpp"
+#include "sphere_pairs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <string>
 
 namespace brinell::simulation
@@ -21,36 +15,11 @@ namespace brinell::simulation
 namespace
 {
 
-constexpr double critical_interference = 2.214290e-4; // Boucly, Nelias & Green (2006)
-
-TuggingCase spheres(double interference_ratio)
-{
-  const constitutive::Material material{{200e9, 0.32}, constitutive::PerfectPlasticity{0.9115e9}};
-  TuggingCase t;
-  t.lower = {Paraboloid{1.0, 1.0}, material};
-  t.upper = {Paraboloid{1.0, 1.0}, material};
-  t.interference = interference_ratio * critical_interference;
-  return t;
-}
-
 TuggingCase paper()
 {
   TuggingCase t = spheres(9.0);
   t.spacing = {{3.85e-3, 7.7e-3, 1.925e-3}};
   return t;
-}
-
-std::string refusal(const TuggingCase& tugging)
-{
-  try
-  {
-    (void)plan(tugging);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "";
 }
 
 // Of the case file these are checked by its reader; a program may give them, too.
@@ -165,140 +134,6 @@ TEST(PlanTest, TuggingTakesWhatCanPass)
   EXPECT_GT(roller.contact.ny * roller.contact.dy, 0.2);
 }
 
-TEST(PlanTest, TexturesOfTuggingWidenTheGridsByWhatTheyCanTouch)
-{
-  TuggingCase t = spheres(4.0);
-  t.resolution = 6.0;
-  const TuggingPlan smooth = plan(t);
-  EXPECT_EQ(smooth.twin, elastoplastic::Twin::mirror_image);
-  t.lower.texture = Dent{.depth = -t.interference, .radius = 0.5};
-  const TuggingPlan rough = plan(t);
-  EXPECT_EQ(rough.twin, elastoplastic::Twin::none) << "a bump has no mirror image";
-  EXPECT_EQ(rough.texture_height, t.interference);
-  // Spheres that are larger by the bump begin to touch farther out, and overlap farther than the elastic contact reaches.
-  const double sum = 2.0 + t.interference;
-  const double arc = std::acos((2.0 - t.interference) / sum);
-  EXPECT_GE(0.5 * rough.lower.surface.nx * rough.lower.surface.dx, arc);
-  EXPECT_GE(0.5 * rough.contact.nx * rough.contact.dx, std::sqrt(2.0 * t.interference));
-  EXPECT_GT(rough.contact.ny, smooth.contact.ny);
-  EXPECT_EQ(rough.contact.dx, smooth.contact.dx);
-  // On a narrow bump only the columns are more.
-  t.lower.texture = Dent{.depth = -t.interference, .radius = 1e-3};
-  EXPECT_EQ(plan(t).contact.ny, smooth.contact.ny);
-  t.lower.texture = Dent{.depth = -1.5, .radius = 0.5};
-  EXPECT_NE(refusal(t).find("the textures are together 1.5 m high"), std::string::npos) << refusal(t);
-}
-
-TEST(PlanTest, FirstYieldOfAHardenedLayerIsThatOfItsCoreInEveryScenario)
-{
-  // The yield stress is that of the surface; below the layer it is half of it.
-  TuggingCase t = spheres(4.0);
-  for (ShapedBody* body : {&t.lower, &t.upper})
-    body->material.yield_factor = constitutive::DepthProfile({5e-3, 10e-3}, {1.0, 0.5});
-  IndentationCase i;
-  i.lower = t.lower;
-  i.upper = t.upper;
-  i.sequence = {{contact::Drive::Kind::approach, t.interference}};
-  const double of_core = 0.25 * critical_interference; // the approach goes with the square of the pressure
-  EXPECT_NEAR(plan(t).scales.displacement, of_core, 1e-5 * of_core);
-  EXPECT_NEAR(plan(i).scales.displacement, of_core, 1e-5 * of_core);
-  // The units of the paper stay those of the nominal yield stress.
-  EXPECT_EQ(nominal_yield(t.lower.material, t.upper.material, ContactKind::point)->yield_stress, 0.9115e9);
-  EXPECT_EQ(earliest_yield(t.lower.material, t.upper.material, ContactKind::point, 0.0)->yield_stress, 0.5 * 0.9115e9);
-  EXPECT_NEAR(nominal_first_yield(t.lower, t.upper, t.domain)->critical.interference, critical_interference, 1e-10);
-  EXPECT_NEAR(earliest_first_yield(t.lower, t.upper, t.domain, 0.0)->critical.interference, of_core, 1e-10);
-  // A layer that is hard throughout yields late.
-  t.lower.material.yield_factor = t.upper.material.yield_factor = constitutive::DepthProfile({0.0}, {1.2});
-  EXPECT_NEAR(plan(t).scales.displacement, 1.44 * critical_interference, 1e-5 * critical_interference);
-}
-
-TEST(FirstYield, IsThatOfTheWeakerBody)
-{
-  const constitutive::Material weak{{200e9, 0.3}, constitutive::PerfectPlasticity{0.5e9}};
-  const constitutive::Material strong{{200e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
-  const constitutive::Material elastic{{200e9, 0.3}, {}};
-  for (const ContactKind kind : {ContactKind::point, ContactKind::line})
-  {
-    const auto of = [kind](const auto& lower, const auto& upper) { return nominal_yield(lower, upper, kind); };
-    EXPECT_EQ(of(weak, strong)->body, YieldsFirst::lower);
-    EXPECT_EQ(of(strong, weak)->body, YieldsFirst::upper);
-    EXPECT_EQ(of(weak, weak)->body, YieldsFirst::both);
-    EXPECT_EQ(of(elastic, weak)->body, YieldsFirst::upper);
-    EXPECT_FALSE(of(elastic, elastic).has_value());
-    EXPECT_EQ(of(elastic, weak)->peak_pressure(), of(weak, weak)->peak_pressure());
-  }
-  // From nu = 0 to 0.3, C grows from 1 to 1.79 of a line, and from 1.30 to 1.61 only of a point.
-  const constitutive::Material at_zero{{200e9, 0.0}, constitutive::PerfectPlasticity{0.7e9}};
-  EXPECT_EQ(nominal_yield(at_zero, weak, ContactKind::point)->body, YieldsFirst::upper);
-  EXPECT_EQ(nominal_yield(at_zero, weak, ContactKind::line)->body, YieldsFirst::lower);
-}
-
-/// Two cylinders of 1 m and 3 m in plane strain.
-TuggingCase cylinders()
-{
-  TuggingCase t = spheres(1.0);
-  t.lower.shape = Roller{1.0, std::numeric_limits<double>::infinity()};
-  t.upper.shape = Roller{3.0, std::numeric_limits<double>::infinity()};
-  t.domain.y = {Boundary::periodic, 2.0, 1};
-  return t;
-}
-
-TEST(FirstYield, OfCylindersInPlaneStrainIsThatOfTheirLineContact)
-{
-  TuggingCase t = cylinders();
-  const auto yield = nominal_first_yield(t.lower, t.upper, t.domain);
-  ASSERT_TRUE(yield);
-  const double modulus = contact_modulus(t.lower.material.elastic, t.upper.material.elastic);
-  const double C = reference::line_contact_first_yield(0.32).pressure_ratio;
-  const reference::Line line{2.0, 2.0 * 0.75 / std::numbers::e};
-  const auto critical = reference::critical_values(0.75, modulus, C, 0.9115e9, line);
-  EXPECT_NEAR(yield->critical.interference / critical.interference, 1.0, 1e-14);
-  EXPECT_NEAR(yield->critical.load / critical.load, 1.0, 1e-14);
-  EXPECT_NEAR(yield->critical.energy / critical.energy, 1.0, 1e-14);
-  // The approach counts from the reference of the case, and the plan's own first yield is the same.
-  t.domain.reference = 0.2;
-  const double alpha_c = nominal_first_yield(t.lower, t.upper, t.domain)->critical.interference;
-  EXPECT_NEAR(alpha_c / reference::critical_values(0.75, modulus, C, 0.9115e9, {2.0, 0.2}).interference, 1.0, 1e-14);
-  t.interference = 3.0 * alpha_c;
-  EXPECT_NEAR(plan(t).scales.displacement, alpha_c, 1e-9 * alpha_c);
-  t.interference = alpha_c * (1.0 - 1e-9);
-  EXPECT_EQ(expected_quality(t, plan(t)).warnings.front().key, "no_yield");
-}
-
-TEST(FirstYield, HasAReasonWhereItIsNotInClosedForm)
-{
-  const auto reason = [](const TuggingCase& t)
-  { return reason_against_first_yield(t.lower, t.upper, t.domain).value_or("none"); };
-  TuggingCase t = cylinders();
-  EXPECT_EQ(reason(t), "none");
-  t.domain.reference = 1e-3; // a_c is 22 mm
-  EXPECT_EQ(reason(t), "grid.reference = 0.001 m is too short beside the contact at first yield");
-  EXPECT_FALSE(nominal_first_yield(t.lower, t.upper, t.domain));
-  EXPECT_FALSE(earliest_first_yield(t.lower, t.upper, t.domain, 0.0));
-  t = cylinders();
-  t.upper.shape = Roller{3.0, 0.5}; // shorter than the period
-  EXPECT_NE(reason(t).find("nor cylinders in plane strain"), std::string::npos) << reason(t);
-  t = cylinders();
-  t.lower.shape = t.upper.shape = Roller{1.0, 0.5};
-  t.domain = {};
-  EXPECT_NE(reason(t).find("nor cylinders in plane strain"), std::string::npos) << reason(t);
-  t = cylinders();
-  t.lower.material.hardening = t.upper.material.hardening = {};
-  EXPECT_EQ(reason(t), "neither body can yield");
-}
-
-TEST(PlanTest, FrictionBringsFirstYieldForward)
-{
-  const TuggingCase t = spheres(4.0);
-  const double without = earliest_first_yield(t.lower, t.upper, t.domain, 0.0)->critical.interference;
-  const double with = earliest_first_yield(t.lower, t.upper, t.domain, 0.4)->critical.interference;
-  const double C = reference::critical_pressure_ratio(t.lower.material.elastic.poisson_ratio);
-  const double sliding = reference::sliding_first_yield(t.lower.material.elastic.poisson_ratio, 0.4).pressure_ratio;
-  EXPECT_NEAR(with / without, std::pow(sliding / C, 2),
-              1e-12); // Hertz: the approach goes as the square of the pressure
-  EXPECT_LT(with, 0.7 * without);
-}
-
 TEST(PlanTest, AnyShiftIsPossible)
 {
   TuggingCase t = paper();
@@ -345,8 +180,9 @@ TEST(PlanTest, StepsLieOnTheCellsOfBothBodies)
         int snapshots = 0;
         Observer<TuggingRecord> observer;
         observer.wants_snapshot = [](const TuggingRecord&) { return true; };
-        observer.on_snapshot = [&](const TuggingRecord&, const Snapshot& s)
+        observer.on_snapshot = [&](const TuggingRecord&, const StepFields& fields)
         {
+          const Snapshot& s = fields.surfaces;
           EXPECT_LE(std::abs(s.x0 + 0.5 * (s.contact.nx - 1) * dx), 0.5001 * dx);
           for (const BodySnapshot* body : {&s.lower, &s.upper})
           {
@@ -366,87 +202,6 @@ TEST(PlanTest, StepsLieOnTheCellsOfBothBodies)
         (void)run(t, observer);
         EXPECT_GT(snapshots, 2);
       }
-}
-
-/// A steel ball of 20 mm on a flat, pressed lightly: the smooth bodies would stay elastic.
-IndentationCase light_press(double newton)
-{
-  const constitutive::Material steel{{210e9, 0.3}, constitutive::PerfectPlasticity{1.5e9}};
-  IndentationCase c;
-  c.lower = {Plane{}, steel};
-  c.upper = {Paraboloid{20e-3, 20e-3}, steel};
-  c.sequence = {{contact::Drive::Kind::load, newton}};
-  return c;
-}
-
-/// A sinusoid along x.
-HeightMap waves(double length, double amplitude, double extent)
-{
-  constexpr int points = 257;
-  HeightMap map{points, points, extent / (points - 1), extent / (points - 1), 0.0, 0.0, {}};
-  for (int j = 0; j < points; ++j)
-    for (int i = 0; i < points; ++i)
-      map.heights.push_back(amplitude * std::cos(2.0 * 3.14159265358979 * (i - points / 2) * map.dx / length));
-  return map;
-}
-
-TEST(PlanTest, ARoughContactThatIsElasticAsAWholeNeedsLittleDepth)
-{
-  IndentationCase c = light_press(50.0);
-  const IndentationPlan smooth = plan(c);
-  constexpr double length = 30e-6;
-  c.upper.texture = waves(length, 10e-9, 1.2e-3);
-  const IndentationPlan rough = plan(c);
-  EXPECT_GT(smooth.lower.nz * smooth.lower.dz, 1.8 * smooth.contact_radius);
-  EXPECT_NEAR(rough.lower.nz * rough.lower.dz, length, 0.02 * length + rough.lower.dz);
-  EXPECT_LT(rough.memory_bytes, 0.2 * smooth.memory_bytes);
-  // Pressed so far that the smooth bodies yield, too, it needs the depth of these.
-  c.sequence = {{contact::Drive::Kind::load, 5000.0}};
-  const IndentationPlan deep = plan(c);
-  EXPECT_GT(deep.lower.nz * deep.lower.dz, 1.8 * deep.contact_radius);
-}
-
-TEST(PlanTest, RoughnessEverywhereIsCoveredWhereItCanTouch)
-{
-  IndentationCase c = light_press(50.0);
-  const IndentationPlan smooth = plan(c);
-  const SelfAffine p{.hurst = 0.8,
-                     .rms_height = 0.3 * smooth.scales.gap,
-                     .rms_slope = {},
-                     .rolloff = 0.5 * smooth.contact_radius,
-                     .cutoff = 0.25 * smooth.contact_radius,
-                     .size_x = 8.0 * smooth.contact_radius,
-                     .size_y = 8.0 * smooth.contact_radius,
-                     .seed = 2};
-  c.upper.texture = RandomSurface(p);
-  const IndentationPlan rough = plan(c);
-  EXPECT_GT(rough.contact.nx, smooth.contact.nx);
-  EXPECT_LT(rough.contact.nx, 4 * smooth.contact.nx) << "but not the whole plane";
-  c.upper.texture = Sinusoid{.amplitude = p.rms_height.value(), .wavelength_x = smooth.contact_radius};
-  EXPECT_LT(plan(c).contact.nx, 4 * smooth.contact.nx);
-  // Tugging: wherever the highest points can touch.
-  TuggingCase t;
-  t.lower = t.upper = {Paraboloid{20e-3, 20e-3}, c.lower.material};
-  t.interference = 2e-6;
-  const TuggingPlan plain = plan(t);
-  SelfAffine of_tugging = p;
-  of_tugging.rms_height = 2e-7;
-  t.lower.texture = RandomSurface(of_tugging);
-  const TuggingPlan textured = plan(t);
-  EXPECT_EQ(textured.texture_height, reach(t.lower.texture).height);
-  EXPECT_GT(textured.contact.ny, plain.contact.ny);
-  EXPECT_LT(textured.contact.ny, 3 * plain.contact.ny);
-}
-
-TEST(PlanTest, ATextureWidensTheGrids)
-{
-  IndentationCase c = light_press(50.0);
-  const IndentationPlan smooth = plan(c);
-  c.lower.texture = Dent{.y = 0.4e-3, .depth = -6e-6, .radius = 0.3e-3}; // a bump beside the contact, which bears
-  const IndentationPlan rough = plan(c);
-  EXPECT_EQ(rough.contact.dy, smooth.contact.dy);
-  EXPECT_LT(smooth.contact.ny * smooth.contact.dy, 2.0 * 0.4e-3);
-  EXPECT_GT(rough.contact.ny * rough.contact.dy, 2.0 * 0.4e-3);
 }
 
 } // namespace
