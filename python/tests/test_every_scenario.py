@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Callable
 from typing import get_args
 
@@ -17,6 +15,7 @@ from brinell.report.numbers import key_numbers
 from brinell.results import Run
 from brinell.results.columns import COLUMN_UNITS, scenario_of
 from brinell.scenarios import SCENARIOS, Scenario
+from template_cases import template_case
 
 Runs = Callable[[Scenario], Run]
 every_scenario = pytest.mark.parametrize("scenario", SCENARIOS)
@@ -28,11 +27,7 @@ def run_of(tmp_path_factory: pytest.TempPathFactory) -> Runs:
 
     def run(scenario: Scenario) -> Run:
         if scenario not in found:
-            arguments = [sys.executable, "-m", "brinell", "new", scenario]
-            text = subprocess.run(arguments, check=True, capture_output=True, text=True).stdout
-            coarse = 'grid.spacing=["10 um", "10 um", "5 um"]' if "\nspacing = " in text else "grid.resolution=3"
-            case = brinell.Case(text, overrides=[coarse])
-            found[scenario] = case.run(tmp_path_factory.mktemp(scenario))
+            found[scenario] = template_case(scenario).run(tmp_path_factory.mktemp(scenario))
         return found[scenario]
 
     return run

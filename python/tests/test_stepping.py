@@ -8,6 +8,8 @@ import pytest
 
 import brinell
 from brinell import Case, ConvergenceError, InputError
+from brinell.scenarios import SCENARIOS
+from template_cases import template_case
 
 STEEL = brinell.Material("210 GPa", 0.3, brinell.Perfect("1 GPa"))
 BALL = brinell.Body(brinell.Sphere("1 mm"), STEEL)
@@ -19,23 +21,9 @@ def indentation() -> Case:
     return brinell.Indentation(flat, RIGID_BALL, load=["2 N", 0], steps=4, grid={"resolution": 5})
 
 
-@pytest.fixture(params=["tugging", "indentation", "rolling", "fretting", "sliding"])
+@pytest.fixture(params=SCENARIOS, scope="module")
 def case(request: pytest.FixtureRequest) -> Case:
-    if request.param == "indentation":
-        return indentation()
-    if request.param == "rolling":
-        flat = brinell.Body(brinell.Flat(), STEEL)
-        return brinell.Rolling(flat, BALL, load="2 N", distance="60 um", load_steps=2, grid={"resolution": 4})
-    if request.param == "fretting":
-        motion = {"displacement": "20 nm", "steps_per_cycle": 4, "press_steps": 3}
-        flat = brinell.Body(brinell.Flat(), STEEL)
-        return brinell.Fretting(flat, BALL, load="2 N", interface={"friction": 0.4}, grid={"resolution": 4}, **motion)
-    if request.param == "sliding":
-        waves = brinell.Sinusoid("0.2 um", wavelength_x="40 um", wavelength_y="40 um")
-        cells = {"boundary": "periodic", "size": ["40 um", "40 um"], "cells": [12, 12]}
-        flat = brinell.Body(brinell.Flat(), STEEL, waves)
-        return brinell.Sliding(flat, flat, "10 um", pressure="300 MPa", press_steps=2, grid=cells)
-    return brinell.Tugging(BALL, BALL, 3, grid={"resolution": 4})
+    return template_case(request.param)
 
 
 def test_steps_are_those_of_a_whole_run(case: Case) -> None:

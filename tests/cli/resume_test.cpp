@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program.hpp"
+#include "template_cases.hpp"
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -50,22 +51,16 @@ std::string scenario_case(const std::string& scenario)
   return replaced(text, "type = \"flat\"", "type = \"sphere\", radius = \"1 mm\"");
 }
 
-class Resume : public Program, public testing::WithParamInterface<const char*>
+class Stopping : public Program
 {
 protected:
-  void SetUp() override
-  {
-    Program::SetUp();
-    write("case.toml", scenario_case(GetParam()) + "[output]\nsnapshots = \"every 4\"\ncheckpoint_interval = 0\n");
-  }
-
   [[nodiscard]] int rows(const char* directory) const
   {
     const std::string text = file_text(folder() / directory / "history.csv");
     return static_cast<int>(std::count(text.begin(), text.end(), '\n')) - 1;
   }
 
-  /// Runs until there are some rows, then sends the signal.
+  /// Runs case.toml until there are some rows, then sends the signal.
   [[nodiscard]] int stopped(int after, int signal) const
   {
     Process process = start({"run", "case.toml", "-q", "-o", "stopped"});
@@ -87,6 +82,16 @@ protected:
     EXPECT_EQ(resumed, whole);
     EXPECT_FALSE(fs::exists(folder() / "stopped" / "checkpoint.h5"));
     EXPECT_FALSE(fs::exists(folder() / "stopped" / "snapshots"));
+  }
+};
+
+class Resume : public Stopping, public testing::WithParamInterface<const char*>
+{
+protected:
+  void SetUp() override
+  {
+    Program::SetUp();
+    write("case.toml", scenario_case(GetParam()) + "[output]\nsnapshots = \"every 4\"\ncheckpoint_interval = 0\n");
   }
 };
 
@@ -156,9 +161,36 @@ TEST_P(Resume, OnlyTheSameCaseThatIsNotComplete)
   EXPECT_NE(finer.err.find("that is complete there is " + difference), std::string::npos) << finer.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, Resume,
+INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                          testing::Values("tugging", "loaded", "indentation", "rolling", "sliding", "growing"),
                          [](const auto& parameter) { return std::string(parameter.param); });
+
+class ResumeEveryScenario : public Stopping, public testing::WithParamInterface<std::string>
+{
+protected:
+  void SetUp() override
+  {
+    Program::SetUp();
+    const Outcome made = run({"new", GetParam(), "-o", "new.toml"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Outcome checked = run({"check", "new.toml", "--set", test::few_cells(GetParam()), "--set",
+                                 "output.checkpoint_interval=0"}); // what it prints is a case file
+    ASSERT_EQ(checked.exit_code, 0) << checked.err;
+    write("case.toml", checked.out);
+  }
+};
+
+// Also of one that is new.
+TEST_P(ResumeEveryScenario, IsTakenUpAfterAKill)
+{
+  EXPECT_EQ(stopped(4, SIGKILL), 128 + SIGKILL);
+  const Outcome resumed = run({"run", "case.toml", "-q", "-o", "stopped", "--resume"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  expect_same_as_uninterrupted();
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, ResumeEveryScenario, testing::ValuesIn(io::scenario_names()),
+                         [](const auto& parameter) { return parameter.param; });
 
 } // namespace
 

@@ -3,8 +3,7 @@
 #include "brinell/simulation/run.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/simulation/fretting.hpp"
-#include "brinell/simulation/sliding.hpp"
+#include "template_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,13 +31,9 @@ TuggingCase tugging()
 
 IndentationCase indentation()
 {
-  IndentationCase c;
-  c.lower = {Plane{}, steel};
-  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
-  c.sequence = {{contact::Drive::Kind::load, 2.0}, {contact::Drive::Kind::load, 0.0}};
+  IndentationCase c = test::template_case<IndentationCase>();
   c.steps = 4;
   c.places = {-20e-6, 20e-6};
-  c.resolution = 4.0;
   return c;
 }
 
@@ -91,40 +86,43 @@ SlidingCase sliding()
   return c;
 }
 
+/// A case of each scenario. One whose motion keeps more than the case of `brinell new` shows has one of its own.
 template <typename Case>
-struct Sample;
-template <>
-struct Sample<TuggingCase>
+Case sample()
 {
-  static TuggingCase make() { return tugging(); }
-};
+  return test::template_case<Case>();
+}
 template <>
-struct Sample<IndentationCase>
+TuggingCase sample()
 {
-  static IndentationCase make() { return indentation(); }
-};
+  return tugging();
+}
 template <>
-struct Sample<RollingCase>
+IndentationCase sample()
 {
-  static RollingCase make() { return rolling(); }
-};
-
+  return indentation();
+}
 template <>
-struct Sample<FrettingCase>
+RollingCase sample()
 {
-  static FrettingCase make() { return fretting(); }
-};
+  return rolling();
+}
 template <>
-struct Sample<SlidingCase>
+FrettingCase sample()
 {
-  static SlidingCase make() { return sliding(); }
-};
+  return fretting();
+}
+template <>
+SlidingCase sample()
+{
+  return sliding();
+}
 
 template <typename Case>
 class RunTest : public testing::Test
 {
 protected:
-  Case scenario = Sample<Case>::make();
+  Case scenario = sample<Case>();
 
   /// Goes on to the end.
   static typename Case::Summary finish(simulation::Run<Case>& run)
@@ -146,8 +144,7 @@ protected:
   }
 };
 
-using Cases = testing::Types<TuggingCase, IndentationCase, RollingCase, FrettingCase, SlidingCase>;
-TYPED_TEST_SUITE(RunTest, Cases);
+TYPED_TEST_SUITE(RunTest, Scenarios<testing::Types>);
 
 TYPED_TEST(RunTest, SteppedIsTheSameAsWhole)
 {
