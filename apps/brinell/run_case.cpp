@@ -13,6 +13,8 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <omp.h>
+#include <optional>
+#include <utility>
 
 namespace brinell::app
 {
@@ -63,9 +65,10 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   using Record = typename ScenarioCase::Record;
   const auto start = Clock::now();
   io::SnapshotChoice choice(c.snapshots);
-  if (results.checkpoint())
+  std::optional<Archive::Fields> checkpoint = results.take_checkpoint();
+  if (checkpoint)
   {
-    Archive archive(*results.checkpoint());
+    Archive archive(*checkpoint);
     archive("snapshot_choice", choice);
   }
   Stop stop(monitor.wants_stop);
@@ -78,8 +81,8 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
       monitor.on_step(record.step, step_count, io::step_text(c, record), record.evaluations);
   };
   observer.wants_snapshot = [&](const Record& record) { return choice(c.scenario, record); };
-  observer.on_snapshot = [&](const Record& record, const simulation::Snapshot& snapshot)
-  { results.add(record.step, io::columns(record), snapshot); };
+  observer.on_snapshot = [&](const Record& record, const simulation::StepFields& fields)
+  { results.add(record.step, io::columns(record), fields); };
   observer.wants_checkpoint = [&](const Record&)
   {
     return stop.after_step() || (Results::keeps_checkpoints && seconds_since(checkpoint_time) >= c.checkpoint_interval);
@@ -89,7 +92,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
     Archive archive;
     archive("snapshot_choice", choice);
     state.merge(std::move(archive).fields());
-    results.add_checkpoint(record.step, state);
+    results.add_checkpoint(record.step, std::move(state));
     checkpoint_time = Clock::now();
     if (stop.after_step())
       throw Interrupted();
@@ -101,8 +104,14 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
     if (monitor.on_remark)
       monitor.on_remark(text(change));
   };
-  const auto summary = simulation::run(scenario, observer, results.checkpoint() ? &*results.checkpoint() : nullptr);
+  std::optional<simulation::Run<ScenarioCase>> going(std::in_place, scenario, observer,
+                                                     checkpoint ? &*checkpoint : nullptr);
+  checkpoint.reset();
+  simulation::finish(*going, observer);
+  const auto summary = going->totals();
   const double seconds = seconds_since(start);
+  results.add_final(going->fields(), io::columns(summary.last));
+  going.reset(); // its memory is not needed any more
   const auto plan = simulation::plan(scenario);
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
@@ -110,7 +119,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   LevelReport report{{}, {before.cells, {plan.contact.dx, plan.contact.dy, plan.lower.dz}, {}}, {}};
   report.level.numbers = io::numbers_of(io::summary_text(c, plan, summary, info));
   judge(c, before, report, info);
-  results.finish(summary.final_state, io::columns(summary.last), io::summary_text(c, plan, summary, info));
+  results.finish(io::summary_text(c, plan, summary, info));
 
   RunReport& told = report.told;
   told.text = fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, seconds);

@@ -117,7 +117,7 @@ private:
   {
     const auto& scenario = std::get<ScenarioCase>(case_.scenario);
     const auto plan = simulation::plan(scenario);
-    const auto summary = run.summary();
+    const auto summary = run.totals();
     io::RunInfo info{
         .wall_time = 0.0, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
     info.quality.warnings.insert(info.quality.warnings.begin(), case_.warnings.begin(), case_.warnings.end());

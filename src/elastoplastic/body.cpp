@@ -50,7 +50,8 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   state_.plastic_strain.assign(Deviator::size * n, 0.0);
   state_.equivalent.assign(n, 0.0);
   state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
-  state_.stress.assign(Deviator::size * n, 0.0);
+  if (is_plastic())
+    state_.stress.assign(Deviator::size * n, 0.0);
   state_.residual_displacement = displacement_;
   if (displacements != halfspace::Displacements::normal && is_plastic())
     displacement_x_.assign(grid_.surface.size(), 0.0);
@@ -64,7 +65,8 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
     yield_factor_.push_back(material.yield_factor.at(depth, 1.0));
     initial_stress_.push_back(material.initial_stress.at(depth, 0.0));
   }
-  add_initial_stress(grid_.nz, grid_.surface.ny, state_.stress);
+  if (is_plastic())
+    add_initial_stress(grid_.nz, grid_.surface.ny, state_.stress);
 }
 
 /// A body that is rigid or stays elastic never has a trial of its own.
@@ -382,12 +384,11 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   in_increment_ = false;
 }
 
-void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<const double> plastic_strain,
-                       std::span<double> deviator, std::span<double> trace)
+void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace)
 {
   if (work_.empty())
     work_ = half_space_->make_work();
-  half_space_->full_stress(load, plastic_strain, work_, deviator, trace);
+  half_space_->full_stress(load, state_.plastic_strain, work_, deviator, trace);
   add_initial_stress(grid().nz, grid().surface.ny, deviator);
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * initial_stress_[i / grid().surface.size()];

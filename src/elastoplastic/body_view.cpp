@@ -40,8 +40,8 @@ BodyState BodyView::state() const
           deviators(&BodyState::backstress),
           deviators(&BodyState::stress),
           scalars(&BodyState::residual_displacement),
-          rows(solved.residual_displacement_x, -1.0),
-          rows(solved.residual_displacement_y, 1.0),
+          turned(solved.residual_displacement_x, -1.0),
+          turned(solved.residual_displacement_y, 1.0),
           solved.dissipation,
           solved.locked_in_energy,
           deviators(&BodyState::thermal_stress),
@@ -72,10 +72,9 @@ std::vector<double> BodyView::scalars(std::vector<double> BodyState::*field) con
   return copy;
 }
 
-/// A copy of a field on the surface. @param parity  the sign that its mirror image has
-std::vector<double> BodyView::rows(std::span<const double> solved, double parity) const
+std::vector<double> BodyView::turned(std::span<const double> surface, double parity) const
 {
-  std::vector<double> copy(solved.begin(), solved.end());
+  std::vector<double> copy(surface.begin(), surface.end());
   if (is_mirrored())
     reverse_rows(copy, grid().surface.nx, parity);
   return copy;
@@ -83,12 +82,12 @@ std::vector<double> BodyView::rows(std::span<const double> solved, double parity
 
 std::vector<double> BodyView::residual_displacement_x() const
 {
-  return rows(solved_->residual_displacement_x(), -1.0);
+  return turned(solved_->residual_displacement_x(), -1.0);
 }
 
 std::vector<double> BodyView::residual_displacement_y() const
 {
-  return rows(solved_->residual_displacement_y(), 1.0);
+  return turned(solved_->residual_displacement_y(), 1.0);
 }
 
 std::vector<double> BodyView::shear_strength(double along_x, double along_y) const
@@ -101,7 +100,7 @@ std::vector<double> BodyView::shear_strength(double along_x, double along_y) con
 
 std::vector<double> BodyView::residual_displacement() const
 {
-  return rows(solved_->residual_displacement(), 1.0);
+  return turned(solved_->residual_displacement(), 1.0);
 }
 
 } // namespace brinell::elastoplastic

@@ -52,7 +52,8 @@ CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
   return stress(1, sides_.back().body, place);
 }
 
-/// @param solved  whose buffers are used
+/// @param solved  the body itself, or that of which it is the twin: the stress of a mirror image is that which the mirror image
+///                of its load gives to the solved body.
 CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place) const
 {
   const BodyView view = side == 0 ? lower() : upper();
@@ -65,9 +66,11 @@ CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, co
   spread_traction(grid(), pressure_, place, volume.surface, pressure);
   if (interface_)
     spread_shear(place, volume.surface, shear_sign, shear);
+  pressure = view.turned(pressure, 1.0);
+  shear = {view.turned(shear[0], -1.0), view.turned(shear[1], 1.0)};
   Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
-  solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]},
-                     view.deviators(&BodyState::plastic_strain), result.deviator, result.trace);
+  solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]}, result.deviator, result.trace);
+  view.turn(result.deviator, result.trace);
   add_thermal_stress(side, view, result);
   return result;
 }

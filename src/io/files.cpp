@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -67,24 +69,69 @@ std::string input_text(const fs::path& file, std::size_t largest)
   return text;
 }
 
-void replace_file(const fs::path& path, std::string_view content, std::string_view end)
+void replace_file(const fs::path& path, std::string_view content)
 {
-  fs::path part = path;
-  part += ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  for (const std::string_view part_of_content : {content, end})
-    stream.write(part_of_content.data(), static_cast<std::streamsize>(part_of_content.size()));
-  stream.close();
-  const int cause = errno;
-  std::error_code error;
-  if (stream)
-    fs::rename(part, path, error);
-  if (stream && !error)
-    return;
+  Replacement file(path);
+  file.write(content, std::ios::trunc);
+  file.commit();
+}
+
+Replacement::Replacement(fs::path path) : path_(std::move(path)), part_(path_)
+{
+  part_ += ".part";
+}
+
+Replacement::~Replacement()
+{
   std::error_code ignored;
-  fs::remove(part, ignored);
-  throw IoError(
-      fmt::format("{}: cannot be written: {}", path.string(), error ? error.message() : std::strerror(cause)));
+  if (!is_committed_)
+    fs::remove(part_, ignored);
+}
+
+IoError Replacement::failed(const std::string& cause) const
+{
+  return IoError(fmt::format("{}: cannot be written: {}", path_.string(), cause));
+}
+
+void Replacement::write(std::string_view content, std::ios::openmode mode) const
+{
+  std::ofstream stream(part_, std::ios::binary | mode);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (!stream)
+    throw failed(std::strerror(errno));
+}
+
+void Replacement::require_room(std::uintmax_t bytes) const
+{
+  const int file = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0)
+    throw failed(std::strerror(errno));
+  // Unlike the free space of the disk, this knows the limits of users and processes.
+  const int cause = fallocate(file, 0, 0, static_cast<off_t>(bytes)) == 0 ? 0 : errno;
+  close(file);
+  std::error_code unknown;
+  const std::uintmax_t available = fs::space(path_.parent_path(), unknown).available;
+  const bool is_full = !unknown && available < bytes; // some file systems cannot allocate
+  if (cause == ENOSPC || cause == EDQUOT || cause == EFBIG || (cause != 0 && is_full))
+    throw failed(fmt::format("it needs up to {:.1f} MB, the disk has {:.1f} MB: {}", static_cast<double>(bytes) * 1e-6,
+                             static_cast<double>(available) * 1e-6, std::strerror(cause)));
+}
+
+void Replacement::seal(std::string_view mark) const
+{
+  Checksum sum;
+  read_blocks(part_, no_limit, [&](std::string_view block) { sum.add(block); });
+  write(brinell::io::seal(mark, sum.text()), std::ios::app);
+}
+
+void Replacement::commit()
+{
+  std::error_code error;
+  fs::rename(part_, path_, error);
+  if (error)
+    throw failed(error.message());
+  is_committed_ = true;
 }
 
 /// Multiplication by an odd number carries damage upwards, the shift brings it down again.
@@ -130,11 +177,6 @@ std::string checksum(std::string_view bytes)
   Checksum sum;
   sum.add(bytes);
   return sum.text();
-}
-
-void replace_sealed_file(const fs::path& path, std::string_view image, std::string_view mark)
-{
-  replace_file(path, image, seal(mark, checksum(image)));
 }
 
 void require_seal(const fs::path& path, std::string_view mark)

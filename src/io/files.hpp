@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <ios>
 #include <string>
 #include <string_view>
 
@@ -27,8 +28,8 @@ void read_blocks(const std::filesystem::path& file, std::size_t largest,
 /// @throws as read_blocks
 [[nodiscard]] std::string input_text(const std::filesystem::path& file, std::size_t largest = largest_input);
 
-/// Replaces a file in one piece: readers see the old content or the new one. @param end  comes after it. @throws IoError
-void replace_file(const std::filesystem::path& path, std::string_view content, std::string_view end = {});
+/// Replaces a file in one piece: readers see the old content or the new one. @throws IoError
+void replace_file(const std::filesystem::path& path, std::string_view content);
 
 /// 64 bits of what has been added, in whatever pieces. Every step is one to one, so that no single damaged word goes unnoticed;
 /// of other damage one in 2^64 does. It is no signature: who damages on purpose can mend the checksum too.
@@ -49,8 +50,34 @@ private:
 
 [[nodiscard]] std::string checksum(std::string_view bytes);
 
-/// Replaces an HDF5 file by its bytes and their checksum, under a mark: HDF5 does not mind what comes after its own.
-void replace_sealed_file(const std::filesystem::path& path, std::string_view image, std::string_view mark);
+/// A file that is written under its name with .part, and takes its name when it is complete.
+/// @throws IoError (all members)
+class Replacement
+{
+public:
+  explicit Replacement(std::filesystem::path path);
+  /// Removes a file that was not complete.
+  ~Replacement();
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  /// To be written, by `write` or another way.
+  [[nodiscard]] const std::filesystem::path& part() const { return part_; }
+  /// @param mode  std::ios::trunc: this is the content; std::ios::app: it comes after what is there
+  void write(std::string_view content, std::ios::openmode mode) const;
+  /// To be asked before the file is written, by whatever creates it anew: HDF5 crashes when a full disk does not let it close a
+  /// file. @throws IoError unless there is room for so many bytes
+  void require_room(std::uintmax_t bytes) const;
+  /// Adds the checksum of the file under a mark: HDF5 does not mind what comes after its own.
+  void seal(std::string_view mark) const;
+  void commit();
+
+private:
+  [[nodiscard]] IoError failed(const std::string& cause) const;
+
+  std::filesystem::path path_, part_;
+  bool is_committed_ = false;
+};
 
 /// @throws IoError unless the file is as it was written
 void require_seal(const std::filesystem::path& path, std::string_view mark);

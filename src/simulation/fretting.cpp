@@ -7,6 +7,7 @@
 #include "friction.hpp"
 #include "grid_layout.hpp"
 #include "judgement.hpp"
+#include "memory.hpp"
 #include "run_state.hpp"
 #include "wear.hpp"
 
@@ -88,7 +89,7 @@ public:
     begin_cycle(r);
   }
 
-  void summarise(FrettingSummary& summary) const { summary.cycles = cycles_; }
+  void summarise(FrettingSummary& summary, const StepFields& /*end*/) const { summary.cycles = cycles_; }
 
   void exchange(Archive& archive)
   {
@@ -367,8 +368,8 @@ FrettingPlan plan(const FrettingCase& fretting)
   plan.steps = step_count(fretting.press_steps + static_cast<double>(fretting.cycles) * fretting.steps_per_cycle,
                           "fretting.cycles");
   plan.twin = are_twins(fretting, plan) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
-  plan.memory_bytes = memory_bytes(plan, fretting.lower.material.is_plastic(), fretting.upper.material.is_plastic(),
-                                   fretting.solver.anderson_depth, fretting.friction.coefficient > 0.0 ? 2 : 0);
+  plan.memory_bytes = memory_bytes(plan, fretting.lower.material, fretting.upper.material,
+                                   fretting.solver.anderson_depth, fretting.friction.coefficient > 0.0 ? 2 : 0, false);
   return plan;
 }
 

@@ -2,7 +2,6 @@
 #include "grid_layout.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "foundation/fft.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,69 +23,6 @@ int half_cells(double length, double cell)
 int odd_cells(double half_length, double cell, int margin = 0)
 {
   return 2 * (half_cells(half_length, cell) + margin) + 1;
-}
-
-/// Real padded planes of all layers [bytes].
-double padded_bytes(const VolumeGrid& grid)
-{
-  const PaddedLengths padded = padded_lengths(grid.surface);
-  return static_cast<double>(padded.x) * padded.y * grid.nz * sizeof(double);
-}
-
-/// Spectra of fields, and their rows, which are transformed along x alone and have no padding along y.
-double spectra_bytes(const VolumeGrid& grid, int components)
-{
-  return components * padded_bytes(grid) *
-         (1.0 + static_cast<double>(grid.surface.ny) / padded_lengths(grid.surface).y);
-}
-
-double field_bytes(const VolumeGrid& grid, double fields)
-{
-  return fields * sizeof(double) * static_cast<double>(grid.size());
-}
-
-/// One body that is computed: kernels and state; if it is plastic, the trial, its spectra and the accelerator, too.
-double body_bytes(const VolumeGrid& grid, int anderson_depth, bool is_plastic, int shears)
-{
-  // Six, real, a quarter of the plane each; of pressure, and of each shear.
-  const double kernels = 6.0 * (1.0 + shears) / 4.0 * padded_bytes(grid);
-  constexpr double state = 5.0 + 1.0 + 5.0; // plastic strain, its equivalent, stress
-  if (!is_plastic)
-    return kernels + field_bytes(grid, state);
-  constexpr double trial = 5.0;
-  // Of the cells in the fixed point: a plastic zone fills less of a box than of its section, in which it fills half; their
-  // number is not known before, and packed fields grow by doubling.
-  const double active_share = is_plane(grid.surface) ? 1.0 : 0.25;
-  const double accelerator = active_share * 5.0 * (2.0 * anderson_depth + 4.0);
-  return kernels + field_bytes(grid, state + trial + accelerator) + spectra_bytes(grid, 5);
-}
-
-/// The heat of a body, on a grid a third longer and wider than its own: some sixty waves in depth, on lattices that take
-/// together three and a half times the first one; all of it twice, for when an increment fails; and stress, now and before.
-double heat_bytes(const VolumeGrid& grid)
-{
-  constexpr double waves = 60.0, lattices = 3.5, copies = 2.0, wider = 4.0 / 3.0;
-  SurfaceGrid surface = grid.surface;
-  surface.nx = static_cast<int>(surface.is_periodic_x() ? surface.nx : wider * surface.nx);
-  surface.ny = static_cast<int>(surface.is_periodic_y() ? surface.ny : wider * surface.ny);
-  return waves * lattices * copies * padded_bytes({surface, 1, grid.dz}) + field_bytes(grid, 15.0);
-}
-
-/// The final state always is stored: tensors and equivalents of both bodies, the last of which come to be while the others are
-/// there; or all of it as a file in memory, and as that file's image. The stress of a body that stays elastic takes spectra
-/// for the time being.
-double snapshot_bytes(const VolumeGrid& lower, const VolumeGrid& upper)
-{
-  const VolumeGrid& larger = lower.size() > upper.size() ? lower : upper;
-  const double computed = spectra_bytes(larger, 6) + field_bytes(larger, 6.0);
-  const double file = field_bytes(lower, 14.0) + field_bytes(upper, 14.0);
-  return field_bytes(lower, 13.0) + field_bytes(upper, 13.0) + std::max(computed, 2.0 * file);
-}
-
-/// A copy of the state, as numbers, as a file in memory, and as that file's image.
-double checkpoint_bytes(const VolumeGrid& grid, bool is_plastic)
-{
-  return is_plastic ? field_bytes(grid, 3.0 * 16.0) : 0.0;
 }
 
 /// Cells of a period, and what is left over.
@@ -217,19 +153,6 @@ int step_count(double steps, const std::string& key)
   if (!(steps >= 1.0 && steps <= most))
     throw KeyError(key, fmt::format("{} makes {:.1e} steps; allowed: from 1 to {:.0e}", key, steps, most));
   return static_cast<int>(steps);
-}
-
-double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth, int shears,
-                    bool lower_is_heated, bool upper_is_heated)
-{
-  const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
-  const double upper = has_twin ? 0.0 : body_bytes(plan.upper, anderson_depth, upper_is_plastic, shears);
-  const double heat =
-      (lower_is_heated ? heat_bytes(plan.lower) : 0.0) + (upper_is_heated && !has_twin ? heat_bytes(plan.upper) : 0.0);
-  return body_bytes(plan.lower, anderson_depth, lower_is_plastic, shears) + upper + heat +
-         std::max(snapshot_bytes(plan.lower, plan.upper),
-                  checkpoint_bytes(plan.lower, lower_is_plastic) +
-                      checkpoint_bytes(plan.upper, upper_is_plastic && !has_twin));
 }
 
 } // namespace brinell::simulation

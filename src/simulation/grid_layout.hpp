@@ -36,12 +36,6 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
 /// Columns or rows of a grid that has been outgrown: at least a third more, as many at either end.
 [[nodiscard]] int grown(int cells);
 
-/// What operators, fields and the final state take [bytes].
-/// @param shears  components of the shear that acts on both bodies, too
-/// @param lower_is_heated, upper_is_heated  bodies whose heat is kept
-[[nodiscard]] double memory_bytes(const Plan& plan, bool lower_is_plastic, bool upper_is_plastic, int anderson_depth,
-                                  int shears, bool lower_is_heated = false, bool upper_is_heated = false);
-
 /// A number of steps as a whole one. @throws KeyError of the key if there are far too many
 [[nodiscard]] int step_count(double steps, const std::string& key);
 

@@ -8,6 +8,7 @@
 #include "grid_layout.hpp"
 #include "indent.hpp"
 #include "judgement.hpp"
+#include "memory.hpp"
 #include "period.hpp"
 #include "pressing.hpp"
 #include "run_state.hpp"
@@ -108,7 +109,7 @@ public:
       indents_.push_back(current_.result());
   }
 
-  void summarise(IndentationSummary& summary) const
+  void summarise(IndentationSummary& summary, const StepFields& /*end*/) const
   {
     summary.indents = indents_;
     const Roughness r = contact_.is_periodic() ? roughness(case_, contact_) : Roughness{nan, nan};
@@ -258,8 +259,8 @@ IndentationPlan plan(const IndentationCase& indentation)
                               static_cast<double>(indentation.sequence.size() * indentation.places.size()),
                           "indentation.steps");
   plan.memory_bytes =
-      memory_bytes(plan, indentation.lower.material.is_plastic(), indentation.upper.material.is_plastic(),
-                   indentation.solver.anderson_depth, indentation.friction.coefficient > 0.0 ? 1 : 0);
+      memory_bytes(plan, indentation.lower.material, indentation.upper.material, indentation.solver.anderson_depth,
+                   indentation.friction.coefficient > 0.0 ? 1 : 0, false);
   return plan;
 }
 

@@ -3,16 +3,9 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
-#include "domain.hpp"
-#include "footprint.hpp"
-#include "friction.hpp"
-#include "grid_layout.hpp"
 #include "heat.hpp"
-#include "judgement.hpp"
 #include "run_state.hpp"
-#include "symmetry.hpp"
 #include "track.hpp"
-#include "wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,10 +96,10 @@ public:
     step_in_pass_ = 0;
   }
 
-  void summarise(RollingSummary& summary) const
+  void summarise(RollingSummary& summary, const StepFields& end) const
   {
     summary.passes = passes_;
-    summary.profile = track_profile(summary.final_state.lower);
+    summary.profile = track_profile(end.surfaces.lower.grid, end.lower);
   }
 
   void exchange(Archive& archive)
@@ -246,187 +239,11 @@ private:
   int pass_ = 0, step_in_pass_ = 0;
 };
 
-/// Whether both bodies always have the same history: then one is solved and its residual displacement counts twice.
-bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
-{
-  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && !rolling.creepage && plan.lower == plan.upper &&
-         alike(rolling.lower, rolling.upper);
-}
-
-// docs/verification.md (expected error)
-constexpr Documented documented[] = {{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5},
-                                     {"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5},
-                                     {"dissipation", "passes[*].dissipation_J", 0.07, 4.0, 1.5}};
-constexpr Documented documented_with_creepage[] = {
-    {"creep force", "passes[*].F_x_N", 0.05, 8.0, 1.0, true}, documented[0], documented[1], documented[2]};
-
-Facts facts(const RollingCase& c, const RollingPlan& plan)
-{
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
-  f.documented = documented;
-  if (c.creepage)
-    f.documented = documented_with_creepage;
-  f.moves = true;
-  // Of the faster surface: with much sliding it moves many cells where the other one moves one.
-  if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
-    f.shift = faster;
-  return f;
-}
-
-/// Creepage that does not go with the rest of the case.
-/// @param half  half-length of the contact, the larger one [m]
-void require_creepage(const RollingCase& rolling, double half)
-{
-  if (!rolling.creepage)
-    return;
-  const auto& [longitudinal, lateral, spin] = *rolling.creepage;
-  const bool only_spins = longitudinal == 0.0 && lateral == 0.0 && spin != 0.0;
-  const std::string creepage = fmt::format("rolling.creepage = [{:g}, {:g}]", longitudinal, lateral);
-  const std::string given = only_spins ? fmt::format("rolling.spin = {:g} rad/m", spin) : creepage;
-  const std::string key = only_spins ? "rolling.spin" : "rolling.creepage";
-  for (const double part : {longitudinal, lateral})
-    if (!(std::abs(part) <= largest_creepage))
-      throw KeyError("rolling.creepage",
-                     fmt::format("{}; allowed: each from -{} to {}. For surfaces that slide everywhere there is "
-                                 "rolling.slide_to_roll",
-                                 creepage, largest_creepage, largest_creepage));
-  if (!(std::abs(spin) * half <= largest_creepage))
-    throw KeyError("rolling.spin",
-                   fmt::format("rolling.spin = {:g} rad/m; allowed: up to {:.3g} rad/m, {} over the half-length of the "
-                               "contact",
-                               spin, largest_creepage / half, largest_creepage));
-  if (rolling.slide_to_roll != 0.0)
-    throw KeyError(key, fmt::format("{} with rolling.slide_to_roll = {:g}, which makes the surfaces slide everywhere; "
-                                    "allowed: 0. The first creepage is what slide_to_roll counts, with stick and slip",
-                                    given, rolling.slide_to_roll));
-  if (rolling.friction.coefficient == 0.0)
-    throw KeyError(key, fmt::format("{} with interface.friction = 0: nothing holds the surfaces; allowed: > 0", given));
-  if (spin != 0.0 && (rolling.domain.x.is_periodic() || rolling.domain.y.is_periodic()))
-    throw KeyError(
-        "rolling.spin",
-        fmt::format("rolling.spin = {:g} rad/m between surfaces without ends, which cannot turn; allowed: 0, "
-                    "or grid.boundary = \"open\"",
-                    spin));
-}
-
-/// The history of stick and slip is carried along by whole cells.
-void require_whole_cells(const RollingCase& rolling, const RollingPlan& plan)
-{
-  const double cells = plan.shift / plan.contact.dx;
-  constexpr double rounding = 1e-9;
-  if (rolling.creepage && !(std::abs(cells - std::round(cells)) <= rounding * cells && cells > 0.5))
-    throw KeyError("rolling.shift",
-                   fmt::format("rolling.shift = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m",
-                               plan.shift, plan.contact.dx));
-}
-
-/// Tells of the worst pass.
-std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
-{
-  // Relative difference of the two quarters: each is then as far from their mean as resistance and dissipation usually are from
-  // the limit of fine cells, 8 %, twice over.
-  constexpr double largest_unsteadiness = 0.3;
-  const auto worst = std::max_element(passes.begin(), passes.end(),
-                                      [](const RollingPass& a, const RollingPass& b)
-                                      { return std::abs(a.unsteadiness) < std::abs(b.unsteadiness); });
-  if (worst == passes.end() || !(std::abs(worst->unsteadiness) > largest_unsteadiness))
-    return std::nullopt;
-  const bool is_rough = !rolling.lower.texture.is_smooth() || !rolling.upper.texture.is_smooth();
-  return Warning{
-      "unsteady_track",
-      fmt::format("pass {}: the energy taken up per length differs by {} between the two quarters of the middle of the "
-                  "track: its resistance, friction and mean F_X are those of this stretch and no average; take a "
-                  "longer track{}",
-                  worst - passes.begin() + 1, percent_text(std::abs(worst->unsteadiness)),
-                  is_rough ? ", of many lengths of the texture" : "")};
-}
-
-/// Tells of the last pass, unless it has become steady.
-std::optional<Warning> creep_unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
-{
-  if (!rolling.creepage || passes.empty() || passes.back().creeps_steadily())
-    return std::nullopt;
-  return Warning{
-      "unsteady_creep",
-      fmt::format("pass {}: the force along the surface differs by {} between both halves of the last quarter of the "
-                  "track: stick and slip are still on their way to those of steady rolling; take a longer track",
-                  passes.size(), percent_text(passes.back().creep_unsteadiness))};
-}
-
 } // namespace
-
-double upper_share(const RollingCase& rolling)
-{
-  return (2.0 - rolling.slide_to_roll) / (2.0 + rolling.slide_to_roll);
-}
-
-RollingPlan plan(const RollingCase& rolling)
-{
-  const std::string why_not =
-      rolling.slide_to_roll == 0.0 && !rolling.creepage
-          ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
-          : "";
-  require_friction(rolling, rolling.lower, rolling.upper, why_not.empty() ? "" : why_not + ", or rolling.creepage");
-  // What slips there does so where the pressure falls to nothing within a step: a law by the pressure at its end would be far off.
-  require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
-                                           "rolling.slide_to_roll in place of rolling.creepage and spin"
-                                         : why_not);
-  require_heat(rolling, rolling.lower, rolling.upper, rolling.speed, "rolling.speed");
-  if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
-    throw KeyError("rolling.creepage", "heat of surfaces that stick in places is not computed; with thermal constants "
-                                       "allowed: rolling.slide_to_roll in place of rolling.creepage and spin");
-  if (!(rolling.drive.value > 0.0))
-    throw InputError("rolling needs a load or an approach > 0");
-  const Footprint f =
-      footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain, rolling.friction.coefficient);
-  require_creepage(rolling, f.endless_y ? f.half_x : std::max(f.half_x, f.half_y));
-  RollingPlan plan;
-  plan.half_width_x = f.half_x;
-  plan.half_width_y = f.half_y;
-  plan.shift = rolling.shift.value_or(cell_sizes(rolling, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
-  if (!(plan.shift <= 0.5 * rolling.distance))
-    throw InputError(
-        fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
-  // An even number, so that the middle of the track is reached.
-  plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "rolling.distance"));
-  const double track = 0.5 * plan.rolling_steps * plan.shift;
-  lay_out(rolling, f, track, upper_share(rolling) * track, plan);
-  require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
-  require_whole_cells(rolling, plan);
-  plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
-  plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
-                          "rolling.passes");
-  plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
-  plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
-  const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
-  const int shears = rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0;
-  plan.memory_bytes = memory_bytes(plan, rolling.lower.material.is_plastic(), rolling.upper.material.is_plastic(),
-                                   rolling.solver.anderson_depth, shears, heats && rolling.lower.material.thermal,
-                                   heats && rolling.upper.material.thermal);
-  return plan;
-}
 
 void RollingRecord::exchange(Archive& archive)
 {
   exchange_row(*this, archive);
-}
-
-Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan)
-{
-  return quality_before(facts(rolling, plan));
-}
-
-Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals)
-{
-  return quality_after(facts(rolling, plan), totals);
-}
-
-Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
-{
-  Quality quality = quality_after(facts(rolling, plan), summary, unsteadiness(rolling, summary.passes));
-  if (const std::optional<Warning> warning = creep_unsteadiness(rolling, summary.passes))
-    quality.warnings.push_back(*warning);
-  return quality;
 }
 
 template <>

@@ -32,7 +32,8 @@ struct MotionOf;
 
 template <typename M, typename Case>
 concept Motion = requires(M m, const M& fixed, Stepper& stepper, const typename Case::Record& before,
-                          typename Case::Record& record, typename Case::Summary& summary, Archive& archive)
+                          typename Case::Record& record, typename Case::Summary& summary, const StepFields& fields,
+                          Archive& archive)
 {
   requires std::constructible_from<M, const Case&, const typename Case::Plan&>;
   /// Materials, shapes and the place at which the run starts.
@@ -57,8 +58,8 @@ concept Motion = requires(M m, const M& fixed, Stepper& stepper, const typename 
   /// The step is solved: its own columns go into `record`, which has the common ones, and the work of the step is added to that
   /// of `before`.
   m.read(stepper, before, record);
-  /// Adds its own numbers to a summary that has the common ones and the final state.
-  fixed.summarise(summary);
+  /// Adds its own numbers to a summary that has the common ones. Last, the fields at the end.
+  fixed.summarise(summary, fields);
   /// Everything that the rest of the run depends on.
   m.exchange(archive);
 };
@@ -79,7 +80,7 @@ public:
 
   [[nodiscard]] bool is_done() const { return motion_.is_done(); }
   [[nodiscard]] int step_count() const { return motion_.step_count(); }
-  [[nodiscard]] Snapshot snapshot() const { return stepper_.snapshot(motion_.centre()); }
+  [[nodiscard]] StepFields fields() const { return stepper_.fields(motion_.centre()); }
 
   const Record& step()
   {
@@ -109,7 +110,7 @@ public:
     return last_;
   }
 
-  [[nodiscard]] Summary summary() const
+  [[nodiscard]] Summary totals() const
   {
     Summary s;
     s.steps = steps_;
@@ -119,8 +120,9 @@ public:
     s.max_share_at_shear_limit = largest_limited_share_;
     s.max_temperature = hottest_;
     s.last = last_;
-    s.final_state = snapshot();
-    motion_.summarise(s);
+    const StepFields end = fields();
+    s.final_state = end.surfaces;
+    motion_.summarise(s, end);
     return s;
   }
 
@@ -207,9 +209,9 @@ int Run<Case>::step_count() const
   return state_->step_count();
 }
 template <typename Case>
-Snapshot Run<Case>::snapshot() const
+StepFields Run<Case>::fields() const
 {
-  return state_->snapshot();
+  return state_->fields();
 }
 template <typename Case>
 Archive::Fields Run<Case>::checkpoint()
@@ -221,7 +223,14 @@ Archive::Fields Run<Case>::checkpoint()
 template <typename Case>
 auto Run<Case>::summary() const -> Summary
 {
-  return state_->summary();
+  Summary s = totals();
+  s.final_state = snapshot();
+  return s;
+}
+template <typename Case>
+auto Run<Case>::totals() const -> Summary
+{
+  return state_->totals();
 }
 
 } // namespace brinell::simulation

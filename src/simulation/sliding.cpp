@@ -104,7 +104,7 @@ public:
       strokes_.push_back(reader_.end_stroke(stepper, r));
   }
 
-  void summarise(SlidingSummary& summary) const
+  void summarise(SlidingSummary& summary, const StepFields& /*end*/) const
   {
     summary.strokes = strokes_;
     const Roughness r = plan_.contact.is_periodic() ? roughness(pressing(case_), plan_.contact) : Roughness{nan, nan};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sliding_plan.hpp"
+#include "memory.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "domain.hpp"
@@ -151,9 +152,8 @@ SlidingPlan plan(const SlidingCase& sliding)
                           "sliding.strokes");
   plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
-  plan.memory_bytes = memory_bytes(plan, sliding.lower.material.is_plastic(), sliding.upper.material.is_plastic(),
-                                   sliding.solver.anderson_depth, sliding.friction.coefficient > 0.0 ? 1 : 0,
-                                   heats && sliding.lower.material.thermal, heats && sliding.upper.material.thermal);
+  plan.memory_bytes = memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver.anderson_depth,
+                                   sliding.friction.coefficient > 0.0 ? 1 : 0, heats);
   return plan;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot.hpp"
 
+#include <utility>
+
 namespace brinell::simulation
 {
 
@@ -8,10 +10,10 @@ namespace
 {
 
 /// Six fields of a field of deviators plus a third of a trace.
-std::array<std::vector<double>, 6> six_fields(const std::vector<double>& deviators, const std::vector<double>& trace)
+TensorField six_fields(const std::vector<double>& deviators, const std::vector<double>& trace)
 {
   const std::size_t cells = trace.size();
-  std::array<std::vector<double>, 6> fields;
+  TensorField fields;
   for (std::vector<double>& field : fields)
     field.resize(cells);
   for (std::size_t cell = 0; cell < cells; ++cell)
@@ -25,25 +27,52 @@ std::array<std::vector<double>, 6> six_fields(const std::vector<double>& deviato
 
 } // namespace
 
-BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x)
+BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x)
 {
   BodySnapshot s;
   s.grid = body.grid();
   s.x0 = origin;
   s.y0 = s.grid.surface.y(0);
   s.contact_x = contact_x;
-  if (body.material().elastic.is_rigid())
-    return s;
-  using elastoplastic::BodyState;
-  s.equivalent_plastic_strain = body.scalars(&BodyState::equivalent);
-  s.residual_displacement = body.scalars(&BodyState::residual_displacement);
-  s.plastic_strain = six_fields(body.deviators(&BodyState::plastic_strain), std::vector<double>(s.grid.size()));
+  if (!body.material().elastic.is_rigid())
+    s.residual_displacement = body.scalars(&elastoplastic::BodyState::residual_displacement);
   return s;
 }
 
-void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot)
+StepFields::Within fields_within(const elastoplastic::BodyView& body,
+                                 std::function<elastoplastic::CoupledContact::Stress()> stress,
+                                 std::function<std::vector<double>()> temperature)
 {
-  snapshot.stress = six_fields(stress.deviator, stress.trace);
+  using elastoplastic::BodyState;
+  if (body.material().elastic.is_rigid())
+    return {};
+  return {.equivalent_plastic_strain = [body] { return body.scalars(&BodyState::equivalent); },
+          .temperature = std::move(temperature),
+          .plastic_strain = [body]
+          { return six_fields(body.deviators(&BodyState::plastic_strain), std::vector<double>(body.grid().size())); },
+          .stress =
+              [stress = std::move(stress)]
+          {
+            const elastoplastic::CoupledContact::Stress found = stress();
+            return six_fields(found.deviator, found.trace);
+          }};
+}
+
+Snapshot StepFields::whole() const
+{
+  Snapshot s = surfaces;
+  for (const auto& [within, body] : {std::pair{&lower, &s.lower}, {&upper, &s.upper}})
+  {
+    if (within->equivalent_plastic_strain)
+      body->equivalent_plastic_strain = within->equivalent_plastic_strain();
+    if (within->plastic_strain)
+      body->plastic_strain = within->plastic_strain();
+    if (within->stress)
+      body->stress = within->stress();
+    if (within->temperature)
+      body->temperature = within->temperature();
+  }
+  return s;
 }
 
 void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
@@ -57,8 +86,6 @@ void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
     snapshot.temperature[side] = copy(heating->temperature(side));
     snapshot.heat_flux[side] = copy(heating->flux(side));
   }
-  snapshot.lower.temperature = pair.lower_temperature();
-  snapshot.upper.temperature = pair.upper_temperature();
 }
 
 std::span<const double> worn_depth(const elastoplastic::CoupledContact& pair, std::size_t side)

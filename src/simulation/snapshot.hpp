@@ -10,9 +10,14 @@
 namespace brinell::simulation
 {
 
-/// All fields of a body in its present state but for the stress; of a rigid one none.
+/// The grid of a body and the fields of its surface; of a rigid one no fields.
 /// @param origin  surface coordinate of column 0 of its grid [m].
-[[nodiscard]] BodySnapshot body_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x);
+[[nodiscard]] BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x);
+/// The fields within a body.
+/// @param stress, temperature  compute those of this body; the latter is empty without heat
+[[nodiscard]] StepFields::Within fields_within(const elastoplastic::BodyView& body,
+                                               std::function<elastoplastic::CoupledContact::Stress()> stress,
+                                               std::function<std::vector<double>()> temperature);
 /// Shear and slip of the contact.
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// Temperatures and fluxes, where there is heat.
@@ -23,7 +28,5 @@ void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 [[nodiscard]] std::vector<double> surface_height(const elastoplastic::BodyView& body, std::span<const double> worn);
 /// What the surfaces have lost, where they wear, and how high textured ones are.
 void set_surfaces(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
-/// The stress.
-void set_stress(const elastoplastic::CoupledContact::Stress& stress, BodySnapshot& snapshot);
 
 } // namespace brinell::simulation

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "coverage.hpp"
 #include "grid_layout.hpp"
+#include "memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -275,10 +276,8 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
 double Stepper::memory_of(const Plan& plan) const
 {
   const int shears = setup_.sliding.friction.coefficient > 0.0 ? (setup_.sliding.sticks ? 2 : 1) : 0;
-  const bool heats = setup_.sliding.heat.has_value();
-  return simulation::memory_bytes(plan, setup_.lower.is_plastic(), setup_.upper.is_plastic(),
-                                  setup_.solver.anderson_depth, shears, heats && setup_.lower.thermal.has_value(),
-                                  heats && setup_.upper.thermal.has_value());
+  return simulation::memory_bytes(plan, setup_.lower, setup_.upper, setup_.solver.anderson_depth, shears,
+                                  setup_.sliding.heat.has_value());
 }
 
 void Stepper::announce(const Plan& larger)

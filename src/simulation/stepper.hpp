@@ -119,7 +119,8 @@ public:
   [[nodiscard]] bool touching() const;
   [[nodiscard]] const elastoplastic::CoupledContact& pair() const { return *pair_; }
   [[nodiscard]] int split_increments() const { return split_increments_; }
-  [[nodiscard]] Snapshot snapshot(const Centre& centre) const;
+  /// Not to be used after the next step.
+  [[nodiscard]] StepFields fields(const Centre& centre) const;
   /// What a summary tells of the solution.
   void fill(RunTotals& totals) const;
 

@@ -147,25 +147,32 @@ void Stepper::fill(HeatedRecord& r) const
   r.work_of_expansion = pair_->expansion_work();
 }
 
-Snapshot Stepper::snapshot(const Centre& centre) const
+StepFields Stepper::fields(const Centre& centre) const
 {
   const Frame frame = lattice_.frame(centre);
-  Snapshot s;
+  StepFields fields;
+  Snapshot& s = fields.surfaces;
   s.contact = pair_->grid();
   s.x0 = frame.x0;
   s.y0 = s.contact.y(0);
   s.pressure.assign(pair_->pressure().begin(), pair_->pressure().end());
   s.gap.assign(pair_->gap().begin(), pair_->gap().end());
   set_shear(*pair_, s);
-  s.lower = body_snapshot(pair_->lower(), lattice_.lower_origin(), centre.lower);
-  if (!setup_.lower.elastic.is_rigid())
-    set_stress(pair_->lower_stress(frame.placement.lower), s.lower);
-  s.upper = body_snapshot(pair_->upper(), lattice_.upper_origin(), centre.upper);
-  if (!setup_.upper.elastic.is_rigid())
-    set_stress(pair_->upper_stress(frame.placement.upper), s.upper);
+  s.lower = surface_snapshot(pair_->lower(), lattice_.lower_origin(), centre.lower);
+  s.upper = surface_snapshot(pair_->upper(), lattice_.upper_origin(), centre.upper);
   set_heat(*pair_, s);
   set_surfaces(*pair_, s);
-  return s;
+  std::function<std::vector<double>()> lower_temperature, upper_temperature;
+  if (pair_->heating() != nullptr)
+  {
+    lower_temperature = [this] { return pair_->lower_temperature(); };
+    upper_temperature = [this] { return pair_->upper_temperature(); };
+  }
+  fields.lower = fields_within(
+      pair_->lower(), [this, place = frame.placement.lower] { return pair_->lower_stress(place); }, lower_temperature);
+  fields.upper = fields_within(
+      pair_->upper(), [this, place = frame.placement.upper] { return pair_->upper_stress(place); }, upper_temperature);
+  return fields;
 }
 
 void Stepper::fill(RunTotals& totals) const

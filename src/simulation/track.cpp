@@ -165,18 +165,20 @@ void TrackReader::Uptake::exchange(Archive& archive)
   archive("energy", energy);
 }
 
-TrackProfile track_profile(const BodySnapshot& body)
+TrackProfile track_profile(const VolumeGrid& grid, const StepFields::Within& body)
 {
   TrackProfile profile;
-  if (body.stress[0].empty())
+  if (!body.stress)
     return profile;
-  for (int layer = 0; layer < body.grid.nz; ++layer)
+  const TensorField stress = body.stress();
+  const std::vector<double> equivalent = body.equivalent_plastic_strain();
+  for (int layer = 0; layer < grid.nz; ++layer)
   {
-    const std::size_t cell = middle(body.grid, layer);
-    profile.depth.push_back((layer + 0.5) * body.grid.dz);
-    profile.residual_xx.push_back(body.stress[0][cell]);
-    profile.residual_yy.push_back(body.stress[1][cell]);
-    profile.equivalent_plastic_strain.push_back(body.equivalent_plastic_strain[cell]);
+    const std::size_t cell = middle(grid, layer);
+    profile.depth.push_back((layer + 0.5) * grid.dz);
+    profile.residual_xx.push_back(stress[0][cell]);
+    profile.residual_yy.push_back(stress[1][cell]);
+    profile.equivalent_plastic_strain.push_back(equivalent[cell]);
   }
   return profile;
 }

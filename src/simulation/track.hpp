@@ -50,6 +50,6 @@ private:
 };
 
 /// Under the middle of a body's grid.
-[[nodiscard]] TrackProfile track_profile(const BodySnapshot& body);
+[[nodiscard]] TrackProfile track_profile(const VolumeGrid& grid, const StepFields::Within& body);
 
 } // namespace brinell::simulation

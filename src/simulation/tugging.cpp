@@ -89,7 +89,10 @@ public:
       ++step_in_pass_;
   }
 
-  void summarise(TuggingSummary& summary) const { static_cast<TuggingPeaks&>(summary) = peaks_; }
+  void summarise(TuggingSummary& summary, const StepFields& /*end*/) const
+  {
+    static_cast<TuggingPeaks&>(summary) = peaks_;
+  }
 
   void exchange(Archive& archive)
   {

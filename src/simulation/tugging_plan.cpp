@@ -9,6 +9,7 @@
 #include "friction.hpp"
 #include "grid_layout.hpp"
 #include "heat.hpp"
+#include "memory.hpp"
 #include "symmetry.hpp"
 
 #include <algorithm>
@@ -268,9 +269,8 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);
-  plan.memory_bytes = memory_bytes(plan, tugging.lower.material.is_plastic(), tugging.upper.material.is_plastic(),
-                                   tugging.solver.anderson_depth, tugging.friction.coefficient > 0.0 ? 1 : 0,
-                                   heats && tugging.lower.material.thermal, heats && tugging.upper.material.thermal);
+  plan.memory_bytes = memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver.anderson_depth,
+                                   tugging.friction.coefficient > 0.0 ? 1 : 0, heats);
   return plan;
 }
 

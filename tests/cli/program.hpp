@@ -29,6 +29,7 @@ struct Outcome
 {
   int exit_code = -1; ///< 128 + signal if a signal ended it
   std::string out, err;
+  double memory = 0.0; ///< largest resident set [bytes]
 };
 
 /// A started program; stdout and stderr go to files.
@@ -71,11 +72,12 @@ public:
 
   [[nodiscard]] Outcome wait()
   {
+    rusage used{};
     if (!ended_)
-      waitpid(pid_, &status_, 0);
+      wait4(pid_, &status_, 0, &used);
     ended_ = true;
     const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
-    return {code, file_text(out_), file_text(err_)};
+    return {code, file_text(out_), file_text(err_), 1e3 * static_cast<double>(used.ru_maxrss)};
   }
 
 private:

@@ -114,8 +114,9 @@ TEST(PlaneStrain, IsTheMiddleOfALongRoller)
     double load_in_middle = 0.0; // per length
     simulation::Observer<IndentationRecord> observer;
     observer.wants_snapshot = [&](const IndentationRecord& r) { return r.step == c.steps - 1; };
-    observer.on_snapshot = [&](const IndentationRecord&, const simulation::Snapshot& s)
+    observer.on_snapshot = [&](const IndentationRecord&, const simulation::StepFields& fields)
     {
+      const simulation::Snapshot& s = fields.surfaces;
       for (int i = 0; i < s.contact.nx; ++i)
         load_in_middle += s.pressure[s.contact.index(i, s.contact.ny / 2)] * s.contact.dx;
     };

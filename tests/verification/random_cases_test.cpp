@@ -345,7 +345,7 @@ struct Outcome
       // The solver's tolerance is one on g - q; the stress that follows from both may be off by a little more.
       EXPECT_LE(excess, 3.0 * c.solver.yield_tolerance);
     };
-    observer.on_snapshot = [&](const Record&, const simulation::Snapshot& state) { look(state); };
+    observer.on_snapshot = [&](const Record&, const simulation::StepFields& fields) { look(fields.whole()); };
     run.summary = simulation::run(c, observer);
     look(run.summary.final_state);
     return run;

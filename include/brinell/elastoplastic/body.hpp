@@ -22,7 +22,7 @@ struct BodyState
   std::vector<double> plastic_strain;          ///< deviator field, 5 values per cell
   std::vector<double> equivalent;              ///< accumulated equivalent plastic strain
   std::vector<double> backstress;              ///< deviator field per kinematic term, one after the other [Pa]
-  std::vector<double> stress;                  ///< deviatoric stress at the end of the last increment [Pa]
+  std::vector<double> stress;                  ///< deviator after the last increment [Pa]; empty of what cannot yield
   std::vector<double> residual_displacement;   ///< of the surface, into the body positive [m]
   std::vector<double> residual_displacement_x; ///< along x [m]; empty unless the surface bears shear
   std::vector<double> residual_displacement_y; ///< along y [m]; empty unless it bears shear along y, too
@@ -126,10 +126,9 @@ public:
   /// Shear that the cells of the surface can carry along a unit vector, before the increment [Pa]; infinite if the body does not
   /// yield. Without a direction, that which they carry in all of them.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
-  /// Stress in all layers [Pa] of a load and a plastic strain, and that from before the first load: deviator, 5 values
-  /// per cell, and trace. The strain may be the body's own or that of its twin. The body must not be rigid.
-  void full_stress(const halfspace::SurfaceLoad& load, std::span<const double> plastic_strain,
-                   std::span<double> deviator, std::span<double> trace);
+  /// Stress in all layers [Pa] of a load and the plastic strain, and that from before the first load: deviator, 5 values per
+  /// cell, and trace. The body must not be rigid.
+  void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace);
   /// Locked-in elastic energy plus dissipation of the present trial [J], for the load of the last update.
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
 

@@ -37,6 +37,10 @@ public:
   /// Turns fields of the solved body into those of this side: a deviator field of 5 values per cell, and a scalar one.
   void turn(std::vector<double>& deviators, std::vector<double>& scalars) const;
 
+  /// A copy of a field on the surface, from the solved body to this side or back.
+  /// @param parity  the sign that its mirror image has
+  [[nodiscard]] std::vector<double> turned(std::span<const double> surface, double parity) const;
+
   /// A copy of the history.
   [[nodiscard]] BodyState state() const;
   /// A copy of one of its deviator fields, such as &BodyState::plastic_strain.
@@ -53,8 +57,6 @@ public:
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
 
 private:
-  [[nodiscard]] std::vector<double> rows(std::span<const double> solved, double parity) const;
-
   const Body* solved_;
   Twin twin_;
   const std::vector<double>* texture_;

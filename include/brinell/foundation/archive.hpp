@@ -25,13 +25,15 @@ public:
 
   /// An empty archive: stores every number that it is shown.
   Archive() = default;
-  /// A filled archive: gives the stored numbers back to the members that it is shown.
-  explicit Archive(Fields fields) : fields_(std::move(fields)), gives_(true) {}
+  /// A filled archive: gives the stored numbers back to the members that it is shown. It copies nothing: numbers that are not
+  /// handed over must outlive it.
+  explicit Archive(const Fields& stored) : lent_(&stored), gives_(true) {}
+  explicit Archive(Fields&& stored) : fields_(std::move(stored)), gives_(true) {}
 
   /// @throws InputError if there is no such field, or it has another size than the member it belongs to.
   void operator()(const std::string& name, std::vector<double>& values)
   {
-    if (!gives_)
+    if (!gives())
       fields_[prefix_ + name] = values;
     else if (const std::vector<double>& field = at(name); field.size() == values.size())
       values = field;
@@ -55,7 +57,7 @@ public:
   void operator()(const std::string& name, Number& value, std::type_identity_t<Number> least,
                   std::type_identity_t<Number> most)
   {
-    if (gives_)
+    if (gives())
       require_between(name, at(name).front(), static_cast<double>(least), static_cast<double>(most),
                       !std::is_floating_point_v<Number>);
     exchange_number(name, value);
@@ -75,7 +77,7 @@ public:
   void list(const std::string& name, std::vector<double>& values)
   {
     std::size_t size = values.size();
-    (*this)(name + ".size", size, 0, gives_ ? stored_size(name) : size);
+    (*this)(name + ".size", size, 0, gives() ? stored_size(name) : size);
     values.resize(size);
     if (size > 0)
       (*this)(name, values);
@@ -86,14 +88,13 @@ public:
   {
     const std::string first = prefix_ + name + ".member.";
     std::size_t size = parts.size();
-    (*this)(name + ".size", size, 0, gives_ ? rows(first) : size);
+    (*this)(name + ".size", size, 0, gives() ? rows(first) : size);
     parts.resize(size);
     for (std::size_t i = 0; i < size; ++i)
     {
-      Archive one(gives_ ? row(first, i) : Fields{});
-      one.gives_ = gives_;
+      Archive one = gives() ? Archive(row(first, i)) : Archive();
       parts[i].exchange(one);
-      if (!gives_)
+      if (!gives())
         for (const auto& [member, value] : one.fields_)
           fields_[first + member].push_back(value.front());
     }
@@ -107,7 +108,7 @@ private:
   template <typename Number>
   void exchange_number(const std::string& name, Number& value)
   {
-    if (!gives_)
+    if (!gives())
       fields_[prefix_ + name] = {static_cast<double>(value)};
     else
       value = static_cast<Number>(at(name).front());
@@ -121,16 +122,17 @@ private:
       throw InputError("the stored state has a " + prefix_ + name + " of " + std::to_string(value) +
                        ", which is not possible");
   }
+  [[nodiscard]] const Fields& stored() const { return lent_ ? *lent_ : fields_; }
   [[nodiscard]] std::size_t stored_size(const std::string& name) const
   {
-    const auto found = fields_.find(prefix_ + name);
-    return found == fields_.end() ? 0 : found->second.size();
+    const auto found = stored().find(prefix_ + name);
+    return found == stored().end() ? 0 : found->second.size();
   }
   /// Of the longest of the fields whose names begin so.
   [[nodiscard]] std::size_t rows(const std::string& first) const
   {
     std::size_t longest = 0;
-    for (auto field = fields_.lower_bound(first); field != fields_.end() && field->first.starts_with(first); ++field)
+    for (auto field = stored().lower_bound(first); field != stored().end() && field->first.starts_with(first); ++field)
       longest = std::max(longest, field->second.size());
     return longest;
   }
@@ -138,7 +140,7 @@ private:
   [[nodiscard]] Fields row(const std::string& first, std::size_t i) const
   {
     Fields result;
-    for (auto field = fields_.lower_bound(first); field != fields_.end() && field->first.starts_with(first); ++field)
+    for (auto field = stored().lower_bound(first); field != stored().end() && field->first.starts_with(first); ++field)
       if (i < field->second.size())
         result[field->first.substr(first.size())] = {field->second[i]};
     return result;
@@ -146,13 +148,14 @@ private:
 
   [[nodiscard]] const std::vector<double>& at(const std::string& name) const
   {
-    const auto found = fields_.find(prefix_ + name);
-    if (found == fields_.end() || found->second.empty())
+    const auto found = stored().find(prefix_ + name);
+    if (found == stored().end() || found->second.empty())
       throw InputError("the stored state has no " + prefix_ + name);
     return found->second;
   }
 
   Fields fields_;
+  const Fields* lent_ = nullptr; ///< instead of these
   bool gives_ = false;
   std::string prefix_;
 };

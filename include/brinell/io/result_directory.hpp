@@ -44,21 +44,22 @@ public:
 
   /// Whether an earlier result was removed.
   [[nodiscard]] bool replaced() const;
-  /// The state to go on from.
-  [[nodiscard]] const std::optional<Archive::Fields>& checkpoint() const;
+  /// The state to go on from; none from the second call on.
+  [[nodiscard]] std::optional<Archive::Fields> take_checkpoint();
   /// Steps that were finished there; 0 without one.
   [[nodiscard]] int finished_steps() const;
 
   /// A finished step. @throws IoError
   void add(const std::vector<NamedNumber>& columns);
   /// Its fields, with the columns as attributes. @throws IoError
-  void add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   /// The state after a step, replacing the one before. @throws IoError
-  void add_checkpoint(int step, const Archive::Fields& fields);
+  void add_checkpoint(int step, Archive::Fields fields);
 
-  /// Final state, result.vtkhdf in one piece and, last of all, the summary; the checkpoint goes. @throws IoError
-  void finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
-              const std::string& summary);
+  /// The state after the last step. @throws IoError
+  void add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns);
+  /// result.vtkhdf in one piece and, last of all, the summary; the checkpoint goes. @throws IoError
+  void finish(const std::string& summary);
 
 private:
   struct State;

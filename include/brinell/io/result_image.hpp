@@ -26,15 +26,15 @@ public:
   ResultImage& operator=(ResultImage&&) noexcept;
 
   /// None: nothing can be resumed.
-  [[nodiscard]] const std::optional<Archive::Fields>& checkpoint() const;
+  [[nodiscard]] static std::optional<Archive::Fields> take_checkpoint() { return std::nullopt; }
   void add_checkpoint(int, const Archive::Fields&) {}
 
   /// A row of the history.
   void add(const std::vector<NamedNumber>& columns);
   /// The fields of a step.
-  void add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
-  void finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
-              const std::string& summary);
+  void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
+  void add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns);
+  void finish(const std::string& summary);
 
   /// The bytes of the file. @throws IoError (all members)
   [[nodiscard]] std::string bytes() &&;

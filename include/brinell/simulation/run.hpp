@@ -37,34 +37,46 @@ public:
   /// Of the whole run, an estimate.
   [[nodiscard]] int step_count() const;
   /// Fields after the last step.
-  [[nodiscard]] Snapshot snapshot() const;
+  [[nodiscard]] Snapshot snapshot() const { return fields().whole(); }
+  /// The same, computed when they are asked for. Not to be used after the next step, nor without this run.
+  [[nodiscard]] StepFields fields() const;
   /// Everything that the rest of the run depends on.
   [[nodiscard]] Archive::Fields checkpoint();
   /// Of the steps so far.
   [[nodiscard]] Summary summary() const;
+  /// The same without the fields within the bodies in its `final_state`.
+  [[nodiscard]] Summary totals() const;
 
 private:
   class State;
   std::unique_ptr<State> state_;
 };
 
-/// Runs a case to its end, or goes on from a checkpoint of it, and tells the observer of every step.
+/// Takes all steps that are left, and tells the observer of each.
 /// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).
 template <typename Case>
-[[nodiscard]] typename Case::Summary run(const Case& scenario, const Observer<typename Case::Record>& observer = {},
-                                         const Archive::Fields* checkpoint = nullptr)
+void finish(Run<Case>& going, const Observer<typename Case::Record>& observer = {})
 {
-  Run<Case> going(scenario, observer, checkpoint);
   while (!going.is_done())
   {
     const auto& record = going.step();
     if (observer.on_step)
       observer.on_step(record, going.step_count());
     if (observer.wants_snapshot && observer.on_snapshot && observer.wants_snapshot(record))
-      observer.on_snapshot(record, going.snapshot());
+      observer.on_snapshot(record, going.fields());
     if (observer.wants_checkpoint && observer.on_checkpoint && observer.wants_checkpoint(record))
       observer.on_checkpoint(record, going.checkpoint());
   }
+}
+
+/// Runs a case to its end, or goes on from a checkpoint of it, and tells the observer of every step.
+/// @throws as `finish`
+template <typename Case>
+[[nodiscard]] typename Case::Summary run(const Case& scenario, const Observer<typename Case::Record>& observer = {},
+                                         const Archive::Fields* checkpoint = nullptr)
+{
+  Run<Case> going(scenario, observer, checkpoint);
+  finish(going, observer);
   return going.summary();
 }
 

@@ -189,18 +189,20 @@ struct GridChange
 /// "lower_layers"
 [[nodiscard]] const char* extent_name(GridChange::Extent extent);
 
+/// A symmetric tensor in every cell: xx yy zz yz xz xy.
+using TensorField = std::array<std::vector<double>, 6>;
+
 /// Fields of one body on its own material grid.
 struct BodySnapshot
 {
   VolumeGrid grid;
-  double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) in the body's surface coordinates [m]
-  double contact_x = 0.0;    ///< where the contact centre is now [m]
-  std::array<std::vector<double>, 6>
-      stress; ///< xx yy zz yz xz xy, of contact, plastic strain, heat and before the first load [Pa]; empty if rigid
-  std::array<std::vector<double>, 6> plastic_strain; ///< xx yy zz yz xz xy [-]
-  std::vector<double> equivalent_plastic_strain;     ///< [-]
-  std::vector<double> residual_displacement;         ///< surface, into the body positive [m]
-  std::vector<double> worn_depth; ///< that the surface has lost since the start [m]; empty without wear
+  double x0 = 0.0, y0 = 0.0;  ///< centre of cell (0, 0) in the body's surface coordinates [m]
+  double contact_x = 0.0;     ///< where the contact centre is now [m]
+  TensorField stress;         ///< of contact, plastic strain, heat and before the first load [Pa]; empty if rigid
+  TensorField plastic_strain; ///< [-]
+  std::vector<double> equivalent_plastic_strain; ///< [-]
+  std::vector<double> residual_displacement;     ///< surface, into the body positive [m]
+  std::vector<double> worn_depth;                ///< that the surface has lost since the start [m]; empty without wear
   /// Of a surface with a texture as it is now: texture less residual displacement and worn depth, out of the body positive
   /// [m]; empty of others.
   std::vector<double> height;
@@ -224,6 +226,23 @@ struct Snapshot
   std::array<std::vector<double>, 2> temperature; ///< [deg C]
   std::array<std::vector<double>, 2> heat_flux;   ///< into the body, in the last step [W/m^2]
   BodySnapshot lower, upper;
+};
+
+/// The fields of one step, of which those within the bodies are computed when they are asked for: who writes one after the
+/// other never has them all in memory. Lasts until the run takes its next step, or ends.
+struct StepFields
+{
+  /// Functions that are empty stand for fields that there are not, as those of a rigid body.
+  struct Within
+  {
+    std::function<std::vector<double>()> equivalent_plastic_strain, temperature;
+    std::function<TensorField()> plastic_strain, stress;
+  };
+
+  Snapshot surfaces;   ///< all fields but those within the bodies
+  Within lower, upper; ///< the others, as in `BodySnapshot`
+
+  [[nodiscard]] Snapshot whole() const;
 };
 
 /// What every summary tells.
@@ -261,7 +280,7 @@ struct Observer : Watch
 {
   std::function<void(const Record&, int step_count_estimate)> on_step;
   std::function<bool(const Record&)> wants_snapshot;
-  std::function<void(const Record&, const Snapshot&)> on_snapshot;
+  std::function<void(const Record&, const StepFields&)> on_snapshot;
   std::function<bool(const Record&)> wants_checkpoint;
   /// Everything that the rest of the run depends on: to be given to `run` later.
   std::function<void(const Record&, Archive::Fields)> on_checkpoint;

@@ -78,15 +78,27 @@ std::string program()
   return versions.brinell + " " + versions.git_hash;
 }
 
-void write_checkpoint(const fs::path& path, int step, const std::string& history_sum, const Archive::Fields& fields)
+/// Empties the fields on the way.
+void write_checkpoint(const fs::path& path, int step, const std::string& history_sum, Archive::Fields&& fields)
 {
-  h5::Handle file = h5::create_file_in_memory();
+  constexpr std::size_t around = 1 << 18, around_a_field = 1 << 10; // bytes
+  std::size_t size = around;
+  for (const auto& [name, values] : fields)
+    size += around_a_field + sizeof(double) * values.size();
+  Replacement replacement(path);
+  replacement.require_room(size);
+  h5::Handle file = h5::create_file(replacement.part());
   h5::write_attribute(file, "step", step);
   h5::write_attribute(file, "program", program());
   h5::write_attribute(file, "history", history_sum);
-  for (const auto& [name, values] : fields)
-    h5::write_numbers(file, name, values);
-  replace_sealed_file(path, h5::file_image(std::move(file)), checkpoint_mark);
+  while (!fields.empty())
+  {
+    const auto field = fields.extract(fields.begin());
+    h5::write_numbers(file, field.key(), field.mapped());
+  }
+  h5::close_file(std::move(file));
+  replacement.seal(checkpoint_mark);
+  replacement.commit();
 }
 
 /// The number of the last step, as the state has it.
@@ -209,9 +221,9 @@ bool ResultDirectory::replaced() const
   return state_->replaced;
 }
 
-const std::optional<Archive::Fields>& ResultDirectory::checkpoint() const
+std::optional<Archive::Fields> ResultDirectory::take_checkpoint()
 {
-  return state_->fields;
+  return std::exchange(state_->fields, std::nullopt);
 }
 
 int ResultDirectory::finished_steps() const
@@ -224,24 +236,26 @@ void ResultDirectory::add(const std::vector<NamedNumber>& columns)
   state_->history.add(columns);
 }
 
-void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields)
 {
-  state_->result.add_step(step, columns, snapshot);
+  state_->result.add_step(step, columns, fields);
 }
 
-void ResultDirectory::add_checkpoint(int step, const Archive::Fields& fields)
+void ResultDirectory::add_checkpoint(int step, Archive::Fields fields)
 {
   Archive archive;
   archive("result", state_->result);
-  Archive::Fields all = std::move(archive).fields();
-  all.insert(fields.begin(), fields.end());
-  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), all);
+  fields.merge(std::move(archive).fields());
+  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), std::move(fields));
 }
 
-void ResultDirectory::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
-                             const std::string& summary)
+void ResultDirectory::add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns)
 {
   state_->result.add_final(std::get<int>(last_columns.front().value), last_columns, final_state);
+}
+
+void ResultDirectory::finish(const std::string& summary)
+{
   state_->result.merge(summary);
   replace_file(state_->path / "summary.json", summary);
   try

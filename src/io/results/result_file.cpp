@@ -33,24 +33,19 @@ constexpr std::size_t most_shown = 30; ///< states in /VTKHDF of an unfinished f
 
 constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
 
-using TensorField = std::array<std::vector<double>, 6>;
+using simulation::StepFields;
+using simulation::TensorField;
 
 /// Bodies that stay elastic may leave fields empty; then there is no dataset.
 bool is_stored(const std::vector<double>& field)
 {
   return !field.empty();
 }
-bool is_stored(const TensorField& field)
-{
-  return std::all_of(field.begin(), field.end(), [](const auto& f) { return is_stored(f); });
-}
 
 void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field,
                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
                   h5::Storage storage)
 {
-  if (!is_stored(field))
-    return;
   const h5::Handle group = h5::create_group(parent, name);
   for (std::size_t c = 0; c < components.size(); ++c)
     h5::write_dataset(group, components[c], field[c], shape, units, fmt::format("{}, {}", long_name, components[c]),
@@ -108,7 +103,9 @@ void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapsho
   write("heat_flux_upper", snapshot.heat_flux[1], "W/m^2", "heat of friction into the upper body");
 }
 
-void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body, Place place)
+/// One field after the other, so that one is in memory at a time.
+void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body,
+                const StepFields::Within& within, Place place)
 {
   const h5::Storage deflated = storage_of(place, h5::Storage::deflated), plain = storage_of(place, h5::Storage::plain);
   const h5::Handle group = h5::create_group(parent, name);
@@ -124,8 +121,8 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
   if (is_stored(body.residual_displacement))
     h5::write_dataset(group, "residual_displacement", body.residual_displacement, surface, "m",
                       "residual displacement of the surface, into the body", deflated);
-  if (is_stored(body.equivalent_plastic_strain))
-    h5::write_dataset(group, "equivalent_plastic_strain", body.equivalent_plastic_strain, volume, "1",
+  if (within.equivalent_plastic_strain)
+    h5::write_dataset(group, "equivalent_plastic_strain", within.equivalent_plastic_strain(), volume, "1",
                       "accumulated equivalent plastic strain", deflated);
   if (is_stored(body.worn_depth))
     h5::write_dataset(group, "worn_depth", body.worn_depth, surface, "m",
@@ -133,26 +130,39 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
   if (is_stored(body.height))
     h5::write_dataset(group, "height", body.height, surface, "m",
                       "height of the surface as it is now, with its texture, out of the body", deflated);
-  if (is_stored(body.temperature))
-    h5::write_dataset(group, "temperature", body.temperature, volume, "degC", "temperature", deflated);
-  write_tensor(group, "plastic_strain", body.plastic_strain, volume, "1", "plastic strain", deflated);
-  write_tensor(group, "stress", body.stress, volume, "Pa",
+  if (within.temperature)
+    h5::write_dataset(group, "temperature", within.temperature(), volume, "degC", "temperature", deflated);
+  if (within.plastic_strain)
+    write_tensor(group, "plastic_strain", within.plastic_strain(), volume, "1", "plastic strain", deflated);
+  if (!within.stress)
+    return;
+  const TensorField stress = within.stress();
+  write_tensor(group, "stress", stress, volume, "Pa",
                "stress of contact, plastic strain, heat and before the first load, tension positive", plain);
-  if (is_stored(body.stress))
-    h5::write_dataset(group, "von_mises_stress", von_mises_field(body.stress), volume, "Pa", "von Mises stress", plain);
+  h5::write_dataset(group, "von_mises_stress", von_mises_field(stress), volume, "Pa", "von Mises stress", plain);
 }
 
 /// The fields of a step, and its row of the history as attributes, as docs/reference/results-format.md says.
 /// @throws IoError; InternalError if a field does not fit its grid
-void write_snapshot(const h5::Handle& group, const std::vector<NamedNumber>& columns,
-                    const simulation::Snapshot& snapshot, Place place = Place::disk)
+void write_state(const h5::Handle& group, const std::vector<NamedNumber>& columns, const StepFields& fields,
+                 Place place = Place::disk)
 {
   for (const NamedNumber& column : columns)
     std::visit([&](auto number) { h5::write_attribute(group, std::string(column.name).c_str(), number); },
                column.value);
-  write_contact(group, snapshot, place);
-  write_body(group, "lower", snapshot.lower, place);
-  write_body(group, "upper", snapshot.upper, place);
+  write_contact(group, fields.surfaces, place);
+  write_body(group, "lower", fields.surfaces.lower, fields.lower, place);
+  write_body(group, "upper", fields.surfaces.upper, fields.upper, place);
+}
+
+/// Bytes of the file of a state at the most: more fields than there are, none of which compression makes smaller.
+std::uintmax_t largest_size(const StepFields& fields)
+{
+  constexpr std::size_t in_cell = 16, on_surface = 8, in_contact = 16, around = 1 << 18;
+  std::size_t numbers = in_contact * fields.surfaces.contact.size();
+  for (const simulation::BodySnapshot* body : {&fields.surfaces.lower, &fields.surfaces.upper})
+    numbers += in_cell * body->grid.size() + on_surface * body->grid.surface.size();
+  return numbers * sizeof(double) + around;
 }
 
 void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history, Place place)
@@ -195,11 +205,6 @@ void write_description(const h5::Handle& file, const Description& description,
 std::string group_of_step(int step)
 {
   return fmt::format("/steps/{:06}", step);
-}
-
-fs::path part_of(fs::path path)
-{
-  return path += ".part";
 }
 
 } // namespace
@@ -245,45 +250,42 @@ fs::path ResultFile::path_of(const Piece& piece) const
   return folder_ / pieces_folder / piece.file();
 }
 
-void ResultFile::add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+void ResultFile::add_step(int step, const std::vector<NamedNumber>& columns, const StepFields& fields)
 {
-  add({step, false}, columns, snapshot);
+  add({step, false}, columns, fields);
 }
 
-void ResultFile::add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+void ResultFile::add_final(int step, const std::vector<NamedNumber>& columns, const StepFields& fields)
 {
-  add({step, true}, columns, snapshot);
+  add({step, true}, columns, fields);
 }
 
-void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const StepFields& fields)
 {
   std::error_code error;
   fs::create_directories(folder_ / pieces_folder, error); // a failure shows when the file is created
-  h5::Handle file = h5::create_file_in_memory();
-  write_snapshot(h5::create_group(file, piece_group), columns, snapshot);
-  replace_sealed_file(path_of(piece), h5::file_image(std::move(file)), piece_mark);
-  piece.layout = layout_of(snapshot);
+  Replacement replacement(path_of(piece));
+  replacement.require_room(largest_size(fields));
+  h5::Handle file = h5::create_file(replacement.part());
+  write_state(h5::create_group(file, piece_group), columns, fields);
+  h5::close_file(std::move(file));
+  replacement.seal(piece_mark);
+  replacement.commit();
+  piece.layout = layout_of(fields);
   pieces_.push_back(piece);
   write_linked();
 }
 
-/// HDF5 crashes when a full disk does not let it close a file: better to know before.
-void ResultFile::require_space() const
+std::uintmax_t ResultFile::size_of_pieces() const
 {
-  std::uintmax_t needed = 0;
-  std::error_code error;
+  std::uintmax_t sum = 0;
   for (const Piece& piece : pieces_)
   {
+    std::error_code error;
     const std::uintmax_t size = fs::file_size(path_of(piece), error);
-    needed += error ? 0 : size;
+    sum += error ? 0 : size;
   }
-  const fs::space_info space = fs::space(folder_, error);
-  if (!error && space.available < needed)
-    throw IoError(
-        fmt::format("{}: cannot be written: it needs {:.1f} MB, the disk has {:.1f} MB; the finished steps are "
-                    "in {}",
-                    (folder_ / file_name).string(), static_cast<double>(needed) * 1e-6,
-                    static_cast<double>(space.available) * 1e-6, (folder_ / pieces_folder).string()));
+  return sum;
 }
 
 /// Writes result.vtkhdf anew, with links to the pieces. Its cost must grow little with each of them: thirty in /VTKHDF take
@@ -313,9 +315,9 @@ void ResultFile::write_linked() const
 /// Writes result.vtkhdf anew, with the content of the pieces.
 void ResultFile::merge(const std::string& summary)
 {
-  require_space();
-  const fs::path path = folder_ / file_name;
-  h5::Handle file = h5::create_file(part_of(path));
+  Replacement replacement(folder_ / file_name);
+  replacement.require_room(size_of_pieces());
+  h5::Handle file = h5::create_file(replacement.part());
   write_description(file, description_, history_);
   h5::write_text(file, "summary", summary);
   std::vector<StoredState> states;
@@ -331,24 +333,21 @@ void ResultFile::merge(const std::string& summary)
   write_vtkhdf(file, states);
   h5::close_file(std::move(file));
   {
-    const h5::Handle written = h5::open_file(part_of(path));
+    const h5::Handle written = h5::open_file(replacement.part());
     for (const Piece& piece : pieces_)
       h5::require_same_datasets(h5::open_group(h5::open_file(path_of(piece)), piece_group),
                                 h5::open_group(written, piece.group()));
   }
-  std::error_code error;
-  fs::rename(part_of(path), path, error);
-  if (error)
-    throw IoError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+  replacement.commit();
 }
 
 struct ResultImage::State
 {
   explicit State(const Case& c) : description(c) { (void)h5::create_group(file, "steps"); }
 
-  void add(const std::string& name, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot) const
+  void add(const std::string& name, const std::vector<NamedNumber>& columns, const StepFields& fields) const
   {
-    write_snapshot(h5::create_group(file, name), columns, snapshot, Place::memory);
+    write_state(h5::create_group(file, name), columns, fields, Place::memory);
   }
 
   Description description;
@@ -361,26 +360,23 @@ ResultImage::~ResultImage() = default;
 ResultImage::ResultImage(ResultImage&&) noexcept = default;
 ResultImage& ResultImage::operator=(ResultImage&&) noexcept = default;
 
-const std::optional<Archive::Fields>& ResultImage::checkpoint() const
-{
-  static const std::optional<Archive::Fields> none;
-  return none;
-}
-
 void ResultImage::add(const std::vector<NamedNumber>& columns)
 {
   add_row(state_->history, columns);
 }
 
-void ResultImage::add(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot)
+void ResultImage::add(int step, const std::vector<NamedNumber>& columns, const StepFields& fields)
 {
-  state_->add(group_of_step(step), columns, snapshot);
+  state_->add(group_of_step(step), columns, fields);
 }
 
-void ResultImage::finish(const simulation::Snapshot& final_state, const std::vector<NamedNumber>& last_columns,
-                         const std::string& summary)
+void ResultImage::add_final(const StepFields& final_state, const std::vector<NamedNumber>& last_columns)
 {
   state_->add(final_group, last_columns, final_state);
+}
+
+void ResultImage::finish(const std::string& summary)
+{
   write_description(state_->file, state_->description, state_->history, Place::memory);
   h5::write_text(state_->file, "summary", summary);
 }

@@ -5,6 +5,7 @@
 #include "brinell/io/history_csv.hpp"
 #include "vtkhdf.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,9 +33,9 @@ public:
   ResultFile(std::filesystem::path folder, const Case& c, const std::vector<HistoryColumn>& history,
              const Archive::Fields* checkpoint);
 
-  void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   /// The state after the last step.
-  void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
+  void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   /// The pieces stay: nothing else can be resumed from.
   void merge(const std::string& summary);
 
@@ -55,8 +56,8 @@ private:
     [[nodiscard]] double time() const { return is_final ? step + 1.0 : step; }
   };
   [[nodiscard]] std::filesystem::path path_of(const Piece& piece) const;
-  void add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::Snapshot& snapshot);
-  void require_space() const;
+  void add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
+  [[nodiscard]] std::uintmax_t size_of_pieces() const;
   void write_linked() const;
 
   std::filesystem::path folder_;

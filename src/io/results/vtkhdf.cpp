@@ -269,16 +269,16 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
       add(name, 0.0);
 }
 
-BodyLayout layout_of(const simulation::BodySnapshot& body)
+BodyLayout layout_of(const simulation::BodySnapshot& body, const simulation::StepFields::Within& within)
 {
   return {.grid = body.grid,
           .x0 = body.x0,
           .y0 = body.y0,
           .has_residual_displacement = !body.residual_displacement.empty(),
-          .has_plastic_strain = !body.plastic_strain[0].empty(),
-          .has_stress = !body.stress[0].empty(),
+          .has_plastic_strain = static_cast<bool>(within.plastic_strain),
+          .has_stress = static_cast<bool>(within.stress),
           .has_worn_depth = !body.worn_depth.empty(),
-          .has_temperature = !body.temperature.empty(),
+          .has_temperature = static_cast<bool>(within.temperature),
           .has_height = !body.height.empty()};
 }
 
@@ -320,13 +320,14 @@ void StateLayout::exchange(Archive& archive)
   archive("contact", contact);
 }
 
-StateLayout layout_of(const simulation::Snapshot& snapshot)
+StateLayout layout_of(const simulation::StepFields& fields)
 {
+  const simulation::Snapshot& snapshot = fields.surfaces;
   const simulation::BodySnapshot& lower = snapshot.lower;
   const SurfaceGrid& grid = snapshot.contact;
   const double x = snapshot.x0 + lower.contact_x - lower.x0, y = snapshot.y0 - lower.y0;
-  return {.lower = layout_of(lower),
-          .upper = layout_of(snapshot.upper),
+  return {.lower = layout_of(lower, fields.lower),
+          .upper = layout_of(snapshot.upper, fields.upper),
           .contact = {.nx = grid.nx,
                       .ny = grid.ny,
                       .column = static_cast<int>(std::lround(x / grid.dx)),

@@ -42,7 +42,7 @@ struct StateLayout
   void exchange(Archive& archive);
 };
 
-[[nodiscard]] StateLayout layout_of(const simulation::Snapshot& snapshot);
+[[nodiscard]] StateLayout layout_of(const simulation::StepFields& fields);
 
 /// A state in a result file.
 struct StoredState

@@ -21,7 +21,7 @@ void write_stopped(const fs::path& folder)
 {
   ResultDirectory results(folder, sample::parsed());
   results.add(sample::columns(0));
-  results.add(0, sample::columns(0), sample::snapshot());
+  results.add(0, sample::columns(0), sample::fields());
   results.add_checkpoint(0, {{"summary.last.step", {0.0}}, {"field", sample::numbered(5, 3, 2)}});
 }
 
@@ -50,8 +50,9 @@ TEST(DamagedResult, EveryDamagedBitIsSeen)
 {
   const sample::TemporaryFolder folder;
   write_stopped(folder.path());
-  EXPECT_EQ(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).checkpoint()->at("field"),
-            sample::numbered(5, 3, 2));
+  EXPECT_EQ(
+      ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).take_checkpoint()->at("field"),
+      sample::numbered(5, 3, 2));
   for (const char* name : {"checkpoint.h5", "history.csv", "snapshots/000000.h5"})
   {
     const fs::path file = folder.path() / name;
@@ -71,7 +72,7 @@ TEST(DamagedResult, EveryDamagedBitIsSeen)
     EXPECT_THROW(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume), IoError) << name;
     std::ofstream(file, std::ios::binary) << whole;
   }
-  EXPECT_TRUE(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).checkpoint());
+  EXPECT_TRUE(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).take_checkpoint());
 }
 
 TEST(DamagedResult, DamagedPieceIsNotMergedAndStays)
@@ -79,10 +80,11 @@ TEST(DamagedResult, DamagedPieceIsNotMergedAndStays)
   const sample::TemporaryFolder folder;
   ResultDirectory results(folder.path(), sample::parsed());
   results.add(sample::columns(0));
-  results.add(0, sample::columns(0), sample::snapshot());
+  results.add(0, sample::columns(0), sample::fields());
   const fs::path piece = folder.path() / "snapshots" / "000000.h5";
   flip_bit(piece, 4 * fs::file_size(piece));
-  EXPECT_THROW(results.finish(sample::snapshot(), sample::columns(0), "{}"), IoError);
+  results.add_final(sample::fields(), sample::columns(0));
+  EXPECT_THROW(results.finish("{}"), IoError);
   EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   EXPECT_TRUE(fs::exists(piece));
 }

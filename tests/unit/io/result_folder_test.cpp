@@ -25,7 +25,7 @@ TEST(ResultFolder, FinishedStepsAreReadableAtAnyTime)
   for (int step = 0; step < 3; ++step)
   {
     results.add(sample::columns(step));
-    results.add(step, sample::columns(step), sample::snapshot());
+    results.add(step, sample::columns(step), sample::fields());
     EXPECT_EQ(dataset(folder.path() / "result.vtkhdf", "/steps/00000" + std::to_string(step) + "/contact/pressure"),
               sample::numbered(4, 3, 1));
     EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
@@ -89,7 +89,7 @@ TEST(ResultFolder, WhatElseIsBesideTheStoredStepsStays)
   {
     ResultDirectory stopped(folder.path(), sample::parsed());
     stopped.add(sample::columns(0));
-    stopped.add(0, sample::columns(0), sample::snapshot());
+    stopped.add(0, sample::columns(0), sample::fields());
   }
   EXPECT_TRUE(fs::exists(folder.path() / "snapshots" / "000000.h5"));
   write_complete(folder.path(), sample::parsed());

@@ -94,11 +94,12 @@ TEST(Results, InMemoryAreTheSameFields)
   const Case c = sample::parsed();
   write_complete(folder.path(), c);
   ResultImage image(c);
-  EXPECT_FALSE(image.checkpoint().has_value());
+  EXPECT_FALSE(image.take_checkpoint().has_value());
   image.add(sample::columns(0));
-  image.add(0, sample::columns(0), sample::snapshot());
+  image.add(0, sample::columns(0), sample::fields());
   image.add(sample::columns(1));
-  image.finish(sample::snapshot(), sample::columns(1), "the summary");
+  image.add_final(sample::fields(), sample::columns(1));
+  image.finish("the summary");
   const fs::path memory = folder.path() / "memory.vtkhdf", disk = folder.path() / "result.vtkhdf";
   replace_file(memory, std::move(image).bytes());
   EXPECT_EQ(text_dataset(memory, "/summary"), "the summary");
@@ -124,7 +125,7 @@ TEST(Results, VtkhdfShowsAllStatesOnOneAxis)
   {
     results.add(sample::columns(step));
     snapshot.lower.contact_x += 0.5;
-    results.add(step, sample::columns(step), snapshot);
+    results.add(step, sample::columns(step), sample::fields_of(snapshot));
     std::vector<hsize_t> shape;
     const auto stress = dataset(file, "/VTKHDF/lower_volume/CellData/stress", &shape);
     if (step == 0) // without an axis of time
@@ -160,7 +161,7 @@ TEST(Results, UnfinishedFileShowsTheNewestStates)
   for (int step = 0; step < 33; ++step)
   {
     results.add(sample::columns(step));
-    results.add(step, sample::columns(step), sample::snapshot());
+    results.add(step, sample::columns(step), sample::fields());
   }
   const fs::path file = folder.path() / "result.vtkhdf";
   const auto times = dataset(file, "/VTKHDF/lower_volume/Steps/Values");
@@ -168,7 +169,8 @@ TEST(Results, UnfinishedFileShowsTheNewestStates)
   EXPECT_EQ(times.front(), 3.0);
   EXPECT_EQ(times.back(), 32.0);
   EXPECT_TRUE(exists(file, "/steps/000000")) << "all are linked";
-  results.finish(sample::snapshot(), sample::columns(32), "{}");
+  results.add_final(sample::fields(), sample::columns(32));
+  results.finish("{}");
   EXPECT_EQ(dataset(file, "/VTKHDF/lower_volume/Steps/Values").size(), 34u);
 }
 
@@ -178,7 +180,7 @@ TEST(Results, FieldsMustFitTheirGrid)
   ResultDirectory results(folder.path(), sample::parsed());
   simulation::Snapshot snapshot = sample::snapshot();
   snapshot.pressure.pop_back();
-  EXPECT_THROW(results.add(0, sample::columns(0), snapshot), InternalError);
+  EXPECT_THROW(results.add(0, sample::columns(0), sample::fields_of(snapshot)), InternalError);
 }
 
 } // namespace

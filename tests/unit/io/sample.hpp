@@ -132,4 +132,29 @@ inline simulation::Snapshot snapshot()
   return s;
 }
 
+/// A snapshot as a run gives it to writers.
+inline simulation::StepFields fields_of(const simulation::Snapshot& snapshot)
+{
+  simulation::StepFields fields{.surfaces = snapshot, .lower = {}, .upper = {}};
+  for (auto [body, within] :
+       {std::pair{&fields.surfaces.lower, &fields.lower}, {&fields.surfaces.upper, &fields.upper}})
+  {
+    const auto given = [](auto& field) { return [field = std::exchange(field, {})] { return field; }; };
+    if (!body->equivalent_plastic_strain.empty())
+      within->equivalent_plastic_strain = given(body->equivalent_plastic_strain);
+    if (!body->temperature.empty())
+      within->temperature = given(body->temperature);
+    if (!body->plastic_strain[0].empty())
+      within->plastic_strain = given(body->plastic_strain);
+    if (!body->stress[0].empty())
+      within->stress = given(body->stress);
+  }
+  return fields;
+}
+
+inline simulation::StepFields fields()
+{
+  return fields_of(snapshot());
+}
+
 } // namespace brinell::io::sample

@@ -90,11 +90,11 @@ inline void write_complete(const fs::path& folder, const Case& c)
 {
   ResultDirectory results(folder, c);
   results.add(columns(0));
-  results.add(0, columns(0), snapshot());
+  results.add(0, columns(0), fields());
   results.add(columns(1));
   const simulation::TuggingSummary summary = hand_made_summary(c);
-  results.finish(summary.final_state, columns(1),
-                 summary_text(c, simulation::TuggingPlan{}, summary, {.wall_time = 1.5, .threads = 3}));
+  results.add_final(fields_of(summary.final_state), columns(1));
+  results.finish(summary_text(c, simulation::TuggingPlan{}, summary, {.wall_time = 1.5, .threads = 3}));
 }
 
 } // namespace brinell::io::sample

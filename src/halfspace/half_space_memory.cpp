@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "half_space_memory.hpp"
+
+#include "foundation/fft.hpp"
+#include "foundation/lanes.hpp"
+
+#include <cmath>
+
+namespace brinell::halfspace
+{
+
+MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
+{
+  // As in BlockedFft: blocks of wavenumbers along x, and rows along y with their padding or without.
+  const PaddedLengths padded = padded_lengths(grid.surface);
+  const double blocks = std::ceil((padded.x / 2 + 1) / static_cast<double>(lane_count));
+  const double pitch = padded.y | 1;
+  const double rows = grid.surface.ny;
+  const double tractions = 1.0 + shears;
+  const double deviators = 5.0 * grid.nz; // planes
+  const double kernels = 6.0 * grid.nz * (padded.y / 2 + 1);
+
+  // ImageCorrection hardly depends on the grid.
+  constexpr double images = 2.5e6;
+  const double strain_and_stress = deviators * (blocks * (rows + pitch) + pitch);
+  const double surface = tractions * blocks * (rows + pitch) + 1.5 * grid.nz * pitch;
+  return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images,
+          .work = (strain_and_stress + surface) * sizeof(ComplexLanes),
+          .trace = grid.nz * blocks * pitch * sizeof(ComplexLanes)};
+}
+
+} // namespace brinell::halfspace

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "memory.hpp"
+
+#include "foundation/fft.hpp"
+#include "halfspace/half_space_memory.hpp"
+
+#include <algorithm>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+double field_bytes(const VolumeGrid& grid, double fields)
+{
+  return fields * sizeof(double) * static_cast<double>(grid.size());
+}
+
+/// The fields that a checkpoint holds: plastic strain, its equivalent, stress and the guess of the next step; back stresses.
+double fields_of_state(const constitutive::Material& material)
+{
+  return 5.0 + 1.0 + 5.0 + 5.0 + 5.0 * static_cast<double>(material.kinematic.size());
+}
+
+/// One body that is computed, while nothing happens to it.
+double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  constexpr double of_elastic = 6.0; // plastic strain, which is zero
+  if (material.elastic.is_rigid())
+    return field_bytes(grid, of_elastic);
+  const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears);
+  if (!material.is_plastic())
+    return half_space.operators + field_bytes(grid, of_elastic);
+  constexpr double flags = 0.125;
+  return half_space.operators + half_space.work + field_bytes(grid, fields_of_state(material) + flags);
+}
+
+/// What the cells in the fixed point take in an increment, with the history of the accelerator. Their number is not known
+/// before: a plastic zone fills less of a box than of its section.
+double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material, int anderson_depth)
+{
+  const double active_share = is_plane(grid.surface) ? 0.5 : 0.15;
+  const double of_unknowns = 5.0 * (2.0 * anderson_depth + 9.0);
+  return material.is_plastic() ? field_bytes(grid, active_share * of_unknowns) : 0.0;
+}
+
+/// The fields within a body are computed and written one after the other: the stress takes most.
+double output_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  if (material.elastic.is_rigid())
+    return 0.0;
+  const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears);
+  const double work = material.is_plastic() ? 0.0 : half_space.work; // for the time being
+  return std::max(field_bytes(grid, 6.0) + work + half_space.trace, field_bytes(grid, 12.0));
+}
+
+double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& material)
+{
+  return material.is_plastic() ? field_bytes(grid, fields_of_state(material)) : 0.0;
+}
+
+/// The heat of a body, on a grid a third longer and wider than its own: some sixty waves in depth, on lattices that take
+/// together three and a half times the first one; all of it three times: as it is, for when an increment fails, and while
+/// fields are read; and stress, now and before.
+double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material)
+{
+  if (!material.thermal)
+    return 0.0;
+  constexpr double waves = 60.0, lattices = 3.5, copies = 3.0, wider = 4.0 / 3.0;
+  SurfaceGrid surface = grid.surface;
+  surface.nx = static_cast<int>(surface.is_periodic_x() ? surface.nx : wider * surface.nx);
+  surface.ny = static_cast<int>(surface.is_periodic_y() ? surface.ny : wider * surface.ny);
+  const PaddedLengths padded = padded_lengths(surface);
+  return waves * lattices * copies * padded.x * padded.y * sizeof(double) + field_bytes(grid, 15.0);
+}
+
+/// Fields of the contact's solver and of what is read from it, and its transforms.
+double contact_bytes(const SurfaceGrid& grid, int shears)
+{
+  constexpr double fields = 30.0, spectra = 4.0;
+  const PaddedLengths padded = padded_lengths(grid);
+  const double cells = fields * static_cast<double>(grid.size()) + spectra * padded.x * padded.y;
+  return (1.0 + shears) * cells * sizeof(double);
+}
+
+} // namespace
+
+double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
+                    int anderson_depth, int shears, bool has_heat)
+{
+  constexpr double program = 17e6;                              // with its libraries
+  const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
+  double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
+  for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
+  {
+    output = std::max(output, output_bytes(*grid, *material, shears));
+    if (has_twin && grid == &plan.upper)
+      continue;
+    bodies += body_bytes(*grid, *material, shears) + (has_heat ? heat_bytes(*grid, *material) : 0.0);
+    trials += trial_bytes(*grid, *material, anderson_depth);
+    checkpoint += checkpoint_bytes(*grid, *material);
+  }
+  constexpr double holes = 1.05; // between the fields
+  return program + holes * (contact_bytes(plan.contact, shears) + bodies + std::max({trials, output, checkpoint}));
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/rolling.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "domain.hpp"
+#include "footprint.hpp"
+#include "friction.hpp"
+#include "grid_layout.hpp"
+#include "heat.hpp"
+#include "memory.hpp"
+#include "symmetry.hpp"
+#include "wear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+/// The grids and steps of rolling, and what cannot be computed.
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// Whether both bodies always have the same history: then one is solved and its residual displacement counts twice.
+bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
+{
+  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && !rolling.creepage && plan.lower == plan.upper &&
+         alike(rolling.lower, rolling.upper);
+}
+
+/// Creepage that does not go with the rest of the case.
+/// @param half  half-length of the contact, the larger one [m]
+void require_creepage(const RollingCase& rolling, double half)
+{
+  if (!rolling.creepage)
+    return;
+  const auto& [longitudinal, lateral, spin] = *rolling.creepage;
+  const bool only_spins = longitudinal == 0.0 && lateral == 0.0 && spin != 0.0;
+  const std::string creepage = fmt::format("rolling.creepage = [{:g}, {:g}]", longitudinal, lateral);
+  const std::string given = only_spins ? fmt::format("rolling.spin = {:g} rad/m", spin) : creepage;
+  const std::string key = only_spins ? "rolling.spin" : "rolling.creepage";
+  for (const double part : {longitudinal, lateral})
+    if (!(std::abs(part) <= largest_creepage))
+      throw KeyError("rolling.creepage",
+                     fmt::format("{}; allowed: each from -{} to {}. For surfaces that slide everywhere there is "
+                                 "rolling.slide_to_roll",
+                                 creepage, largest_creepage, largest_creepage));
+  if (!(std::abs(spin) * half <= largest_creepage))
+    throw KeyError("rolling.spin",
+                   fmt::format("rolling.spin = {:g} rad/m; allowed: up to {:.3g} rad/m, {} over the half-length of the "
+                               "contact",
+                               spin, largest_creepage / half, largest_creepage));
+  if (rolling.slide_to_roll != 0.0)
+    throw KeyError(key, fmt::format("{} with rolling.slide_to_roll = {:g}, which makes the surfaces slide everywhere; "
+                                    "allowed: 0. The first creepage is what slide_to_roll counts, with stick and slip",
+                                    given, rolling.slide_to_roll));
+  if (rolling.friction.coefficient == 0.0)
+    throw KeyError(key, fmt::format("{} with interface.friction = 0: nothing holds the surfaces; allowed: > 0", given));
+  if (spin != 0.0 && (rolling.domain.x.is_periodic() || rolling.domain.y.is_periodic()))
+    throw KeyError(
+        "rolling.spin",
+        fmt::format("rolling.spin = {:g} rad/m between surfaces without ends, which cannot turn; allowed: 0, "
+                    "or grid.boundary = \"open\"",
+                    spin));
+}
+
+/// The history of stick and slip is carried along by whole cells.
+void require_whole_cells(const RollingCase& rolling, const RollingPlan& plan)
+{
+  const double cells = plan.shift / plan.contact.dx;
+  constexpr double rounding = 1e-9;
+  if (rolling.creepage && !(std::abs(cells - std::round(cells)) <= rounding * cells && cells > 0.5))
+    throw KeyError("rolling.shift",
+                   fmt::format("rolling.shift = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m",
+                               plan.shift, plan.contact.dx));
+}
+
+} // namespace
+
+double upper_share(const RollingCase& rolling)
+{
+  return (2.0 - rolling.slide_to_roll) / (2.0 + rolling.slide_to_roll);
+}
+
+RollingPlan plan(const RollingCase& rolling)
+{
+  const std::string why_not =
+      rolling.slide_to_roll == 0.0 && !rolling.creepage
+          ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
+          : "";
+  require_friction(rolling, rolling.lower, rolling.upper, why_not.empty() ? "" : why_not + ", or rolling.creepage");
+  // What slips there does so where the pressure falls to nothing within a step: a law by the pressure at its end would be far off.
+  require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
+                                           "rolling.slide_to_roll in place of rolling.creepage and spin"
+                                         : why_not);
+  require_heat(rolling, rolling.lower, rolling.upper, rolling.speed, "rolling.speed");
+  if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
+    throw KeyError("rolling.creepage", "heat of surfaces that stick in places is not computed; with thermal constants "
+                                       "allowed: rolling.slide_to_roll in place of rolling.creepage and spin");
+  if (!(rolling.drive.value > 0.0))
+    throw InputError("rolling needs a load or an approach > 0");
+  const Footprint f =
+      footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain, rolling.friction.coefficient);
+  require_creepage(rolling, f.endless_y ? f.half_x : std::max(f.half_x, f.half_y));
+  RollingPlan plan;
+  plan.half_width_x = f.half_x;
+  plan.half_width_y = f.half_y;
+  plan.shift = rolling.shift.value_or(cell_sizes(rolling, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
+  if (!(plan.shift <= 0.5 * rolling.distance))
+    throw InputError(
+        fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
+  // An even number, so that the middle of the track is reached.
+  plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "rolling.distance"));
+  const double track = 0.5 * plan.rolling_steps * plan.shift;
+  lay_out(rolling, f, track, upper_share(rolling) * track, plan);
+  require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
+  require_whole_cells(rolling, plan);
+  plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
+  plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
+                          "rolling.passes");
+  plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
+  plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
+  const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
+  const int shears = rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0;
+  plan.memory_bytes =
+      memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver.anderson_depth, shears, heats);
+  return plan;
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/rolling.hpp"
+
+#include "judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+/// How good a result of rolling is to be, and how good it has become.
+namespace brinell::simulation
+{
+
+namespace
+{
+
+// docs/verification.md (expected error)
+constexpr Documented documented[] = {{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5},
+                                     {"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5},
+                                     {"dissipation", "passes[*].dissipation_J", 0.07, 4.0, 1.5}};
+constexpr Documented documented_with_creepage[] = {
+    {"creep force", "passes[*].F_x_N", 0.05, 8.0, 1.0, true}, documented[0], documented[1], documented[2]};
+
+Facts facts(const RollingCase& c, const RollingPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
+  f.documented = documented;
+  if (c.creepage)
+    f.documented = documented_with_creepage;
+  f.moves = true;
+  // Of the faster surface: with much sliding it moves many cells where the other one moves one.
+  if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
+    f.shift = faster;
+  return f;
+}
+
+/// Tells of the worst pass.
+std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
+{
+  // Relative difference of the two quarters: each is then as far from their mean as resistance and dissipation usually are from
+  // the limit of fine cells, 8 %, twice over.
+  constexpr double largest_unsteadiness = 0.3;
+  const auto worst = std::max_element(passes.begin(), passes.end(),
+                                      [](const RollingPass& a, const RollingPass& b)
+                                      { return std::abs(a.unsteadiness) < std::abs(b.unsteadiness); });
+  if (worst == passes.end() || !(std::abs(worst->unsteadiness) > largest_unsteadiness))
+    return std::nullopt;
+  const bool is_rough = !rolling.lower.texture.is_smooth() || !rolling.upper.texture.is_smooth();
+  return Warning{
+      "unsteady_track",
+      fmt::format("pass {}: the energy taken up per length differs by {} between the two quarters of the middle of the "
+                  "track: its resistance, friction and mean F_X are those of this stretch and no average; take a "
+                  "longer track{}",
+                  worst - passes.begin() + 1, percent_text(std::abs(worst->unsteadiness)),
+                  is_rough ? ", of many lengths of the texture" : "")};
+}
+
+/// Tells of the last pass, unless it has become steady.
+std::optional<Warning> creep_unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
+{
+  if (!rolling.creepage || passes.empty() || passes.back().creeps_steadily())
+    return std::nullopt;
+  return Warning{
+      "unsteady_creep",
+      fmt::format("pass {}: the force along the surface differs by {} between both halves of the last quarter of the "
+                  "track: stick and slip are still on their way to those of steady rolling; take a longer track",
+                  passes.size(), percent_text(passes.back().creep_unsteadiness))};
+}
+
+} // namespace
+
+Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan)
+{
+  return quality_before(facts(rolling, plan));
+}
+
+Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals)
+{
+  return quality_after(facts(rolling, plan), totals);
+}
+
+Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
+{
+  Quality quality = quality_after(facts(rolling, plan), summary, unsteadiness(rolling, summary.passes));
+  if (const std::optional<Warning> warning = creep_unsteadiness(rolling, summary.passes))
+    quality.warnings.push_back(*warning);
+  return quality;
+}
+
+} // namespace brinell::simulation

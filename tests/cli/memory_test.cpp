@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program.hpp"
+
+#include <algorithm>
+#include <ostream>
+#include <regex>
+#include <string>
+#include <vector>
+
+/// What `brinell check` foretells of the memory of a run, against what real ones take.
+namespace brinell::cli
+{
+
+namespace
+{
+
+/// A case of this repository, made to take some tens of megabytes and few steps.
+struct Sized
+{
+  const char* name;
+  std::vector<std::string> changes; ///< as for --set
+};
+
+void PrintTo(const Sized& sized, std::ostream* stream)
+{
+  *stream << sized.name;
+}
+
+class Memory : public Program, public testing::WithParamInterface<Sized>
+{
+};
+
+/// Megabytes in the line of `check`.
+double foretold(const std::string& report)
+{
+  std::smatch found;
+  return std::regex_search(report, found, std::regex("roughly: ([0-9.]+) MB of memory")) ? std::stod(found[1]) : 0.0;
+}
+
+TEST_P(Memory, IsAsForetold)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
+  const fs::path file = fs::path(BRINELL_SOURCE_DIR) / "cases" / GetParam().name / "case.toml";
+  const auto arguments = [&](const std::string& command)
+  {
+    std::vector<std::string> all{command, file.string()};
+    for (const std::string& change : GetParam().changes)
+      all.insert(all.end(), {"--set", change});
+    return all;
+  };
+  const Outcome checked = run(arguments("check"));
+  ASSERT_EQ(checked.exit_code, 0) << checked.err;
+  std::vector<std::string> with_folder = arguments("run");
+  with_folder.insert(with_folder.end(), {"-q", "-o", "out"});
+  const Outcome done = run(with_folder);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const double memory = 1e-6 * done.memory;
+  ASSERT_GT(memory, 40.0) << "the program without a run takes 17 MB";
+  EXPECT_NEAR(foretold(checked.out) / memory, 1.0, 0.2) << memory << " MB"; // what is promised
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Memory,
+                         testing::Values(Sized{"tugging-paper",
+                                               {R"(grid.spacing=["1.5 mm", "3 mm", "0.75 mm"])",
+                                                R"(tugging.shift="12 mm")", "tugging.interference=4",
+                                                "output.snapshots=all"}},
+                                         Sized{"tugging", {"grid.resolution=12", R"(tugging.shift="0.2 um")"}},
+                                         Sized{"rolling-sliding", {"grid.resolution=6", "rolling.passes=1"}},
+                                         Sized{"sliding-rough", {"sliding.strokes=1", R"(sliding.distance="2 um")"}},
+                                         Sized{"fretting-sphere", {}}, Sized{"rough-periodic", {}},
+                                         Sized{"tugging-heat", {"grid.resolution=10", R"(tugging.shift="0.2 mm")"}}),
+                         [](const auto& parameter)
+                         {
+                           std::string name = parameter.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+} // namespace
+
+} // namespace brinell::cli
