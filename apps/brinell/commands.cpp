@@ -45,11 +45,27 @@ std::vector<std::string> overrides_of(const RunArguments& arguments)
   return overrides;
 }
 
+/// The case; a problem with an accuracy names its option.
+io::Case case_of(const RunArguments& arguments)
+try
+{
+  return io::read_case(arguments.input.file, overrides_of(arguments));
+}
+catch (const InputError& error)
+{
+  std::string text = error.what();
+  const std::string as_key = "--set solver.accuracy=" + arguments.accuracy,
+                    as_option = "--accuracy " + arguments.accuracy;
+  for (auto at = text.find(as_key); !arguments.accuracy.empty() && at != text.npos; at = text.find(as_key, at + 1))
+    text.replace(at, as_key.size(), as_option);
+  throw InputError(text);
+}
+
 } // namespace
 
 int run_command(const RunArguments& arguments)
 {
-  const io::Case c = io::read_case(arguments.input.file, overrides_of(arguments));
+  const io::Case c = case_of(arguments);
   print_warnings(c, c.warnings);
   using Mode = io::ResultDirectory::Mode;
   const RunOptions options{arguments.directory.empty() ? default_folder(c) : std::filesystem::path(arguments.directory),

@@ -15,6 +15,7 @@ __all__ = [
     "Array",
     "contiguous",
     "number",
+    "numbers",
     "points",
     "require_below",
     "require_poisson",
@@ -58,14 +59,16 @@ def require_unmasked(values: object, name: str) -> None:
 
 
 _UNITS = {
+    "load_per_length": "N/m",
     **dict.fromkeys(("load", "force_x", "force_y"), "N"),
     **dict.fromkeys(("approach", "mean_gap", "shift_x", "shift_y", "reference", "scale", "depths"), "m"),
     **dict.fromkeys(("dx", "dy", "dz", "radius", "radius_lower", "radius_upper", "contact_radius", "half_width"), "m"),
-    **dict.fromkeys(("young_modulus", "contact_modulus", "yield_stress"), "Pa"),
+    **dict.fromkeys(("radius_x", "radius_y", "length", "interference"), "m"),
+    **dict.fromkeys(("young_modulus", "contact_modulus", "yield_stress", "peak_pressure"), "Pa"),
     **dict.fromkeys(("shortest_step", "duration", "later"), "s"),
     "spin": "rad",
     "velocity": "m/s",
-    **dict.fromkeys(("friction", "poisson_ratio"), ""),
+    **dict.fromkeys(("friction", "poisson_ratio", "C"), ""),
 }
 """Of the numbers that functions of the floors take, by their names; SI where a name is not here."""
 
@@ -89,6 +92,15 @@ def number(value: object, name: str) -> float:
     if math.isfinite(result):
         return result
     raise InputError(f"{name} = {value!r}; allowed: {allowed}")
+
+
+def numbers(**values: object) -> list[float]:
+    """Several numbers by their names.
+
+    Raises:
+        InputError: as `number`.
+    """
+    return [number(value, name) for name, value in values.items()]
 
 
 def points(**coordinates: ArrayLike) -> tuple[tuple[int, ...], list[Array]]:

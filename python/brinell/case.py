@@ -251,7 +251,8 @@ class Case:
         from brinell.results.opening import open_run, run_of_image
 
         if in_memory and (output is not None or resume or accuracy is not None):
-            raise InputError("in_memory = True has no folder; allowed: without output, resume and accuracy")
+            rival = "a folder" if output is not None else "resume" if resume else "accuracy"
+            raise InputError(f"run(in_memory=True) cannot stand together with {rival}; allowed: one of both")
         if accuracy is not None:
             case = self.with_values({"solver.accuracy": accuracy})
             return case.run(output, progress=progress, threads=threads, resume=resume)

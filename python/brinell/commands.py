@@ -51,11 +51,12 @@ def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
 
 
 @contextlib.contextmanager
-def tells_warnings(about: object = None) -> Iterator[None]:
+def tells_warnings(about: object = None, words: Callable[[str], str] = str) -> Iterator[None]:
     """What is warned of within is told in lines as those of the C++ program; the same thing once.
 
     Args:
         about: the file that comes before the warning; None: it names one itself.
+        words: makes those of the command line of a text.
     """
     told: set[str] = set()
 
@@ -68,7 +69,8 @@ def tells_warnings(about: object = None) -> Iterator[None]:
         line: str | None = None,
     ) -> None:
         prefix = "brinell: warning" if issubclass(category, CaseWarning | FutureWarning) else category.__name__
-        text = f"{prefix}: {message}" if about is None else f"{prefix}: {about}: {message}"
+        said = words(str(message))
+        text = f"{prefix}: {said}" if about is None else f"{prefix}: {about}: {said}"
         if text not in told:
             click.echo(text, err=True)
         told.add(text)

@@ -143,7 +143,8 @@ class RunSummary:
     def _value_of(self, scenario: Scenario, key: str) -> Any:
         """An entry of the summary that only one scenario has."""
         if self.scenario != scenario:
-            raise RunError(f"{self.path}: is of scenario {self.scenario!r}; {key} are of {scenario!r}")
+            place = self.path if self.memory is None else self.memory
+            raise RunError(f"{place}: is of scenario {self.scenario!r}; only results of {scenario!r} have {key}")
         return self._value(key)
 
     def _entry_of(self, scenario: Scenario, key: str, kind: type[_T]) -> _T:

@@ -7,6 +7,7 @@ says what.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,7 @@ from brinell import _core, surfaces
 from brinell.commands import tells_errors, tells_warnings
 from brinell.errors import InputError
 from brinell.surfaces import HeightMap
+from brinell.surfaces.files import TEXT
 
 __all__ = ["surface"]
 
@@ -58,6 +60,28 @@ class _Pair(_Type):
         return parts[0], parts[-1]
 
 
+_IN_OPTIONS = (
+    ("give spacing=(dx, dy) in m, or as '1 um'", "give --spacing, as 1um or 1um,2um"),
+    ("give the argument unit, as unit='um'", "give --unit, as um"),
+    (r"give unit='(\w+)'", r"give --unit \1"),
+    (r"leave out unit = '(\w+)'", r"leave out --unit \1"),
+    (r"unit = '(\w+)' is no unit", r"--unit \1 is no unit"),
+    (r"surfaces\.read\(file, unit='(\w+)'\) takes", r"--unit \1 takes"),
+    (
+        r"as surfaces\.read\(file, fill=True\), .* do by a smooth surface, or .* by zero",
+        "as --fill does by a smooth surface",
+    ),
+)
+"""What the arguments of Python are called here."""
+
+
+def _in_options(text: str) -> str:
+    """What `brinell.surfaces` says, in the words of the command line."""
+    for arguments, options in _IN_OPTIONS:
+        text = re.sub(arguments if "\\" in arguments else re.escape(arguments), options, text)
+    return text
+
+
 _LENGTH = _Length()
 _file = click.argument("file", type=click.Path(path_type=Path), metavar="FILE")
 
@@ -81,11 +105,13 @@ def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
 
 def _read(file: Path, spacing: tuple[float, float] | None, unit: str | None, fill: bool, level: bool) -> HeightMap:
     try:
-        with tells_warnings(file):
+        with tells_warnings(file, _in_options):
             heightmap = surfaces.read(file, spacing=spacing, unit=unit, fill=fill)
             return heightmap.levelled() if level else heightmap
     except ImportError as error:  # which tells what to install
         raise InputError(str(error)) from error
+    except InputError as error:
+        raise InputError(_in_options(str(error))) from error
 
 
 @click.group()
@@ -193,7 +219,12 @@ def _convert(
     fill: bool,
     level: bool,
 ) -> None:
-    """Read IN and write it as OUT: .npz, .csv, .txt, .dat or .npy."""
+    """Read IN and write it as OUT: .npz, .csv, .txt, .dat or .npy.
+
+    A .npy has the heights alone, for which nobody needs to know their distances.
+    """
+    if spacing is None and out.suffix == ".npy" and file.suffix in (".npy", *TEXT):
+        spacing = (1.0, 1.0)
     surfaces.write(out, _read(file, spacing, unit, fill, level))
     click.echo(out)
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import functools
 import inspect
 import pickle
 from collections.abc import Callable, Iterator
 from types import ModuleType
 from typing import Any
 
+import numpy as np
 import pytest
 
 import brinell
@@ -136,3 +138,17 @@ def test_a_misspelt_name_of_the_package_is_told() -> None:
         brinell.Gird  # noqa: B018 (asked for)
     with pytest.raises(AttributeError, match=r"no attribute 'zzzz'$"):
         brinell.zzzz  # noqa: B018
+
+
+def test_one_value_stands_for_a_list_as_in_a_case_file() -> None:
+    flat, elastic = brinell.Body(brinell.Flat(), STEEL), brinell.Material("210 GPa", 0.3)
+    roll = functools.partial(
+        brinell.Rolling, flat, brinell.Body(brinell.Sphere("10 mm"), elastic), "1 mm", hertz_pressure="2 GPa"
+    )
+    sliding = brinell.Interface(friction=0.3)
+    for creepage in (0.002, "0.2 %", [0.002], (0.002, 0.0), np.array([0.002])):
+        assert "creepage = [0.002" in roll(creepage=creepage, interface=sliding).to_toml()
+    for load in ("20 uN", 20e-6, ["20 uN"]):
+        assert "load = [2e-05]" in brinell.Indentation(flat, BALL, load=load, places="1 um").to_toml().replace(
+            "2.0e", "2e"
+        )

@@ -118,7 +118,7 @@ def test_cycles_are_those_of_the_history(run: Run) -> None:
 
 def test_only_a_fretting_has_cycles(run: Run) -> None:
     press = brinell.Indentation(FLAT, BALL, load=["1 N"], steps=1, grid={"resolution": 3}).run(in_memory=True)
-    with pytest.raises(RunError, match="is of scenario 'indentation'; cycles are of 'fretting'"):
+    with pytest.raises(RunError, match="is of scenario 'indentation'; only results of 'fretting' have cycles"):
         _ = press.cycles
     contact = press.snapshot("final").contact
     assert contact.shear_x is contact.slip_path is contact.friction_heat is None

@@ -138,14 +138,14 @@ def test_rolling_passes_and_profile(make_rolling: MakeRun) -> None:
     assert run.passes[1].track_plastic_increment == pytest.approx(0.0015)
     assert run.profile.depth.shape == run.profile.residual_xx.shape == (12,)
     assert run.profile.residual_yy[0] < 0.0
-    with pytest.raises(RunError, match="is of scenario 'rolling'; indents are of 'indentation'"):
+    with pytest.raises(RunError, match="is of scenario 'rolling'; only results of 'indentation' have indents"):
         _ = run.indents
 
 
 @pytest.mark.parametrize("name", ["passes", "profile"])
 def test_lists_of_rolling_are_of_no_other_scenario(make_indentation: MakeRun, name: str) -> None:
     run = open_run(make_indentation())
-    with pytest.raises(RunError, match=f"is of scenario 'indentation'; {name} are of 'rolling'"):
+    with pytest.raises(RunError, match=f"is of scenario 'indentation'; only results of 'rolling' have {name}"):
         getattr(run, name)
 
 

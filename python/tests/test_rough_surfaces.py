@@ -209,15 +209,41 @@ def test_warnings_are_told_as_by_other_commands(tmp_path: Path) -> None:
     assert told.exit_code == 0
     assert told.stderr.startswith(f"brinell: warning: {file}: the height map has a root mean square height of")
     assert told.stderr.count("\n") == 1
+    assert "are in m; --unit um takes heights in another unit" in told.stderr
     assert call("convert", file, tmp_path / "out.npy", "--spacing", "1um", "--unit", "nm").stderr == ""
 
 
 def test_holes_of_any_file_are_filled(tmp_path: Path) -> None:
     file, out = tmp_path / "holed.npy", tmp_path / "whole.npy"
     np.save(file, np.array([[1e-7, 2e-7, 3e-7], [2e-7, np.nan, 4e-7], [3e-7, 4e-7, 5e-7]]))
-    assert call("convert", file, out, "--spacing", "1um").exit_code == 2
+    refused = call("convert", file, out, "--spacing", "1um")
+    assert refused.exit_code == 2
+    assert refused.stderr.endswith("fill what was not measured, as --fill does by a smooth surface\n")
     assert call("convert", file, out, "--spacing", "1um", "--fill").exit_code == 0
     assert np.load(out)[1, 1] == pytest.approx(3e-7)
+
+
+def test_heights_alone_need_no_spacing(tmp_path: Path) -> None:
+    """As the remedy runs that a case names for a map with gaps."""
+    file, out = tmp_path / "holed.csv", tmp_path / "whole.npy"
+    file.write_text("0,1;0,2;0,3\n0,2;NaN;0,4\n0,3;0,4;0,5\n", encoding="utf-8")
+    done = call("convert", file, out, "--fill", "--unit", "um")
+    assert done.exit_code == 0, done.stderr
+    np.testing.assert_allclose(np.load(out), 1e-7 * (np.arange(3) + np.arange(1, 4)[:, None]))
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        ([], "a .npy file has no spacing; give --spacing, as 1um or 1um,2um"),
+        (["--spacing", "1um", "--unit", "inch"], "--unit inch is no unit of length; allowed: m, cm,"),
+    ],
+)
+def test_errors_name_options_and_not_arguments(tmp_path: Path, options: list[str], text: str) -> None:
+    np.save(tmp_path / "flat.npy", np.zeros((3, 3)))
+    refused = call("show", tmp_path / "flat.npy", *options)
+    assert refused.exit_code == 2
+    assert text in refused.stderr
 
 
 def test_show_needs_what_a_file_does_not_tell(tmp_path: Path) -> None:

@@ -66,7 +66,7 @@ def test_only_a_sliding_has_strokes(run: Run) -> None:
     flat = brinell.Body(brinell.Flat(), STEEL)
     ball = brinell.Body(brinell.Sphere("1 mm"), ELASTIC)
     other = brinell.Indentation(flat, ball, load=["1 N"], steps=2, grid={"resolution": 4}).run(in_memory=True)
-    with pytest.raises(RunError, match="is of scenario 'indentation'; strokes are of 'sliding'"):
+    with pytest.raises(RunError, match="is of scenario 'indentation'; only results of 'sliding' have strokes"):
         _ = other.strokes
     assert len(run.strokes) == 2
 

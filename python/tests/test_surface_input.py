@@ -105,7 +105,14 @@ def test_a_german_text_of_gwyddion(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("text", "expected"),
-    [("1,2\n3,4\n", [[1, 2], [3, 4]]), ("1,2;3,4\n", [[1.2, 3.4]]), ("1;2,5\n", [[1, 2.5]]), ("1,2,3\n", [[1, 2, 3]])],
+    [
+        ("1,2\n3,4\n", [[1, 2], [3, 4]]),
+        ("1,2;3,4\n", [[1.2, 3.4]]),
+        ("1;2,5\n", [[1, 2.5]]),
+        ("1,5 2\n3 4,5\n", [[1.5, 2], [3, 4.5]]),
+        ("0,5;\n1,5;\n", [[0.5], [1.5]]),
+        ("1,2,3\n", [[1, 2, 3]]),
+    ],
 )
 def test_commas_between_numbers_stay(tmp_path: Path, text: str, expected: list[list[float]]) -> None:
     file = tmp_path / "heights.csv"

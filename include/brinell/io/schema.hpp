@@ -96,6 +96,7 @@ struct Entry
   std::string hint{};                                       ///< what a usual value is, for messages
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
+  std::string one_of{};   ///< name of a group of keys of which one is given: one on the command line counts alone
   std::string list{};     ///< its table, if there may be several of them, as in [[lower.texture]]
   std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
   std::function<void(Case&, const Value&)> fill{}; ///< puts the value where it belongs; empty: a reader does

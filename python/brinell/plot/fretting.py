@@ -17,7 +17,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, require_scenario, zero_line
+from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
 from brinell.plot.slip import has_slip, stick_slip_maps, stick_slip_profiles
 from brinell.results import Run, Snapshot
@@ -61,6 +61,7 @@ def _thinned(handles: Sequence[Look]) -> list[Look]:
 
 
 @style.figure
+@of_runs
 def force_loops(runs: Sequence[Run]) -> Figure | None:
     """Force over displacement: all cycles of a single run, the last cycle of each of several; dashed, friction's limit.
 
@@ -118,6 +119,7 @@ def _state(run: Run, which: Which) -> Snapshot | None:
     return snapshot if has_slip(snapshot) else None
 
 
+@of_runs
 def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
     """Pressure with the shear as arrows, what sticks, shear and slip over the contact, of a single run.
 
@@ -135,6 +137,7 @@ def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool =
     return stick_slip_maps(runs[0], snapshot, cells=cells)
 
 
+@of_runs
 def contact_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
     """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
 
@@ -161,6 +164,7 @@ _OF_CYCLES: tuple[tuple[str, str, str, str], ...] = (
 
 
 @style.figure
+@of_runs
 def cycle_by_cycle(runs: Sequence[Run]) -> Figure | None:
     """Heat of friction, plastic dissipation, largest force, slip amplitude, what sticks and plastic strain by cycle.
 
@@ -196,6 +200,7 @@ def _draw_by_cycle(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: 
 
 
 @style.figure
+@of_runs
 def fretting_course(runs: Sequence[Run]) -> Figure:
     """Over the steps: displacement, force between the limits of friction, energies, and approach or load.
 

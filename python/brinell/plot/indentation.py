@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre
-from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, looks, zero_line
+from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, looks, of_runs, zero_line
 from brinell.plot.scales import Scale, common_scales, si, twin_axis
 from brinell.results import BodyFields, History, Run
 
@@ -97,6 +97,7 @@ def _hertz_line(runs: Sequence[Run], load: float) -> _Line | None:
 
 
 @style.figure
+@of_runs
 def load_depth(runs: Sequence[Run]) -> Figure:
     """Load over approach, loading and unloading of all cycles; elastic spheres or cylinders dashed.
 
@@ -166,6 +167,7 @@ def _reach(x: FloatArray, height: FloatArray) -> tuple[float, float]:
 
 
 @style.figure
+@of_runs
 def imprint(runs: Sequence[Run]) -> Figure | None:
     """Residual surface of the lower body along x and y through the first place; below, its pile-up enlarged.
 
@@ -215,6 +217,7 @@ def _cut(imprints: Sequence[_Imprint]) -> str:
 
 
 @style.figure
+@of_runs
 def contact_pressure(runs: Sequence[Run]) -> Figure | None:
     """Contact pressure along x' and y' through the middle of the contact, at the largest load that is stored.
 

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import functools
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,7 +17,10 @@ from brinell.plot import style
 from brinell.results import Run, RunError
 from brinell.scenarios import Scenario
 
-__all__ = ["Entry", "Look", "entries", "largest", "legend_beside", "looks", "require_scenario", "zero_line"]
+__all__ = ["Entry", "Look", "entries", "largest", "legend_beside", "looks", "of_runs", "require_scenario", "zero_line"]
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
 
 Look = dict[str, Any]
 """How a curve is drawn and named: keywords of `Axes.plot`."""
@@ -32,6 +36,18 @@ class Entry:
     run: Run
     label: str
     look: Look
+
+
+def of_runs(
+    draw: Callable[Concatenate[Sequence[Run], _P], _R],
+) -> Callable[Concatenate[Run | Sequence[Run], _P], _R]:
+    """Lets a figure of several runs be one of a single run, too."""
+
+    @functools.wraps(draw)
+    def drawn(runs: Run | Sequence[Run], /, *args: _P.args, **options: _P.kwargs) -> _R:
+        return draw([runs] if isinstance(runs, Run) else runs, *args, **options)
+
+    return drawn
 
 
 def require_scenario(runs: Sequence[Run], scenario: Scenario) -> None:

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from brinell import reference
 from brinell.plot import style
-from brinell.plot.overlay import require_scenario
+from brinell.plot.overlay import of_runs, require_scenario
 from brinell.results import History, Run, RunError
 
 __all__ = ["PAPER_LOAD_RATIO", "fig11", "fig12", "fig13", "fig14", "fig15", "overview"]
@@ -278,6 +278,7 @@ def _draw_residual_fraction(ax: Axes, curves: Sequence[_Curve]) -> None:
 
 
 @style.figure
+@of_runs
 def fig11(runs: Sequence[Run]) -> Figure:
     """Tangential force F_X/P_c against X/R, one curve per run."""
     curves = _curves(runs)
@@ -289,6 +290,7 @@ def fig11(runs: Sequence[Run]) -> Figure:
 
 
 @style.figure
+@of_runs
 def fig12(runs: Sequence[Run]) -> Figure:
     """Normal force F_Z/P_c against X/R, one curve per run."""
     curves = _curves(runs)
@@ -300,6 +302,7 @@ def fig12(runs: Sequence[Run]) -> Figure:
 
 
 @style.figure
+@of_runs
 def fig13(runs: Sequence[Run]) -> Figure:
     """Net energy over U_c against alpha*, one point per run, and the energy that the bodies keep or dissipate.
 
@@ -312,6 +315,7 @@ def fig13(runs: Sequence[Run]) -> Figure:
 
 
 @style.figure
+@of_runs
 def fig14(runs: Sequence[Run]) -> Figure:
     """Load ratio F_X/F_Z against X/R where the bodies touch, one curve per run."""
     curves = _curves(runs)
@@ -323,6 +327,7 @@ def fig14(runs: Sequence[Run]) -> Figure:
 
 
 @style.figure
+@of_runs
 def fig15(runs: Sequence[Run]) -> Figure:
     """Largest residual displacement after unloading against alpha*: over alpha_c, and over the interference."""
     curves = _curves(runs)
@@ -336,6 +341,7 @@ def fig15(runs: Sequence[Run]) -> Figure:
 
 
 @style.figure
+@of_runs
 def overview(runs: Sequence[Run]) -> Figure:
     """The five figures on one sheet, the second half of Fig. 15 as a panel of its own."""
     curves = _curves(runs)

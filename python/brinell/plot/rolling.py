@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre
-from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, require_scenario, zero_line
+from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
 from brinell.plot.slip import has_slip, stick_slip_maps, stick_slip_profiles
 from brinell.results import BodyFields, History, Run, Snapshot
@@ -56,6 +56,7 @@ _FALLING = ("track_plastic_increment", "dissipation")  # towards shakedown: over
 
 
 @style.figure
+@of_runs
 def pass_by_pass(runs: Sequence[Run]) -> Figure | None:
     """Pass by pass: rut, shoulders, resistance, plastic strain under the middle of the track, its growth, dissipation.
 
@@ -97,6 +98,7 @@ def _draw_by_pass(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: s
 
 
 @style.figure
+@of_runs
 def depth_profiles(runs: Sequence[Run]) -> Figure | None:
     """Residual stresses xx and yy and equivalent plastic strain over the depth under the middle of the track.
 
@@ -135,6 +137,7 @@ def _across(body: BodyFields) -> FloatArray:
 
 
 @style.figure
+@of_runs
 def track_profile(runs: Sequence[Run]) -> Figure | None:
     """Residual surface of the lower body across the track at x = 0, after the last pass.
 
@@ -198,6 +201,7 @@ def _some(handles: Sequence[Look], most: int = 8) -> list[Look]:
 
 
 @style.figure
+@of_runs
 def along_track(runs: Sequence[Run]) -> Figure:
     """Resistance F_X and approach along the track, pass by pass; the load where the approach is imposed.
 
@@ -278,6 +282,7 @@ def _distance_rolled(part: History) -> FloatArray:
 
 
 @style.figure
+@of_runs
 def creep_forces(runs: Sequence[Run]) -> Figure | None:
     """Forces, moment and share that sticks over the distance rolled in each pass: the way from rest to steady rolling.
 
@@ -322,6 +327,7 @@ def _state(run: Run, which: Which) -> Snapshot | None:
     return snapshot if has_slip(snapshot) else None
 
 
+@of_runs
 def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
     """Pressure with the shear as arrows, what sticks, shear and slip over the contact, of a single run.
 
@@ -339,6 +345,7 @@ def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
     return stick_slip_maps(runs[0], snapshot, cells=cells)
 
 
+@of_runs
 def creep_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
     """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
 

@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.overlay import Entry, entries, largest, legend_beside
+from brinell.plot.overlay import Entry, entries, largest, legend_beside, of_runs
 from brinell.plot.scales import draws_si, si
 from brinell.results import Run
 
@@ -80,6 +80,7 @@ def _draw(ax: Axes, pressure: FloatArray, values: FloatArray, look: Mapping[str,
 
 
 @style.figure
+@of_runs
 def contact_fraction(runs: Sequence[Run]) -> Figure | None:
     """Real contact area over the nominal one, and mean gap, over the mean pressure on the period.
 

@@ -15,7 +15,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, zero_line
+from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, zero_line
 from brinell.plot.scales import PERCENT, Scale, area_scale, si
 from brinell.results import Run
 
@@ -46,6 +46,7 @@ def _has_period(shown: Sequence[Entry]) -> bool:
 
 
 @style.figure
+@of_runs
 def along_way(runs: Sequence[Run]) -> Figure | None:
     """Over the way slid: friction (dashed, its part by ploughing), contact, gap, and plastic work since the start.
 
@@ -107,6 +108,7 @@ def _draw_friction(ax: Axes, shown: Sequence[Entry], way: Scale) -> None:
 
 
 @style.figure
+@of_runs
 def stroke_by_stroke(runs: Sequence[Run]) -> Figure | None:
     """Stroke by stroke: friction (dashed, by ploughing), contact, plastic work, and the rms height of both surfaces.
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from brinell import _core
-from brinell._arrays import require_poisson, require_positive
+from brinell._arrays import numbers, require_poisson, require_positive
 from brinell.errors import InputError
 from brinell.reference.hertz import approach_origin
 
@@ -36,7 +36,7 @@ def first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
     Raises:
         InputError: a value is out of range.
     """
-    return FirstYield(*_core.first_yield(poisson_ratio, friction))
+    return FirstYield(*_core.first_yield(*numbers(poisson_ratio=poisson_ratio, friction=friction)))
 
 
 def line_contact_first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
@@ -51,7 +51,7 @@ def line_contact_first_yield(poisson_ratio: float, friction: float = 0.0) -> Fir
     Raises:
         InputError: a value is out of range.
     """
-    return FirstYield(*_core.line_contact_first_yield(poisson_ratio, friction))
+    return FirstYield(*_core.line_contact_first_yield(*numbers(poisson_ratio=poisson_ratio, friction=friction)))
 
 
 def critical_pressure_ratio(poisson_ratio: float) -> float:
@@ -108,7 +108,8 @@ def critical_values(
         C = critical_pressure_ratio(poisson_ratio)
     elif C is None or poisson_ratio is not None:
         raise InputError("critical_values needs either poisson_ratio or C")
-    return CriticalValues(*_core.critical_values(radius, contact_modulus, C, yield_stress))
+    values = numbers(radius=radius, contact_modulus=contact_modulus, C=C, yield_stress=yield_stress)
+    return CriticalValues(*_core.critical_values(*values))
 
 
 def critical_line_values(
@@ -140,5 +141,12 @@ def critical_line_values(
         C = line_contact_first_yield(poisson_ratio).pressure_ratio
     elif C is None or poisson_ratio is not None:
         raise InputError("critical_line_values needs either poisson_ratio or C")
-    origin = approach_origin(radius, reference)
-    return CriticalValues(*_core.critical_line_values(radius, contact_modulus, C, yield_stress, length, origin))
+    values = numbers(
+        radius=radius,
+        contact_modulus=contact_modulus,
+        C=C,
+        yield_stress=yield_stress,
+        length=length,
+        reference=approach_origin(radius, reference),
+    )
+    return CriticalValues(*_core.critical_line_values(*values))

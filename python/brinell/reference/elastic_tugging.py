@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from brinell import _core
-from brinell._arrays import Array, points, require_positive
+from brinell._arrays import Array, number, numbers, points, require_positive
 from brinell.errors import InputError
 from brinell.reference.hertz import approach_origin, line_contact, point_contact
 
@@ -65,8 +65,14 @@ class ElasticTugging:
             raise InputError("reference goes with cylinders: give their length")
         require_positive(radius_lower=radius_lower, radius_upper=radius_upper)
         radius = 1.0 / (1.0 / radius_lower + 1.0 / radius_upper)
-        line = None if length is None else (length, approach_origin(radius, reference))
-        self._engine = _core.ElasticTugging(radius_lower, radius_upper, contact_modulus, interference, line)
+        line = None if length is None else (number(length, "length"), approach_origin(radius, reference))
+        lower, upper, modulus, overlap = numbers(
+            radius_lower=radius_lower,
+            radius_upper=radius_upper,
+            contact_modulus=contact_modulus,
+            interference=interference,
+        )
+        self._engine = _core.ElasticTugging(lower, upper, modulus, overlap, line)
 
     @property
     def half_sliding_distance(self) -> float:

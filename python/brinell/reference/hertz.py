@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from brinell import _core
-from brinell._arrays import Array, points, require_below, require_poisson, require_positive
+from brinell._arrays import Array, number, numbers, points, require_below, require_poisson, require_positive
 from brinell.errors import InputError
 from brinell.materials import RIGID, Material
 
@@ -65,9 +65,11 @@ def point_contact(
         InputError: a value is out of range, or not one of load and approach is given.
     """
     if load is not None and approach is None:
-        return PointContact(*_core.point_contact_at_load(radius, contact_modulus, load))
+        values = numbers(radius=radius, contact_modulus=contact_modulus, load=load)
+        return PointContact(*_core.point_contact_at_load(*values))
     if approach is not None and load is None:
-        return PointContact(*_core.point_contact_at_approach(radius, contact_modulus, approach))
+        values = numbers(radius=radius, contact_modulus=contact_modulus, approach=approach)
+        return PointContact(*_core.point_contact_at_approach(*values))
     raise InputError("point_contact needs either load or approach")
 
 
@@ -110,10 +112,11 @@ def elliptical_contact(
     Raises:
         InputError: a value is out of range, or not one of load and approach is given.
     """
+    bodies = {"radius_x": radius_x, "radius_y": radius_y, "contact_modulus": contact_modulus}
     if load is not None and approach is None:
-        return EllipticalContact(*_core.elliptical_contact_at_load(radius_x, radius_y, contact_modulus, load))
+        return EllipticalContact(*_core.elliptical_contact_at_load(*numbers(**bodies, load=load)))
     if approach is not None and load is None:
-        return EllipticalContact(*_core.elliptical_contact_at_approach(radius_x, radius_y, contact_modulus, approach))
+        return EllipticalContact(*_core.elliptical_contact_at_approach(*numbers(**bodies, approach=approach)))
     raise InputError("elliptical_contact needs either load or approach")
 
 
@@ -136,7 +139,7 @@ class LineContact:
 
 def approach_origin(radius: float, reference: float | None) -> float:
     """Distance from which the approach of cylinders counts: as given, or 2 R/e."""
-    return 2.0 * radius / math.e if reference is None else reference
+    return 2.0 * number(radius, "radius") / math.e if reference is None else number(reference, "reference")
 
 
 def line_contact(
@@ -161,10 +164,12 @@ def line_contact(
         InputError: a value is out of range, or not one of load_per_length and approach is given.
     """
     origin = approach_origin(radius, reference)
+    bodies = {"radius": radius, "contact_modulus": contact_modulus}
     if load_per_length is not None and approach is None:
-        return LineContact(*_core.line_contact_at_load(radius, contact_modulus, load_per_length, origin))
+        values = numbers(**bodies, load_per_length=load_per_length, reference=origin)
+        return LineContact(*_core.line_contact_at_load(*values))
     if approach is not None and load_per_length is None:
-        return LineContact(*_core.line_contact_at_approach(radius, contact_modulus, approach, origin))
+        return LineContact(*_core.line_contact_at_approach(*numbers(**bodies, approach=approach, reference=origin)))
     raise InputError("line_contact needs either load_per_length or approach")
 
 
@@ -195,9 +200,10 @@ def point_contact_stress(
     require_below(z)
     require_positive(contact_radius=contact_radius)
     require_poisson(poisson_ratio)
-    return _core.point_contact_stress(x, y, z, contact_radius, peak_pressure, poisson_ratio, friction).reshape(
-        6, *shape
+    values = numbers(
+        contact_radius=contact_radius, peak_pressure=peak_pressure, poisson_ratio=poisson_ratio, friction=friction
     )
+    return _core.point_contact_stress(x, y, z, *values).reshape(6, *shape)
 
 
 def line_contact_stress(
@@ -225,4 +231,5 @@ def line_contact_stress(
     require_below(z)
     require_positive(half_width=half_width)
     require_poisson(poisson_ratio)
-    return _core.line_contact_stress(x, z, half_width, peak_pressure, poisson_ratio, friction).reshape(6, *shape)
+    values = numbers(half_width=half_width, peak_pressure=peak_pressure, poisson_ratio=poisson_ratio, friction=friction)
+    return _core.line_contact_stress(x, z, *values).reshape(6, *shape)

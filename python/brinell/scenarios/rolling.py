@@ -38,7 +38,7 @@ class Rolling(ScenarioCase):
         approach: Quantity | None = None,
         passes: int | None = None,
         slide_to_roll: float | None = None,
-        creepage: Sequence[float] | None = None,
+        creepage: Quantity | Sequence[Quantity] | None = None,
         spin: Quantity | None = None,
         shift: Quantity | None = None,
         load_steps: int | None = None,
@@ -62,8 +62,8 @@ class Rolling(ScenarioCase):
             passes: how often the track is rolled over.
             slide_to_roll: difference over mean of the speeds of both surfaces; 0: pure rolling. With friction the
                 surfaces slide everywhere.
-            creepage: longitudinal and lateral, relative speed of the upper surface over the mean speed; with friction
-                the surfaces stick and slip.
+            creepage: longitudinal and lateral, or the first of them, relative speed of the upper surface over the mean
+                speed, or text as "0.2 %"; with friction the surfaces stick and slip.
             spin: turn of the upper body past the lower one about the normal of the contact per distance rolled, in
                 rad/m or with a unit, "0.5 rad/mm"; likewise with stick and slip.
             shift: by which the contact moves on the lower body per step.
@@ -86,7 +86,7 @@ class Rolling(ScenarioCase):
             "approach": approach,
             "passes": passes,
             "slide_to_roll": slide_to_roll,
-            "creepage": None if creepage is None else [float(part) for part in creepage],
+            "creepage": creepage,
             "spin": spin,
             "shift": shift,
             "load_steps": load_steps,

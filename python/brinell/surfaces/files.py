@@ -19,7 +19,7 @@ from brinell.surfaces.units import metres, one_unit, pair
 
 Spacing: TypeAlias = float | str | Sequence[float | str]
 """Lengths along x and y in m or with a unit; one stands for both."""
-_TEXT = (".csv", ".txt", ".dat")
+TEXT = (".csv", ".txt", ".dat")
 """Endings of text files of heights as texture.file of a case takes them."""
 _LARGEST_TEXT = 100_000_000
 """Bytes, as of all texts that a case names."""
@@ -58,7 +58,7 @@ def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None =
         if ending == ".npy":
             heights = _whole(_loaded(path), fill)
             return HeightMap(heights if unit is None else heights * metres(unit), _needed(spacing, path))
-        if ending in _TEXT:
+        if ending in TEXT:
             return _from_text(path, spacing, unit, fill)
         return _from_instrument(path, spacing, unit, fill)
     except InputError as error:
@@ -91,12 +91,12 @@ def write(path: str | Path, heightmap: HeightMap) -> None:
             )
         elif ending == ".npy":
             np.save(path, heightmap.heights)
-        elif ending in _TEXT:
+        elif ending in TEXT:
             lines = [f"# {name} = {value}" for name, value in _head(heightmap).items()]
             lines += [",".join(map(repr, row)) for row in heightmap.heights.tolist()]
             path.write_text("\n".join(lines) + "\n", encoding="utf-8")
         else:
-            raise InputError(f"{path}: cannot write {ending!r}; allowed: .npz, .npy, {', '.join(_TEXT)}")
+            raise InputError(f"{path}: cannot write {ending!r}; allowed: .npz, .npy, {', '.join(TEXT)}")
     except OSError as error:
         raise IoError(f"{path}: cannot be written: {error}") from error
 
@@ -189,16 +189,19 @@ def _unit_of_header(header: dict[str, str], unit: str | None) -> str:
     return one_unit(header.get("Value units"), unit) if header or unit else "m"
 
 
-_DECIMAL_COMMA = re.compile(r"[-+]?\d+(?:,\d+)?(?:[eE][-+]?\d+)?")
+_DECIMAL_COMMA = re.compile(r"[-+]?(?:\d+(?:,\d+)?(?:e[-+]?\d+)?|nan|inf|infinity)", re.IGNORECASE)
 
 
 def _has_decimal_commas(lines: list[str]) -> bool:
-    """Whether commas stand in the numbers of a text, which lie between tabs or semicolons, and not between them."""
-    words = [line.replace(";", "\t").split("\t") for line in lines]
+    """Whether commas stand in the numbers of a text and something else between them, in every line.
+
+    The same holds in texture.file of a case (src/io/case/number_lines.cpp).
+    """
+    words = [line.replace(";", " ").split() for line in lines]
     return (
         any("," in line for line in lines)
-        and all(len(row) > 1 for row in words)
-        and all(_DECIMAL_COMMA.fullmatch(word.strip()) for row in words for word in row if word.strip())
+        and all(len(row) > 1 or ";" in line for row, line in zip(words, lines, strict=True))
+        and all(_DECIMAL_COMMA.fullmatch(word) for row in words for word in row)
     )
 
 
@@ -214,7 +217,7 @@ def _size_of_header(text: str) -> float:
 def _numbers(text: str) -> FloatArray:
     """As the case reader does: numbers between commas, semicolons, tabs or blanks; # begins a comment line.
 
-    Commas between digits in a text with tabs or semicolons between its numbers are decimal commas.
+    Commas between digits in a text with something else between its numbers are decimal commas.
     """
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     text = text.translate(str.maketrans(",;\t", ".  " if _has_decimal_commas(lines) else "   "))

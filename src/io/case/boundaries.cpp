@@ -12,16 +12,17 @@ namespace brinell::io
 namespace
 {
 
-/// One number for each axis that is periodic.
+/// One number for each axis that is periodic, or one for all of them.
 void set_axes(const CaseReader& reader, const std::string& key, std::vector<simulation::Domain::Axis*> axes,
               const std::function<void(simulation::Domain::Axis&, double)>& set)
 {
   const auto& given = reader.get<std::vector<double>>(key);
-  if (given.size() != axes.size())
-    return reader.add(key, fmt::format("has {} element{}; allowed: {}, for each axis that is periodic", given.size(),
-                                       given.size() == 1 ? "" : "s", axes.size()));
+  if (given.size() != axes.size() && given.size() != 1)
+    return reader.add(
+        key, fmt::format("has {} elements; allowed: {}, for each axis that is periodic, or one for all of them",
+                         given.size(), axes.size()));
   for (std::size_t i = 0; i < axes.size(); ++i)
-    set(*axes[i], given[i]);
+    set(*axes[i], given.size() == 1 ? given.front() : given[i]);
 }
 
 } // namespace

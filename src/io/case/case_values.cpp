@@ -95,9 +95,11 @@ double number(const Raw& raw, const Entry& entry, bool pure)
   if (!std::isfinite(x))
     throw InputError(fmt::format("is not a finite number; {}", allowed(entry, pure)));
   if (!entry.range.contains(x))
-    throw InputError(fmt::format(
-        "is out of range; {}{}", allowed(entry, pure),
-        entry.percent && entry.range.contains(x / 100.0) ? fmt::format("; did you mean \"{:g} %\"?", x) : ""));
+    throw InputError(
+        fmt::format("is out of range; {}{}", allowed(entry, pure),
+                    entry.percent && !std::holds_alternative<std::string>(raw.value) && entry.range.contains(x / 100.0)
+                        ? fmt::format("; did you mean \"{:g} %\"?", x)
+                        : ""));
   return x;
 }
 
@@ -286,7 +288,7 @@ private:
       return;
     }
     const Given* rival = entry.excludes.empty() ? nullptr : raw_.find(entry.excludes);
-    if (given && rival && overridden(*given, entry.excludes))
+    if (given && (is_pushed_out(entry, *given) || (rival && overridden(*given, entry.excludes))))
       given = nullptr;
     else if (given && rival && !overridden(*rival, entry.key) && reported_rivals_.insert(entry.excludes).second &&
              reported_rivals_.insert(entry.key).second)
@@ -325,6 +327,16 @@ private:
   {
     const Given* rival = raw_.find(other);
     return !given.from_command_line && rival && rival->from_command_line;
+  }
+
+  /// Whether the command line sets another key of which only one is given.
+  [[nodiscard]] bool is_pushed_out(const Entry& entry, const Given& given) const
+  {
+    const std::vector<Entry>& all = case_schema();
+    return !entry.one_of.empty() && std::any_of(all.begin(), all.end(),
+                                                [&](const Entry& other) {
+                                                  return other.one_of == entry.one_of && overridden(given, other.key);
+                                                });
   }
 
   /// Whether the number carries no dimension here.

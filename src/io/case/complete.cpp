@@ -66,18 +66,27 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
 }
 
 /// Heights in nm or um that are taken for m make walls. As in Python: brinell/surfaces/heightmap.py.
-void warn_of_heights(const std::string& name, const simulation::Texture& texture, Case& c)
+void warn_of_heights(const CaseReader& reader, const std::string& name, const simulation::Texture& texture, Case& c)
 {
   constexpr double steepest = 10.0; // root mean square slope
-  for (const simulation::TexturePart& part : texture.parts)
-    if (const auto* map = std::get_if<simulation::HeightMap>(&part))
+  const std::vector<std::string> tables = reader.raw.tables_of(name + ".texture");
+  for (std::size_t i = 0; i < texture.parts.size(); ++i)
+    if (const auto* map = std::get_if<simulation::HeightMap>(&texture.parts[i]))
       if (const double slope = simulation::rms_slope(*map); slope > steepest)
+      {
+        const std::string table = texture.parts.size() == tables.size() ? tables[i] : name + ".texture";
+        const Given* const unit = reader.raw.find(table + ".unit");
         c.warnings.push_back(
             {"steep_texture",
-             fmt::format("{}.texture: the height map has a root mean square slope of {:.3g} between points at {:.3g} x "
-                         "{:.3g} m; is a unit missing? Heights in the file are in m: brinell surface convert FILE "
-                         "heights.npy --unit um makes such a file",
-                         name, slope, map->dx, map->dy)});
+             fmt::format(
+                 "{}: the height map has a root mean square slope of {:.3g} between points at {:.3g} x {:.3g} m; "
+                 "{}",
+                 table, slope, map->dx, map->dy,
+                 unit ? fmt::format("is {}.unit = {} that of the file?", table, shown(unit->raw))
+                      : fmt::format("is a unit missing? Those of a file are in m unless {}.unit says another one, "
+                                    "as \"um\"",
+                                    table))});
+      }
 }
 
 void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const simulation::Domain& domain, Case& c)
@@ -119,7 +128,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   {
     warn_of_thermal(reader, name, body->material, c);
     warn_of_table(reader, name, c);
-    warn_of_heights(name, body->texture, c);
+    warn_of_heights(reader, name, body->texture, c);
   }
   std::visit([&](const simulation::Numerics& numerics) { warn_of_wear(numerics.wear, c); }, c.scenario);
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())

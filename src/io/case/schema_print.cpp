@@ -116,7 +116,7 @@ changed](../user-guide.md#names-that-have-changed).
 **Errors.** Unknown keys, missing keys, wrong types and impossible values are errors, reported together with file and line.
 
 **Command line.** `--set key=value` replaces or adds a key, as in `--set tugging.interference=4 --set lower.shape.radius="2 mm"`.
-Where it excludes a key of the file (`grid.resolution` for `grid.spacing`) or makes it pointless
+Where it excludes a key of the file (`grid.resolution` for `grid.spacing`, `rolling.load` for `rolling.hertz_pressure`) or makes it pointless
 (`lower.material.hardening.law=none`), that key of the file is ignored.
 
 `brinell check case.toml` prints the case with all defaults filled in.

@@ -60,15 +60,15 @@ std::vector<Entry> grid_entries()
        .dimension = dimension::length,
        .range = above(0.0),
        .unset = "1 m along y",
-       .text = "The period along x and along y, or along the one axis that is periodic.",
+       .text = "The period along x and along y, one for both, or along the one axis that is periodic.",
        .when = periodic},
       {.key = "grid.cells",
        .type = Type::numbers,
        .range = between(1, 65536),
        .unset = "from spacing; one along y if it alone is periodic",
-       .text =
-           "Cells in a period, along x and along y, or along the one axis that is periodic. Products of small prime "
-           "numbers are fast. One cell is for what is uniform along its axis.",
+       .text = "Cells in a period, along x and along y, one number for both, or along the one axis that is periodic. "
+               "Products of small prime "
+               "numbers are fast. One cell is for what is uniform along its axis.",
        .when = periodic},
       bound({.key = "grid.layer",
              .dimension = dimension::length,

@@ -2,15 +2,12 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/units.hpp"
 #include "chosen_option.hpp"
-#include "curve_file.hpp"
 #include "io/npy.hpp"
+#include "number_lines.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <limits>
-#include <sstream>
 
 /// What lies on the surface of a body, and the files that it may come from.
 namespace brinell::io
@@ -18,71 +15,6 @@ namespace brinell::io
 
 namespace
 {
-
-/// A line of a text file of numbers.
-struct NumberLine
-{
-  int number = 0; ///< counts from 1
-  std::string text;
-  std::vector<double> values; ///< empty if something there is no number
-};
-
-std::vector<double> numbers_of(std::string line)
-{
-  for (char& c : line)
-    if (c == ',' || c == ';' || c == '\t' || c == '\r')
-      c = ' ';
-  std::istringstream stream(line);
-  std::vector<double> values;
-  for (double value = 0.0; stream >> value;)
-    values.push_back(value);
-  return stream.eof() ? values : std::vector<double>{};
-}
-
-/// The lines of a file with numbers between blanks, commas, semicolons or tabs. @throws as `text_lines`
-std::vector<NumberLine> number_lines(const std::filesystem::path& file)
-{
-  std::vector<NumberLine> lines;
-  for (const TextLine& line : text_lines(file))
-    lines.push_back({line.number, line.text, numbers_of(line.text)});
-  return lines;
-}
-
-/// The words of a line that stand for what was not measured, counted from 1.
-std::vector<int> missing_words(std::string line)
-{
-  constexpr std::string_view between = ",;\t\r";
-  std::replace_if(
-      line.begin(), line.end(), [&](char c) { return between.find(c) != between.npos; }, ' ');
-  std::istringstream words(line);
-  std::vector<int> missing;
-  int number = 1;
-  for (std::string word; words >> word; ++number)
-  {
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    word.erase(0, word.find_first_not_of("+-"));
-    if (word == "nan" || word == "inf" || word == "infinity")
-      missing.push_back(number);
-  }
-  return missing;
-}
-
-/// @throws InputError if something was not measured: where, how much, and what helps
-void require_measured(const std::vector<NumberLine>& lines)
-{
-  std::size_t count = 0;
-  std::string first;
-  for (const NumberLine& line : lines)
-    if (line.values.empty())
-      if (const std::vector<int> missing = missing_words(line.text); !missing.empty())
-      {
-        if (first.empty())
-          first = fmt::format("line {}, column {}", line.number, missing.front());
-        count += missing.size();
-      }
-  if (count > 0)
-    throw InputError(not_measured(first, count));
-}
 
 InputError wrong_line(const NumberLine& line, const std::string& allowed)
 {
@@ -96,9 +28,7 @@ NumberTable read_heights(const std::filesystem::path& file)
     return read_npy(file);
   std::vector<double> heights;
   std::size_t columns = 0;
-  const std::vector<NumberLine> lines = number_lines(file);
-  require_measured(lines);
-  for (const NumberLine& line : lines)
+  for (const NumberLine& line : number_lines(file))
   {
     if (line.values.empty() || (columns > 0 && line.values.size() != columns))
       throw wrong_line(line, fmt::format("{} heights in m", columns > 0 ? std::to_string(columns) : "one or more"));
@@ -167,8 +97,8 @@ std::array<std::optional<double>, 2> grid_period(const CaseReader& reader)
   if (!reader.has("grid.size"))
     return {};
   const auto& size = reader.get<std::vector<double>>("grid.size");
-  if (boundary == "periodic" && size.size() == 2)
-    return {size[0], size[1]};
+  if (boundary == "periodic" && (size.size() == 1 || size.size() == 2))
+    return {size.front(), size.back()};
   if (size.size() != 1 || boundary == "periodic") // told with the domain
     return {};
   return boundary == "periodic_x" ? std::array<std::optional<double>, 2>{size[0], std::nullopt}

@@ -29,6 +29,7 @@ auto fills(Drive::Kind kind)
 
 std::vector<Entry> keys()
 {
+  constexpr const char* drive = "indentation drive";
   return {
       {.key = "indentation.normalised",
        .type = Type::boolean,
@@ -42,6 +43,7 @@ std::vector<Entry> keys()
        .unset = "indentation.approach",
        .text = "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off.",
        .excludes = "indentation.approach",
+       .one_of = drive,
        .pure_if = "indentation.normalised",
        .fill = fills(Drive::Kind::load)},
       {.key = "indentation.approach",
@@ -51,6 +53,7 @@ std::vector<Entry> keys()
        .unset = "indentation.load",
        .text = "The same, imposed as approach of the bodies from the touch of the undeformed ones.",
        .excludes = "indentation.load",
+       .one_of = drive,
        .pure_if = "indentation.normalised",
        .fill = fills(Drive::Kind::approach)},
       {.key = "indentation.pressure",
@@ -59,6 +62,7 @@ std::vector<Entry> keys()
        .range = at_least(0.0),
        .unset = "indentation.load or indentation.approach",
        .text = "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\".",
+       .one_of = drive,
        .fill = fills(Drive::Kind::load)},
       {.key = "indentation.mean_gap",
        .type = Type::numbers,
@@ -68,6 +72,7 @@ std::vector<Entry> keys()
        .text = "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
                "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
                "them: [\"0.1 um\", \"5 um\"] presses and lifts off.",
+       .one_of = drive,
        .fill = fills(Drive::Kind::mean_gap)},
       bound({.key = "indentation.steps",
              .range = between(1, 100000),

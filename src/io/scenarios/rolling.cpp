@@ -72,6 +72,7 @@ std::vector<Entry> motion_keys()
                  .unset = "not imposed",
                  .text = text,
                  .hint = "one of rolling.load, rolling.hertz_pressure and rolling.approach",
+                 .one_of = "rolling drive",
                  .fill = [kind](Case& c, const Value& value) {
                    std::get<RollingCase>(c.scenario).drive = {kind, std::get<double>(value)};
                  }};
@@ -132,10 +133,15 @@ std::vector<Entry> keys()
 }
 
 /// Load whose elastic contact has that peak pressure.
-double load_of_hertz_pressure(const CaseReader& reader, const Case& c, const RollingCase& rolling)
+double load_of_hertz_pressure(const CaseReader& reader, Case& c, const RollingCase& rolling)
 {
   const std::string key = "rolling.hertz_pressure";
   const double pressure = reader.get<double>(key);
+  constexpr double lowest = 1e-7; // over the contact modulus: a contact of a few nm under a ball of a cm
+  if (pressure < lowest * c.contact_modulus)
+    c.warnings.push_back({"low_pressure", fmt::format("{} = {:g} Pa is next to nothing for these materials; is a unit "
+                                                      "missing, as in \"{:g} {}\"?",
+                                                      key, pressure, pressure, pressure < 100.0 ? "GPa" : "MPa")});
   const auto k = simulation::relative_curvature(rolling.lower.shape, rolling.upper.shape);
   const double length = simulation::line_length(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   if (k && (*k)[0] > 0.0 && (*k)[1] == 0.0 && std::isfinite(length))

@@ -30,6 +30,7 @@ std::vector<Entry> keys()
                  .unset = "not imposed",
                  .text = text,
                  .hint = one_of_four,
+                 .one_of = "sliding drive",
                  .fill = [kind](Case& c, const Value& value) {
                    std::get<SlidingCase>(c.scenario).press = {kind, std::get<double>(value)};
                  }};

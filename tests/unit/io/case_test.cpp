@@ -105,6 +105,28 @@ TEST(Case, OverridesPushOutWhatTheyExclude)
     EXPECT_FALSE(parsed({law, elastic[0], elastic[1]}).first_yield.has_value()) << law;
 }
 
+TEST(Case, OneDriveOnTheCommandLineCountsAlone)
+{
+  const auto drive = [](const std::vector<std::string>& overrides)
+  {
+    return std::get<simulation::RollingCase>(parse_case(case_template("rolling"), "case.toml", overrides).scenario)
+        .drive;
+  };
+  using Kind = contact::Drive::Kind;
+  EXPECT_EQ(drive({}).kind, Kind::load);
+  EXPECT_NEAR(drive({"rolling.hertz_pressure=2 GPa"}).value, 8.0 / 27.0 * drive({"rolling.hertz_pressure=3 GPa"}).value,
+              1e-6 * drive({}).value);
+  EXPECT_EQ(drive({"rolling.approach=1 um"}).kind, Kind::approach);
+  EXPECT_EQ(drive({"rolling.approach=1 um"}).value, 1e-6);
+  EXPECT_THROW(static_cast<void>(drive({"rolling.approach=1 um", "rolling.load=3"})), InputError);
+  const Case sliding = parse_case(case_template("sliding"), "case.toml", {"sliding.load=2 N"});
+  EXPECT_EQ(std::get<simulation::SlidingCase>(sliding.scenario).press.value, 2.0);
+  const Case pressed = parse_case(
+      case_template("indentation"), "case.toml",
+      {"indentation.pressure=1 MPa", "grid.boundary=periodic", "grid.size=['1 mm', '1 mm']", "grid.cells=[32, 32]"});
+  EXPECT_DOUBLE_EQ(std::get<simulation::IndentationCase>(pressed.scenario).sequence.front().value, 1.0);
+}
+
 TEST(Case, NameComesFromTheFolderOfCaseToml)
 {
   EXPECT_EQ(parse_case(sample::case_text, "cases/here/case.toml").name, "here");
@@ -118,6 +140,22 @@ TEST(Case, WarnsOfAForgottenUnit)
   EXPECT_EQ(c.warnings[0].key, "soft_material");
   EXPECT_NE(c.warnings[0].text.find("\"200 GPa\""), std::string::npos) << c.warnings[0].text;
   EXPECT_TRUE(parsed().warnings.empty());
+  const auto rolled = [](const char* pressure)
+  {
+    try
+    {
+      return parse_case(case_template("rolling"), "case.toml", {std::string("rolling.hertz_pressure=") + pressure})
+          .warnings.size();
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("is a unit missing, as in \"3 GPa\"?"), std::string::npos)
+          << error.what();
+      return std::size_t(99);
+    }
+  };
+  EXPECT_EQ(rolled("3"), 99u) << "a track of far too many steps, and the reason";
+  EXPECT_EQ(rolled("3 GPa"), 0u);
 }
 
 struct Bad

@@ -128,15 +128,32 @@ TEST(PeriodicCase, ThePeriodAndItsCells)
   expect_refused(indentation(wavy, "load = [10]", "boundary = \"periodic\"\ncells = [16, 16]"), 10,
                  {"grid.size is missing", "allowed: two lengths > 0"});
   expect_refused(indentation(wavy, "load = [10]", both), 10, {"grid.cells is missing", "allowed: whole numbers > 0"});
-  expect_refused(indentation(wavy, "load = [10]", "boundary = \"periodic\"\nsize = [\"1 mm\"]\ncells = [16, 16]"), 12,
-                 {"grid.size = [\"1 mm\"] has 1 element; allowed: 2"});
-  expect_refused(indentation(wavy, "load = [10]", std::string(both) + "cells = [16]"), 13,
-                 {"grid.cells = [16] has 1 element; allowed: 2"});
+  expect_refused(indentation(wavy, "load = [10]", "boundary = \"periodic\"\nsize = [\"1 mm\", 1, 1]\ncells = [16, 16]"),
+                 12, {"has 3 elements; allowed: 2, for each axis that is periodic, or one for all of them"});
+  expect_refused(indentation(wavy, "load = [10]", std::string(both) + "cells = [16, 16, 16]"), 13,
+                 {"grid.cells = [16, 16, 16] has 3 elements; allowed: 2"});
   expect_refused(indentation(wavy, "load = [10]", std::string(both) + "cells = [16, 16.5]"), 13,
                  {"grid.cells = [16, 16.5] is not a list of whole numbers"});
   expect_refused(indentation(wavy, "load = [10]", std::string(both) + "cells = [16, 0]"), 13, {"grid.cells = [16, 0]"});
   expect_refused(indentation(wavy, "load = [10]", "boundary = \"periodic\"\nsize = [\"1 mm\", 0]\ncells = [16, 16]"),
                  12, {"grid.size"});
+}
+
+TEST(PeriodicCase, OneSizeIsThatOfBothAxes)
+{
+  const auto domain = [](const std::string& grid)
+  {
+    const Case c = parse_case(indentation(wavy, "load = [10]", "boundary = \"periodic\"\n" + grid), "sample.toml");
+    return std::get<simulation::IndentationCase>(c.scenario).domain;
+  };
+  const simulation::Domain one = domain("size = \"1 mm\"\ncells = 16"),
+                           two = domain("size = [1e-3, 1e-3]\ncells = [16, 16]");
+  EXPECT_EQ(one.x, two.x);
+  EXPECT_EQ(one.y, two.y);
+  const std::string rough =
+      std::string(flat) + "texture = {type = \"random\", rms_slope = 0.03, cutoff = \"250 um\"}\n";
+  EXPECT_NO_THROW(static_cast<void>(parse_case(
+      indentation(rough, "load = [10]", "boundary = \"periodic\"\nsize = [\"1 mm\"]\ncells = 32"), "sample.toml")));
 }
 
 TEST(PeriodicCase, CellsTwice)

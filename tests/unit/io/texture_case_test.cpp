@@ -200,6 +200,7 @@ protected:
                              "\", spacing = [1e-6, 1e-6]" + keys + "}";
     const Case c = parse_case(text, folder_.path() / "sample.toml");
     resolved_ = resolved_text(c.values);
+    warned_ = c.warnings.empty() ? "" : c.warnings.back().text;
     return std::get<simulation::HeightMap>(std::get<simulation::RollingCase>(c.scenario).lower.texture.parts.at(0));
   }
   std::string refused(const std::string& name, const std::string& content, const std::string& keys = "")
@@ -216,7 +217,7 @@ protected:
   }
 
   sample::TemporaryFolder folder_;
-  std::string resolved_;
+  std::string resolved_, warned_;
 };
 
 TEST_F(HeightFile, HasAUnit)
@@ -235,6 +236,34 @@ TEST_F(HeightFile, HasAUnit)
   expect_refused(
       refusal(R"(texture = {type = "height_map", heights = [0, 1], columns = 2, spacing = [1, 1], unit = "um"})"),
       "it goes with lower.texture.file only");
+}
+
+TEST_F(HeightFile, OfAnotherUnitIsTold)
+{
+  static_cast<void>(read("map.csv", "0 1e-3\n"));
+  EXPECT_NE(warned_.find("are in m unless lower.texture.unit says another one, as \"um\""), std::string::npos)
+      << warned_;
+  static_cast<void>(read("map.csv", "0 1\n", ", unit = \"mm\""));
+  EXPECT_NE(warned_.find("is lower.texture.unit = \"mm\" that of the file?"), std::string::npos) << warned_;
+  static_cast<void>(read("map.csv", "0 1\n", ", unit = \"nm\""));
+  EXPECT_EQ(warned_, "");
+}
+
+// As spreadsheets of many countries write them: two numbers for each would be another surface, without a word.
+TEST_F(HeightFile, MayHaveDecimalCommas)
+{
+  const std::vector<double> heights{0.0, 1.5, -2.0, 25.0};
+  const std::vector<std::string> texts{"0,0;1,5\r\n-2;2,5E1\r\n", "0\t1,5\n-2,0\t25\n", "0,0 +1,5\n-2,0  25\n",
+                                       "0;1,5;\n-2;25;\n",        "0, 1.5\n-2, 25\n",   "0,1.5\n-2,25\n"};
+  for (const std::string& text : texts)
+  {
+    EXPECT_EQ(read("map.csv", text).heights, heights) << text;
+    EXPECT_EQ(read("map.csv", text).nx, 2) << text;
+  }
+  EXPECT_EQ(read("map.csv", "0,5;\n1,5;\n").heights, (std::vector<double>{0.5, 1.5}));
+  EXPECT_EQ(read("map.csv", "1,2,3\n4,5,6\n").nx, 3) << "between whole numbers";
+  expect_refused(refused("map.csv", "0,5;1,5\n2,5;NaN\n"), "has in line 2, column 2 a height that is not finite");
+  expect_refused(refused("map.csv", "0,5;1,5\n2,5\n"), "has in line 2 \"2,5\"; allowed: 4 heights");
 }
 
 TEST_F(HeightFile, WhatWasNotMeasuredIsToldWithItsPlace)
