@@ -76,7 +76,8 @@ Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodie
   if (twin == Twin::alike)
     throw InternalError("Heating: bodies that are alike do not slide on each other");
   if (run.settings.regime == HeatRegime::steady && (run.settings.displacement || run.settings.stress))
-    throw InputError("Heating: the steady regime has surface temperatures alone; allowed: without displacement and stress");
+    throw InputError(
+        "Heating: the steady regime has surface temperatures alone; allowed: without displacement and stress");
   if (twin != Twin::none && run.settings.share() != 0.5)
     throw InternalError("Heating: twins have equal shares in the heat");
   state_ = make_hidden<State>(contact, run.settings, sides_of(contact, bodies, run, twin, numerics),

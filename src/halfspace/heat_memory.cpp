@@ -153,9 +153,9 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, DepthSums::Row& sum
       for (std::size_t f = 0; f < count; ++f)
         out[f] = wanted.spectra[d * count + f].data() + begin_of(row);
       wanted.fields_of_heat.waves({depth, along.first(columns), complex_values(sums.temperature, at, columns),
-                             complex_values(sums.potential, at, columns), complex_values(sums.slope, at, columns),
-                             complex_values(sums.at_surface, 0, columns)},
-                            out);
+                                   complex_values(sums.potential, at, columns), complex_values(sums.slope, at, columns),
+                                   complex_values(sums.at_surface, 0, columns)},
+                                  out);
     }
   }
 }

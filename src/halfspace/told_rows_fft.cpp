@@ -10,7 +10,8 @@ namespace brinell::halfspace
 
 ToldRowsFft::ToldRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry)
     : fft_(grid, px, py), symmetry_(symmetry), rows_(symmetry == Symmetry::none ? py : py / 2 + 1),
-      plane_((static_cast<std::size_t>(fft_.kx()) * static_cast<std::size_t>(rows_) + 7) / 8 * 8)
+      plane_((static_cast<std::size_t>(fft_.kx()) * static_cast<std::size_t>(rows_) + 7) / 8 * 8),
+      nothing_(static_cast<std::size_t>(fft_.kx()))
 {
   for (int n = 0; n < rows_; ++n)
     turn_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * n * (grid.ny - 1) / py));
@@ -34,14 +35,14 @@ void ToldRowsFft::join(const Complex* even, const Complex* odd, Complex* both) c
   {
     const Complex turn = turn_[static_cast<std::size_t>(n)];
     const std::ptrdiff_t here = n * columns, there = (fft_.py() - n) * columns;
-    const bool has_opposite = symmetry_ != Symmetry::none && n > 0 && 2 * n < fft_.py();
+    const Complex* e = even != nullptr ? even + here : nothing_.data();
+    const Complex* o = odd != nullptr ? odd + here : nothing_.data();
     for (std::ptrdiff_t i = 0; i < columns; ++i)
+      both[here + i] = e[i] + o[i];
+    const bool has_opposite = symmetry_ != Symmetry::none && n > 0 && 2 * n < fft_.py();
+    for (std::ptrdiff_t i = 0; i < columns && has_opposite; ++i)
     {
-      const Complex e = even != nullptr ? even[here + i] : Complex{}, o = odd != nullptr ? odd[here + i] : Complex{};
-      both[here + i] = e + o;
-      if (!has_opposite)
-        continue;
-      const Complex d = e - o; // spelt out: the product of the library looks for infinities
+      const Complex d = e[i] - o[i]; // spelt out: the product of the library looks for infinities
       both[there + i] = {turn.real() * d.real() - turn.imag() * d.imag(),
                          turn.real() * d.imag() + turn.imag() * d.real()};
     }
@@ -51,40 +52,24 @@ void ToldRowsFft::join(const Complex* even, const Complex* odd, Complex* both) c
 namespace
 {
 
-void write(double value, bool adds, double& to)
+/// The part of a field that is even or odd about the middle row.
+/// @param sign  1 or -1
+template <bool adds>
+void put_part(const SurfaceGrid& g, std::span<const double> field, double sign, std::span<double> part)
 {
-  to = adds ? to + value : value;
+  const auto put = [](double value, double& to) { to = adds ? to + value : value; };
+  for (int j = 0; 2 * j < g.ny; ++j)
+  {
+    const double *here = field.data() + g.index(0, j), *there = field.data() + g.index(0, g.ny - 1 - j);
+    double *to = part.data() + g.index(0, j), *opposite = part.data() + g.index(0, g.ny - 1 - j);
+    for (int i = 0; i < g.nx; ++i)
+      put(0.5 * (here[i] + sign * there[i]), to[i]);
+    for (int i = 0; i < g.nx && to != opposite; ++i)
+      put(sign * 0.5 * (here[i] + sign * there[i]), opposite[i]);
+  }
 }
 
 } // namespace
-
-void ToldRowsFft::put(std::span<const double> both, bool adds, const std::span<double>* even,
-                      const std::span<double>* odd) const
-{
-  const SurfaceGrid& g = fft_.grid();
-  const auto nx = static_cast<std::size_t>(g.nx);
-  for (int j = 0; 2 * j < g.ny; ++j)
-  {
-    const std::size_t here = g.index(0, j), there = g.index(0, g.ny - 1 - j);
-    const bool is_middle = here == there;
-    for (std::size_t i = 0; i < nx; ++i)
-    {
-      const double mean = 0.5 * (both[here + i] + both[there + i]), half = 0.5 * (both[here + i] - both[there + i]);
-      if (even != nullptr)
-      {
-        write(mean, adds, (*even)[here + i]);
-        if (!is_middle)
-          write(mean, adds, (*even)[there + i]);
-      }
-      if (odd != nullptr)
-      {
-        write(half, adds, (*odd)[here + i]);
-        if (!is_middle)
-          write(-half, adds, (*odd)[there + i]);
-      }
-    }
-  }
-}
 
 void ToldRowsFft::inverse(std::vector<AlignedVector<Complex>>& spectra, const std::vector<bool>& is_odd, bool adds,
                           const std::vector<std::span<double>>& fields) const
@@ -111,7 +96,11 @@ void ToldRowsFft::inverse(std::vector<AlignedVector<Complex>>& spectra, const st
     const bool has_even = n < even.size(), has_odd = n < odd.size();
     join(has_even ? spectra[even[n]].data() : nullptr, has_odd ? spectra[odd[n]].data() : nullptr, both.data());
     fft_.inverse(both.data(), field.data(), scratch);
-    put(field, adds, has_even ? &fields[even[n]] : nullptr, has_odd ? &fields[odd[n]] : nullptr);
+    const auto put = adds ? put_part<true> : put_part<false>;
+    if (has_even)
+      put(fft_.grid(), field, 1.0, fields[even[n]]);
+    if (has_odd)
+      put(fft_.grid(), field, -1.0, fields[odd[n]]);
   }
 }
 

@@ -35,13 +35,13 @@ public:
 
 private:
   void join(const Complex* even, const Complex* odd, Complex* both) const;
-  void put(std::span<const double> both, bool adds, const std::span<double>* even, const std::span<double>* odd) const;
 
   PaddedFft fft_;
   Symmetry symmetry_;
   int rows_;
   std::size_t plane_;
-  std::vector<Complex> turn_; ///< w^n of the told rows
+  std::vector<Complex> nothing_; ///< a row of zeros
+  std::vector<Complex> turn_;    ///< w^n of the told rows
 };
 
 } // namespace brinell::halfspace

@@ -73,11 +73,11 @@ TEST(HeatContact, AConductanceLetsHeatPass)
   {
     std::vector<double> errors;
     for (const int steps : {50, 100})
-      errors.push_back(heat_passed(conductance, warmer, duration, steps) /
-                           exact_heat_passed(conductance, warmer, duration) -
-                       1.0);
+      errors.push_back(
+          heat_passed(conductance, warmer, duration, steps) / exact_heat_passed(conductance, warmer, duration) - 1.0);
     // The flux of a step is that of the temperatures at its end: first order, and twice the finer one less the coarser one second.
-    const std::string name = "heat through an interface of " + std::to_string(conductance / 1e3).substr(0, 6) + " kW/m^2K";
+    const std::string name =
+        "heat through an interface of " + std::to_string(conductance / 1e3).substr(0, 6) + " kW/m^2K";
     test::expect_close(name + " / closed form", 1.0 + errors[1], 1.0, 1e-2, "exact: Carslaw and Jaeger (1959)");
     test::expect_close(name + " / closed form, by two steps", 1.0 + 2.0 * errors[1] - errors[0], 1.0, 1e-3,
                        "exact: Carslaw and Jaeger (1959)");
@@ -188,7 +188,8 @@ TEST(HeatContact, SteadyIsWhereTransientEnds)
 /// e^{-V ahead/2 kappa} K_0(V distance/2 kappa)/(pi K).
 double steady_rise_of_cylinder(double heat, double half_width, double speed)
 {
-  const double largest_flux = 2.0 * heat / (pi * half_width), slowness = speed * half_width / (2.0 * steel.diffusivity());
+  const double largest_flux = 2.0 * heat / (pi * half_width),
+               slowness = speed * half_width / (2.0 * steel.diffusivity());
   const test::Gauss root(60, 0.0, 1.0);
   double largest = 0.0;
   for (double at = -0.98; at < 1.0; at += 0.02)
@@ -223,7 +224,8 @@ TEST(HeatContact, ASlidingCylinderAgainstMovingLines)
     c.distance = (peclet > 2.0 ? 8.0 : 30.0) * half_width; // V^2 t/4 kappa = 20 and 15
     const RollingRun run = computed(c);
     const double exact = steady_rise_of_cylinder(0.1 * c.drive.value * *c.speed, half_width, *c.speed);
-    test::expect_close("rise under a sliding cylinder / that of moving lines, Pe = " + std::to_string(peclet).substr(0, 4),
+    test::expect_close("rise under a sliding cylinder / that of moving lines, Pe = " +
+                           std::to_string(peclet).substr(0, 4),
                        largest_rise_of_lower(run) / exact, 1.0, 1.5e-2, "exact: Jaeger (1942), integrated");
   }
 }

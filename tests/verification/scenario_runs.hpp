@@ -97,7 +97,8 @@ inline simulation::RollingCase ball_on_flat(const constitutive::Material& materi
 inline constexpr Thermal steel{50.0, 7800.0, 470.0, 1.2e-5};
 
 /// The paper's spheres, but of 10 mm, with friction 0.1.
-inline simulation::TuggingCase warm_spheres(const constitutive::Material& material, double interference_ratio, double speed, double cells)
+inline simulation::TuggingCase warm_spheres(const constitutive::Material& material, double interference_ratio,
+                                            double speed, double cells)
 {
   simulation::TuggingCase t = equal_spheres(interference_ratio, material);
   for (simulation::ShapedBody* body : {&t.lower, &t.upper})

@@ -64,8 +64,7 @@ Material material(Law law, Profile profile)
 /// What must agree.
 struct Outcome
 {
-  double plastic_strain = 0.0, dissipation = 0.0, force = 0.0, other_force = 0.0, residual = 0.0,
-         temperature = 0.0;
+  double plastic_strain = 0.0, dissipation = 0.0, force = 0.0, other_force = 0.0, residual = 0.0, temperature = 0.0;
   long evaluations = 0;
 };
 
@@ -250,8 +249,7 @@ TEST(ShortCuts, Heat)
   {
     if (slow_build && rub.resolution > 5.0)
       continue;
-    simulation::TuggingCase t =
-        warm_spheres(material(rub.law, Profile::none), rub.load, rub.speed, rub.resolution);
+    simulation::TuggingCase t = warm_spheres(material(rub.law, Profile::none), rub.load, rub.speed, rub.resolution);
     if (rub.softens)
       for (simulation::ShapedBody* body : {&t.lower, &t.upper})
         body->material.softening = constitutive::LinearSoftening{20.0, 1000.0};

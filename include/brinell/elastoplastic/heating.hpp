@@ -34,8 +34,8 @@ struct HeatSettings
   /// resists, and both have one temperature.
   std::optional<double> conductance{};
   HeatRegime regime = HeatRegime::transient; ///< steady: of the surfaces alone, without displacement and stress
-  bool displacement = true; ///< whether what the surfaces swell by moves the gap
-  bool stress = true;       ///< whether thermal stress counts when the material yields
+  bool displacement = true;                  ///< whether what the surfaces swell by moves the gap
+  bool stress = true;                        ///< whether thermal stress counts when the material yields
 
   [[nodiscard]] double share() const { return partition.value_or(0.5); }
   /// Whether heat passes between the surfaces.

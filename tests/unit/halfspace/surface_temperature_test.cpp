@@ -57,10 +57,7 @@ TEST(CoarserSurface, KeepsCubicsAndMoments)
   const SurfaceGrid& coarse = cells.grid();
   // Both grids have one middle.
   const auto cubic = [](double x, double y) { return 1.0 - 0.3 * x + 0.2 * x * x * y - 0.7 * y * y * y + x * x * x; };
-  const Field field = test::sampled(coarse,
-                                    [&](int i, int j) {
-                                      return cubic(coarse.x(i), coarse.y(j));
-                                    });
+  const Field field = test::sampled(coarse, [&](int i, int j) { return cubic(coarse.x(i), coarse.y(j)); });
   const Field result = cells.to_finer(field);
   const Field load = test::random_field(fine.size(), 5);
   const Field on_coarse = cells.from_finer(load);

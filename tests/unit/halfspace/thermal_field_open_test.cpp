@@ -359,9 +359,10 @@ TEST_P(HeatedSpot, CoarseImagesAreNearFineOnes)
 /// Half of the waves tell all of a flux that is even: every field, of steps that are taken up, amended, stored and gone back to.
 TEST(ThermalField, OneSideTellsAll)
 {
-  for (const SurfaceGrid& g : {SurfaceGrid{40, 9, 0.1, 0.1}, SurfaceGrid{12, 41, 0.1, 0.1}, SurfaceGrid{12, 8, 0.1, 0.1},
-                               SurfaceGrid{12, 9, 0.1, 0.1, open, periodic}, SurfaceGrid{8, 6, 0.1, 0.1, periodic, open},
-                               SurfaceGrid{8, 6, 0.1, 0.1, periodic, periodic}})
+  for (const SurfaceGrid& g :
+       {SurfaceGrid{40, 9, 0.1, 0.1}, SurfaceGrid{12, 41, 0.1, 0.1}, SurfaceGrid{12, 8, 0.1, 0.1},
+        SurfaceGrid{12, 9, 0.1, 0.1, open, periodic}, SurfaceGrid{8, 6, 0.1, 0.1, periodic, open},
+        SurfaceGrid{8, 6, 0.1, 0.1, periodic, periodic}})
   {
     Field flux = test::random_field(g.size(), 3), more = test::random_field(g.size(), 4);
     for (Field* field : {&flux, &more})

@@ -110,9 +110,20 @@ TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
                                  "thermal.displacement=false", "thermal.stress=false"});
   const simulation::TuggingCase& t = sample::tugging(c);
   EXPECT_EQ(t.speed, 3.0);
-  EXPECT_EQ(t.heat, (elastoplastic::HeatSettings{0.9, 0.3, false, false}));
+  elastoplastic::HeatSettings expected{.fraction = 0.9, .partition = 0.3, .displacement = false, .stress = false};
+  EXPECT_EQ(t.heat, expected);
   EXPECT_FALSE(warns(c, "no_heat"));
   EXPECT_EQ(sample::tugging(sample::parsed({})).heat, elastoplastic::HeatSettings{});
+  const std::vector<std::string> steady{lower,
+                                        upper,
+                                        friction,
+                                        speed,
+                                        "thermal.conductance=\"3 W/(cm^2 K)\"",
+                                        "thermal.regime=\"steady\"",
+                                        "thermal.displacement=false",
+                                        "thermal.stress=false"};
+  expected = {.conductance = 3e4, .regime = elastoplastic::HeatRegime::steady, .displacement = false, .stress = false};
+  EXPECT_EQ(sample::tugging(sample::parsed(steady)).heat, expected);
 
   const auto refused = [](const std::vector<std::string>& overrides, const std::string& part)
   {
@@ -131,6 +142,15 @@ TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
   refused({lower, friction, speed}, "upper.material.thermal is missing");
   refused({lower, upper, friction, "tugging.speed=0"}, "tugging.speed = 0 is out of range");
   refused({lower, upper, friction, speed, "thermal.partition=1.5"}, "thermal.partition = 1.5 is out of range");
+  refused({lower, upper, friction, speed, "thermal.conductance=-1"}, "thermal.conductance = -1 is out of range");
+  refused({lower, upper, friction, speed, "thermal.regime=\"steady\"", "thermal.stress=false"},
+          "allowed: thermal.displacement = false and thermal.stress = false, or \"transient\"");
+  std::vector<std::string> softer = steady;
+  softer.emplace_back("lower.material.softening={law=\"linear\",melting_temperature=1500}");
+  refused(softer, "the lower body softens with the temperature in it");
+  refused({lower, upper, friction, speed, "lower.material.softening={law=\"linear\",melting_temperature=60}",
+           "lower.material.thermal.temperature=80"},
+          "lower.material.thermal.temperature = 80 degC, but its softening says that it melts at 60 degC");
   refused({lower, upper, friction, speed, "interface.heat_fraction=-1"},
           "interface.heat_fraction = -1 is out of range");
 }
