@@ -380,12 +380,13 @@ def _inline(value: Any) -> str:
     return tomli_w.dumps({"value": value}).strip().removeprefix("value = ")
 
 
-def plain(value: Any, maps: HeightMaps | None = None) -> Any:
+def plain(value: Any, maps: HeightMaps | None = None, key: str = "") -> Any:
     """A value as TOML knows it: NumPy's numbers become Python's, arrays and tuples lists, paths text, parts tables.
 
     Args:
         value: of any kind that a case may have.
         maps: takes height maps of many points, so that no text is made of them; they all become text if None.
+        key: its name in messages.
     """
     value = HeightMap.of_part(value)
     if isinstance(value, HeightMap) and maps is not None and value.heights.size > _MOST_INLINE:
@@ -395,12 +396,14 @@ def plain(value: Any, maps: HeightMaps | None = None) -> Any:
     if hasattr(value, "to_case"):
         value = value.to_case()
     if isinstance(value, Mapping):
-        return {str(key): plain(entry, maps) for key, entry in value.items() if entry is not None}
+        within = f"{key}." if key else ""
+        return {str(name): plain(entry, maps, f"{within}{name}") for name, entry in value.items() if entry is not None}
     if isinstance(value, list | tuple):
-        return [plain(entry, maps) for entry in value]
+        return [plain(entry, maps, f"{key}[{i}]") for i, entry in enumerate(value)]
     if isinstance(value, Path):
         return str(value)
     value = value.tolist() if hasattr(value, "tolist") else value
     if not isinstance(value, bool | int | float | str | list):
-        raise InputError(f"{value!r} is no value of a case; allowed: numbers, text, lists, parts of bodies")
+        named = f"{key} = {value!r}" if key else repr(value)
+        raise InputError(f"{named} is no value of a case; allowed: numbers, text, lists, parts of bodies")
     return value

@@ -104,6 +104,8 @@ def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _read(file: Path, spacing: tuple[float, float] | None, unit: str | None, fill: bool, level: bool) -> HeightMap:
+    if not file.is_file():
+        raise InputError(f"{file}: no such file")
     try:
         with tells_warnings(file, _in_options):
             heightmap = surfaces.read(file, spacing=spacing, unit=unit, fill=fill)

@@ -152,3 +152,40 @@ def test_one_value_stands_for_a_list_as_in_a_case_file() -> None:
         assert "load = [2e-05]" in brinell.Indentation(flat, BALL, load=load, places="1 um").to_toml().replace(
             "2.0e", "2e"
         )
+
+
+def test_what_is_no_value_is_told_with_its_argument() -> None:
+    flat = brinell.Body(brinell.Flat(), STEEL)
+    with pytest.raises(brinell.InputError, match=r"^load\[1\] = None is no value of a case; allowed: numbers,"):
+        untyped.Indentation(flat, BALL, load=["5 N", None])
+    with pytest.raises(brinell.InputError, match=r"^grid\.resolution = <object .* is no value of a case"):
+        untyped.Indentation(flat, BALL, load="5 N", grid={"resolution": object()})
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (
+            lambda: untyped.reference.point_contact("1 mm", 1e11, load=10.0),
+            "radius = '1 mm' is text; allowed",
+        ),
+        (lambda: untyped.reference.point_contact(1e-3, 1e11, load="10 N"), "load = '10 N' is text; allowed: .* in N"),
+        (lambda: untyped.reference.elliptical_contact(1e-3, [1.0, 2.0], 1e11, load=1.0), "radius_y has 2 values"),
+        (lambda: untyped.reference.line_contact(1e-3, 1e11, "1 N/mm"), "load_per_length = '1 N/mm' is text; .* N/m"),
+        (lambda: untyped.reference.first_yield("0.3"), "poisson_ratio = '0.3' is text"),
+        (lambda: untyped.reference.critical_values("1 mm", 1e11, 1e9, C=1.6), "radius = '1 mm' is text"),
+        (lambda: untyped.reference.ElasticTugging(1e-3, 1e-3, 1e11, "1 um"), "interference = '1 um' is text"),
+    ],
+)
+def test_closed_forms_say_which_argument_is_no_number(call: Callable[[], object], text: str) -> None:
+    with pytest.raises(brinell.InputError, match=text):
+        call()
+
+
+def test_figures_of_several_runs_take_one() -> None:
+    figures = [getattr(brinell.plot, name) for name in brinell.plot.__all__]
+    several = [
+        draw for draw in figures if callable(draw) and next(iter(inspect.signature(draw).parameters), "") == "runs"
+    ]
+    assert len(several) > 20
+    assert [draw.__name__ for draw in several if not hasattr(draw, "takes_one_run")] == []

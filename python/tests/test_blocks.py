@@ -77,6 +77,8 @@ def test_a_field_that_is_none(run: Run) -> None:
         run.to_pyvista(fields=["mises"])
     with pytest.raises(brinell.InputError, match="'stress_xx' is no list"):
         run.to_pyvista(fields="stress_xx")
+    with pytest.raises(brinell.InputError, match="nothing is stored of pressure .*in which the bodies do not touch"):
+        run.to_pyvista("final", fields=["pressure"])
 
 
 def test_without_pyvista(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

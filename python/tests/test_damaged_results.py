@@ -44,7 +44,9 @@ def test_title_of_an_unfinished_run_is_that_of_its_case(make_run: MakeRun) -> No
 
 def test_folder_of_a_sweep_is_no_run(tmp_path: Path) -> None:
     (tmp_path / "sweep.json").write_text("{}")
-    with pytest.raises(RunError, match=r"is a sweep; brinell\.sweeps\.open_sweep opens it, or name a run in its"):
+    with pytest.raises(
+        RunError, match=r"is a sweep; name a run in its folder runs/, or take brinell\.sweeps\.open_sweep"
+    ):
         open_run(tmp_path)
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -211,6 +212,20 @@ def test_warnings_are_told_as_by_other_commands(tmp_path: Path) -> None:
     assert told.stderr.count("\n") == 1
     assert "are in m; --unit um takes heights in another unit" in told.stderr
     assert call("convert", file, tmp_path / "out.npy", "--spacing", "1um", "--unit", "nm").stderr == ""
+
+
+def test_points_that_lose_waves_are_told() -> None:
+    with pytest.warns(
+        brinell.CaseWarning, match=r"points at 1.56e-05 m do not show waves down to the cutoff of 4e-06 m"
+    ):
+        surfaces.random("1 mm", 64, cutoff="4 um", rms_height="0.2 um")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        surfaces.random("1 mm", 64, cutoff="40 um", rms_height="0.2 um")
+
+
+def test_a_missing_file_is_a_wrong_request(tmp_path: Path) -> None:
+    assert call("show", tmp_path / "none.txt").exit_code == 2
 
 
 def test_holes_of_any_file_are_filled(tmp_path: Path) -> None:

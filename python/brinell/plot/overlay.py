@@ -47,6 +47,7 @@ def of_runs(
     def drawn(runs: Run | Sequence[Run], /, *args: _P.args, **options: _P.kwargs) -> _R:
         return draw([runs] if isinstance(runs, Run) else runs, *args, **options)
 
+    drawn.takes_one_run = True  # type: ignore[attr-defined]
     return drawn
 
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from brinell.contact import Patches
 from brinell.plot import style
 from brinell.plot.cells import extent
-from brinell.plot.overlay import Entry, entries, legend_beside
+from brinell.plot.overlay import Entry, entries, legend_beside, of_runs
 from brinell.plot.scales import area_scale, si
 from brinell.results import Run
 
@@ -26,6 +26,7 @@ FloatArray = NDArray[np.float64]
 
 
 @style.figure
+@of_runs
 def contact_patches(runs: Sequence[Run]) -> Figure | None:
     """Over the way slid: the number of patches, and the area of the largest (dotted: their mean).
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import extent
-from brinell.plot.overlay import require_scenario
+from brinell.plot.overlay import of_runs, require_scenario
 from brinell.plot.scales import Scale, si
 from brinell.plot.surfaces import points_of_curve
 from brinell.results import BodyFields, Run
@@ -26,6 +26,7 @@ FloatArray = NDArray[np.float64]
 
 
 @style.figure
+@of_runs
 def surfaces_before_and_after(runs: Sequence[Run]) -> Figure | None:
     """Heights before the first load and at the end, and both bearing-area curves, with Sk, Spk and Svk.
 

@@ -26,7 +26,7 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
 
     Raises:
         MissingExtraError: pyvista is not installed.
-        InputError: there is no such field.
+        InputError: there is no such field, or nothing is stored of any that are asked for.
     """
     try:
         import pyvista
@@ -51,6 +51,11 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     if snapshot.in_contact and contact:
         corner = (snapshot.contact.x[0], snapshot.contact.y[0])
         blocks["contact"] = _sheet(pyvista, corner, _spacing(snapshot.contact), contact)
+    if fields and not blocks.n_blocks:
+        apart = "" if snapshot.in_contact else ", in which the bodies do not touch"
+        raise InputError(
+            f"nothing is stored of {listed(list(fields))} in this state{apart}; fields = None takes all that is"
+        )
     return blocks
 
 

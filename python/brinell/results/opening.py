@@ -93,7 +93,7 @@ def _folder_content(path: Path) -> tuple[History, str | None]:
     if (path / "result.h5").is_file() and not (path / FILE_NAME).is_file():
         raise RunError(f"{path}: format version 1, this program reads version {FORMAT_VERSION}; compute the run again")
     if (path / "sweep.json").is_file():
-        raise RunError(f"{path}: is a sweep; brinell.sweeps.open_sweep opens it, or name a run in its folder runs/")
+        raise RunError(f"{path}: is a sweep; name a run in its folder runs/, or take brinell.sweeps.open_sweep")
     history = read_history(path)
     summary = path / "summary.json"
     if not summary.is_file():

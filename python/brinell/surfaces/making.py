@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from brinell import _core
+from brinell._names import level_of_caller
 from brinell.errors import InputError
 from brinell.surfaces.heightmap import HeightMap
 from brinell.surfaces.units import pair
@@ -62,7 +64,23 @@ def random(
         None if rolloff is None else _length(rolloff),
         seed,
     )
-    return HeightMap(heights, (size_x / nx, size_y / ny), periodic=True)
+    made = HeightMap(heights, (size_x / nx, size_y / ny), periodic=True)
+    _warn_of_lost_waves(_length(cutoff), max(made.spacing))
+    return made
+
+
+def _warn_of_lost_waves(cutoff: float, distance: float) -> None:
+    """Points that are farther apart than half a wave do not show it, and nothing that reads them can tell."""
+    if distance <= 0.5 * cutoff * (1.0 + 1e-9):
+        return
+    from brinell.case import CaseWarning
+
+    warnings.warn(
+        f"points at {distance:.3g} m do not show waves down to the cutoff of {cutoff:.3g} m: what is shorter than "
+        f"{2.0 * distance:.3g} m appears as other waves, and the slope is too small; take 8 points per cutoff",
+        CaseWarning,
+        stacklevel=level_of_caller(),
+    )
 
 
 def _length(value: float | str) -> float:

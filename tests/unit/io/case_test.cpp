@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
+#include "brinell/io/case_template.hpp"
 #include "sample.hpp"
 
 #include <gtest/gtest.h>
