@@ -254,7 +254,6 @@ void TangentialContact::Iteration::settle(TangentialReport& report)
     return Largest{square(slip - along * q)};
   };
   report.slip_error = std::sqrt(sum_of_cells(cells(), error).value);
-  threshold_ = std::min(slip_threshold, 1.0 - excess_allowed(report.slip_error));
   const Along shift = imposed_ + shift_;
   report.shift = {shift.x, shift.y};
 }
@@ -377,7 +376,9 @@ bool TangentialContact::Iteration::advance(double step, double error)
     shear_.set(i, moved);
     return Largest{(square(moved) / (bound_[i] * bound_[i]) - 1.0) * (zone_[i] == Zone::slip ? 0.5 : never)};
   };
-  return sum_of_cells(cells(), move).value <= excess_allowed(error);
+  const double allowed = excess_allowed(error);
+  threshold_ = std::min(slip_threshold, 1.0 - allowed); // until the bounds are restored
+  return sum_of_cells(cells(), move).value <= allowed;
 }
 
 void TangentialContact::Iteration::restore_bounds()

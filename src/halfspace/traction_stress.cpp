@@ -202,8 +202,8 @@ struct Source
   template <bool is_below>
   [[nodiscard]] ComplexLanes at(int row, int stored, std::bool_constant<is_below> /*below*/) const
   {
-    const ComplexLanes product = kernel[stored] * values[row];
-    return is_below && odd_y ? -1.0 * product : product;
+    const Lanes number = is_below && odd_y ? -kernel[stored] : kernel[stored];
+    return number * values[row];
   }
 };
 
