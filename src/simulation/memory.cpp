@@ -62,8 +62,8 @@ double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& ma
 
 /// The heat of a body, on a grid a third longer and wider than its own: some sixty waves in depth, on lattices that take
 /// together three and a half times the first one; all of it three times: as it is, for when an increment fails, and while
-/// fields are read; and stress, now and before.
-double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material)
+/// fields are read; and stress, now and before. With symmetry half of the waves are kept, and all of some fields.
+double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, Symmetry symmetry)
 {
   if (!material.thermal)
     return 0.0;
@@ -72,7 +72,8 @@ double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material
   surface.nx = static_cast<int>(surface.is_periodic_x() ? surface.nx : wider * surface.nx);
   surface.ny = static_cast<int>(surface.is_periodic_y() ? surface.ny : wider * surface.ny);
   const PaddedLengths padded = padded_lengths(surface);
-  return waves * lattices * copies * padded.x * padded.y * sizeof(double) + field_bytes(grid, 15.0);
+  const double share = symmetry == Symmetry::none ? 1.0 : 0.6;
+  return share * waves * lattices * copies * padded.x * padded.y * sizeof(double) + field_bytes(grid, 15.0);
 }
 
 /// Fields of the contact's solver and of what is read from it, and its transforms.
@@ -97,7 +98,7 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
     output = std::max(output, output_bytes(*grid, *material, shears));
     if (has_twin && grid == &plan.upper)
       continue;
-    bodies += body_bytes(*grid, *material, shears) + (has_heat ? heat_bytes(*grid, *material) : 0.0);
+    bodies += body_bytes(*grid, *material, shears) + (has_heat ? heat_bytes(*grid, *material, plan.symmetry) : 0.0);
     trials += trial_bytes(*grid, *material, anderson_depth);
     checkpoint += checkpoint_bytes(*grid, *material);
   }
