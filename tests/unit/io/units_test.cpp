@@ -102,7 +102,8 @@ TEST(Units, NamesAndExamples)
 {
   EXPECT_EQ(dimension_name(dimension::pressure), "pressure");
   EXPECT_EQ(si_unit(dimension::pressure), "Pa");
-  EXPECT_EQ(si_unit({.mass = 1, .time = -3, .temperature = -1}), "kg s^-3 K^-1");
+  EXPECT_EQ(si_unit(dimension::conductance), "W/(m^2 K)");
+  EXPECT_EQ(si_unit({.mass = 1, .time = -3, .temperature = -2}), "kg s^-3 K^-2"); // no unit has a name for it
   for (const Dimension d : {dimension::length, dimension::pressure, dimension::conductivity, dimension::density,
                             dimension::specific_heat, dimension::expansion})
     EXPECT_EQ(quantity(example_quantity(d)).dimension, d);
