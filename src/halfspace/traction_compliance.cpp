@@ -50,8 +50,9 @@ struct TractionCompliance::Operator
   double largest_of_shear = 0.0; ///< [m/Pa]
 
   Operator(const SurfaceGrid& grid, const green::PairConstants& pair, double at)
-      : constants(pair), reference(at), fft(grid, padded_lengths(grid).x, padded_lengths(grid).y, 1), rows(fft.py() / 2 + 1),
-        terms(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows)), stiffness(grid, pair, reference)
+      : constants(pair), reference(at), fft(grid, padded_lengths(grid).x, padded_lengths(grid).y, 1),
+        rows(fft.py() / 2 + 1), terms(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows)),
+        stiffness(grid, pair, reference)
   {
     const PaddedFft padded(grid, fft.px(), fft.py());
     if (grid.is_periodic())
