@@ -158,7 +158,7 @@ def test_ctrl_c_in_the_midst_of_a_long_step_ends_within_seconds(tmp_path: Path) 
     )
     threading.Timer(2.0, os.kill, (os.getpid(), signal.SIGINT)).start()
     start = time.monotonic()
-    with pytest.raises(KeyboardInterrupt, match=r"^interrupted; nothing has been finished$"):
+    with pytest.raises(KeyboardInterrupt, match=r"^interrupted; (nothing has been finished$|the first step is kept)"):
         long.run(tmp_path)
     assert time.monotonic() - start < 60.0
     assert not (tmp_path / "summary.json").exists()

@@ -163,7 +163,7 @@ def test_each_key_of_a_case_has_its_unit() -> None:
         found = re.search(r" in (\S+(?: K\))?) or with a unit|(in degrees)", value + "".join(_))
         if found:
             unit = "°" if found[2] or found[1] == "degrees" else found[1]
-            told[key.strip("| `").split(".")[-1]] = unit.replace("^3", "³").replace("degC", "°C")
+            told[key.strip("| `").split(".")[-1]] = unit.replace("^2", "²").replace("^3", "³").replace("degC", "°C")
     assert len(told) > 25
     assert dict(UNITS) == told
 
