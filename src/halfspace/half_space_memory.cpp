@@ -13,12 +13,13 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 {
   // As in BlockedFft: blocks of wavenumbers along x, and rows along y with their padding or without.
   const PaddedLengths padded = padded_lengths(grid.surface);
-  const double blocks = std::ceil((padded.x / 2 + 1) / static_cast<double>(lane_count));
+  const int along_x = padded.x / 2 + 1, along_y = padded.y / 2 + 1; // wavenumbers of half of the spectrum
+  const double blocks = std::ceil(along_x / static_cast<double>(lane_count));
   const double pitch = padded.y | 1;
   const double rows = grid.surface.ny;
   const double tractions = 1.0 + shears;
   const double deviators = 5.0 * grid.nz; // planes
-  const double kernels = 6.0 * grid.nz * (padded.y / 2 + 1);
+  const double kernels = 6.0 * grid.nz * along_y;
 
   // ImageCorrection hardly depends on the grid.
   constexpr double images = 2.5e6;
