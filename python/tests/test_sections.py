@@ -79,6 +79,15 @@ def test_a_plane_may_lie_in_the_outer_half_of_a_cell_but_not_beyond() -> None:
 # --- Sections ---------------------------------------------------------------------------------------------------------
 
 
+def test_a_state_may_be_named(make_run: MakeRun) -> None:
+    run = open_run(make_run())
+    for state in ("aligned", "final", run.steps[0]):
+        section(run, state)
+    residual_surfaces(run, "final")
+    with pytest.raises(RunError, match="1000000"):
+        section(run, 10**6)
+
+
 def test_section_across_the_motion(make_run: MakeRun) -> None:
     run = open_run(make_run(9.0))
     snapshot = run.snapshot(6, tensors=True)

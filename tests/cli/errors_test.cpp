@@ -77,6 +77,9 @@ TEST_F(Errors, APercentageWithoutItsSignIsAsked)
       {"run", "case.toml", "--accuracy", "3"},
       {"solver.accuracy = 3 is out of range; allowed: number in (0, 0.5], or as in \"1 %\"; did you mean \"3 %\"?"});
   EXPECT_EQ(run({"run", "case.toml", "--accuracy", "300"}).err.find("did you mean"), std::string::npos);
+  const std::string no_guess = run({"run", "case.toml", "--accuracy", "200%"}).err;
+  EXPECT_NE(no_guess.find("--accuracy 200%: "), std::string::npos) << no_guess;
+  EXPECT_EQ(no_guess.find("did you mean"), std::string::npos) << no_guess;
 }
 
 TEST_F(Errors, AListForOneValueIsToldWhatToDo)

@@ -18,7 +18,7 @@ from brinell.plot.cells import at_centre, contact_edge, contact_patch, draw_cell
 from brinell.plot.scales import Scale, Scales
 from brinell.plot.sections import section
 from brinell.plot.slip import has_slip, stick_slip_maps
-from brinell.plot.states import Side, sides, state_title
+from brinell.plot.states import Side, of_state, sides, state_title
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
 from brinell.scenarios import SCENARIOS
 
@@ -28,6 +28,7 @@ FloatArray = NDArray[np.float64]
 
 
 @style.figure
+@of_state
 def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     """Contact pressure over p0_c in the plane of contact, with the edge of contact; in plane strain a line over x.
 
@@ -119,6 +120,7 @@ def _crop(ax: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
 
 
 @style.figure
+@of_state
 def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     """Gap between the deformed surfaces around the contact, with the edge of contact; in plane strain a line over x.
 
@@ -185,6 +187,7 @@ def _height(body: BodyFields) -> FloatArray:
 
 
 @style.figure
+@of_state
 def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     """Permanent shape of the surfaces along the track: profile on y = 0, and maps.
 

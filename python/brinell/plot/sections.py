@@ -21,7 +21,7 @@ from brinell.plot.cuts import Cut, Panel, Window, contact_on, from_contact, pane
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import quantity_of
 from brinell.plot.scales import Scale, Scales
-from brinell.plot.states import Bodies, Side, both_sides, chosen_sides, state_title
+from brinell.plot.states import Bodies, Side, both_sides, chosen_sides, of_state, state_title
 from brinell.results import ContactFields, Run, Snapshot
 
 __all__ = ["across_label", "draw_contact", "draw_panel", "section", "upright_axes"]
@@ -32,6 +32,7 @@ _FLAT = 0.3
 
 
 @style.figure
+@of_state
 def section(
     run: Run,
     snapshot: Snapshot,

@@ -22,7 +22,7 @@ from brinell.plot import style
 from brinell.plot.cells import contact_edge, contact_patch, extent, refined
 from brinell.plot.overlay import Look, largest, legend_beside, zero_line
 from brinell.plot.scales import Scale, si
-from brinell.plot.states import state_title
+from brinell.plot.states import of_state, state_title
 from brinell.results import ContactFields, Run, RunError, Snapshot
 
 __all__ = ["has_slip", "stick_slip_maps", "stick_slip_profiles", "sticks"]
@@ -153,6 +153,7 @@ def _extended(values: FloatArray, where: BoolArray) -> FloatArray:
 
 
 @style.figure
+@of_state
 def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     """Pressure with the shear as arrows, what sticks and what slips, sizes of shear and slip.
 

@@ -3,21 +3,52 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Concatenate, Literal, ParamSpec, TypeVar
 
 from brinell.errors import InputError
 from brinell.plot import style
 from brinell.results import BodyFields, Run, RunError, Snapshot
 from brinell.scenarios import SCENARIOS
 
-__all__ = ["Bodies", "Follow", "Side", "both_sides", "chosen_sides", "sides", "state_title", "stored_in_pass"]
+__all__ = [
+    "Bodies",
+    "Follow",
+    "Side",
+    "both_sides",
+    "chosen_sides",
+    "of_state",
+    "sides",
+    "state_title",
+    "stored_in_pass",
+]
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+Which = int | Literal["aligned", "final"]
+"""A stored state, by its number or its name."""
 
 Bodies = Literal["both", "lower", "upper"]
 """Which bodies to draw."""
 
 Follow = Literal["contact", "body"]
 """Whether a moving picture goes with the contact, or stays with the body while the contact passes."""
+
+
+def of_state(
+    draw: Callable[Concatenate[Run, Snapshot, _P], _R],
+) -> Callable[Concatenate[Run, Snapshot | Which, _P], _R]:
+    """Lets a figure of a state take the number or the name of the state, as `Run.snapshot` does."""
+
+    @functools.wraps(draw)
+    def drawn(run: Run, snapshot: Snapshot | Which, *args: _P.args, **options: _P.kwargs) -> _R:
+        state = snapshot if isinstance(snapshot, Snapshot) else run.snapshot(snapshot)
+        return draw(run, state, *args, **options)
+
+    return drawn  # type: ignore[return-value]  # the state may be given by its name, too: snapshot=
 
 
 @dataclass(frozen=True, eq=False)
