@@ -6,6 +6,7 @@ and on the code host.
 """
 
 import re
+import sys
 from pathlib import Path
 
 from docutils import nodes
@@ -15,6 +16,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.nodes import make_refnode
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "docs"))  # gallery_figures
 
 project = "brinell"
 author = "brinell's authors"
@@ -78,6 +80,7 @@ sphinx_gallery_conf = {
     "show_signature": False,
     "abort_on_example_error": True,
     "plot_gallery": True,
+    "image_scrapers": ("matplotlib", "gallery_figures"),
 }
 
 

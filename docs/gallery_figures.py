@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shows the figures of `brinell.plot` on the pages of the tutorials: pyplot, which the gallery asks for figures, does not know them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from matplotlib.figure import Figure
+from sphinx_gallery.scrapers import figure_rst
+
+_shown: set[int] = set()
+
+
+def figures_of_brinell(_block: Any, block_vars: dict[str, Any], gallery_conf: dict[str, Any]) -> str:
+    """The figure that a block of a tutorial has made under the name `figure`, if pyplot has not shown it."""
+    figure = block_vars["example_globals"].get("figure")
+    if not isinstance(figure, Figure) or figure.canvas.manager is not None or id(figure) in _shown:
+        return ""
+    _shown.add(id(figure))
+    path = next(block_vars["image_path_iterator"])
+    figure.savefig(path)
+    return str(figure_rst([path], gallery_conf["src_dir"]))
+
+
+def _get_sg_image_scraper() -> Any:
+    return figures_of_brinell
