@@ -4,19 +4,20 @@
 from __future__ import annotations
 
 from typing import Any
+from weakref import WeakSet
 
 from matplotlib.figure import Figure
 from sphinx_gallery.scrapers import figure_rst
 
-_shown: set[int] = set()
+_shown: WeakSet[Figure] = WeakSet()  # not their ids, which a later figure may be given again
 
 
 def figures_of_brinell(_block: Any, block_vars: dict[str, Any], gallery_conf: dict[str, Any]) -> str:
     """The figure that a block of a tutorial has made under the name `figure`, if pyplot has not shown it."""
     figure = block_vars["example_globals"].get("figure")
-    if not isinstance(figure, Figure) or figure.canvas.manager is not None or id(figure) in _shown:
+    if not isinstance(figure, Figure) or figure.canvas.manager is not None or figure in _shown:
         return ""
-    _shown.add(id(figure))
+    _shown.add(figure)
     path = next(block_vars["image_path_iterator"])
     figure.savefig(path)
     return str(figure_rst([path], gallery_conf["src_dir"]))
