@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows the figures of `brinell.plot` on the pages of the tutorials; pyplot, which the gallery asks, has none of them."""
+"""Shows the figures of `brinell.plot` on the pages of the tutorials; pyplot, which the gallery asks, has none."""
 
 from __future__ import annotations
 
