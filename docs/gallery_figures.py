@@ -13,9 +13,9 @@ _shown: WeakSet[Figure] = WeakSet()  # not their ids, which a later figure may b
 
 
 def figures_of_brinell(_block: Any, block_vars: dict[str, Any], gallery_conf: dict[str, Any]) -> str:
-    """The figure that a block of a tutorial has made under the name `figure`, if pyplot has not shown it."""
+    """The figure that a block of a tutorial has made under the name `figure`."""
     figure = block_vars["example_globals"].get("figure")
-    if not isinstance(figure, Figure) or figure.canvas.manager is not None or figure in _shown:
+    if not isinstance(figure, Figure) or not hasattr(figure, "_repr_png_") or figure in _shown:  # pyplot's have none
         return ""
     _shown.add(figure)
     path = next(block_vars["image_path_iterator"])
