@@ -7,9 +7,9 @@
 namespace brinell::io
 {
 
-/// cite/references.bib; case/templates/*.toml, keys of the cases of `brinell new`, and those that all of them end with.
-/// @param name  of the file without its ending: "references", "common", or a scenario
+/// The papers, what cases may have (src/io/case/template.toml), and the tested cases that `brinell new` begins with.
+/// @param file  from the root of the tree: "cases/rolling/case.toml"
 /// @throws InternalError if there is none
-[[nodiscard]] std::string_view embedded_text(std::string_view name);
+[[nodiscard]] std::string_view embedded_text(std::string_view file);
 
 } // namespace brinell::io

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// Case files to begin with, for `brinell new`: the keys are those of src/io/case/templates, the schema explains them.
+/// Case files to begin with, for `brinell new`: the tested cases of the folders that are called as the scenarios, with all
+/// other keys as comments (src/io/case/template.toml); the schema explains them.
 namespace brinell::io
 {
 

@@ -3,8 +3,8 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/schema.hpp"
-#include "io/embedded.hpp"
 #include "io/files.hpp"
+#include "template_sections.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -29,15 +29,6 @@ constexpr std::string_view head = R"(# A case for brinell, written by `brinell n
 # what may stand there: remove the # to use them. `brinell schema` tells more of every key.
 
 )";
-
-/// The keys in use, and all others as comments.
-std::string keys_of(std::string_view scenario)
-{
-  const auto& names = scenario_names();
-  if (std::find(names.begin(), names.end(), scenario) == names.end())
-    throw InputError(fmt::format("unknown scenario {}; allowed: {}", scenario, fmt::join(names, ", ")));
-  return fmt::format("{}\n{}", embedded_text(scenario), embedded_text("common"));
-}
 
 /// Text in lines that begin with `first` and `indent`, which end with a blank.
 std::string wrapped(const std::string& text, std::string_view first, std::string_view indent)
@@ -103,7 +94,10 @@ std::string case_template(std::string_view scenario)
 {
   static const std::regex section_line(R"(\[([a-z.]+)\])"), key_line(R"((?:# )?([a-z_]+) = .*)"),
       further_line(R"(#   ([a-z_]+)\b.*:)");
-  std::istringstream keys(keys_of(scenario));
+  const auto& names = scenario_names();
+  if (std::find(names.begin(), names.end(), scenario) == names.end())
+    throw InputError(fmt::format("unknown scenario {}; allowed: {}", scenario, fmt::join(names, ", ")));
+  std::istringstream keys(keys_of_template(scenario));
   std::string text = fmt::format(head, scenario), table, name;
   std::smatch match;
   for (std::string line; std::getline(keys, line);)
@@ -121,7 +115,8 @@ std::string case_template(std::string_view scenario)
     }
     else if (std::regex_match(line, match, further_line))
     {
-      text += wrapped(line.substr(4) + " " + meaning(table + name + "." + match.str(1)), "#   ", "#     ");
+      const std::string of_key = meaning(table + name + "." + match.str(1)), of_table = meaning(table + match.str(1));
+      text += wrapped(line.substr(4) + " " + (of_key.empty() ? of_table : of_key), "#   ", "#     ");
       continue;
     }
     text += line + '\n';

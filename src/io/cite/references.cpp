@@ -48,7 +48,7 @@ std::vector<Reference> read_bibtex(std::string_view text)
 
 const std::vector<Reference>& all_references()
 {
-  static const std::vector<Reference> references = read_bibtex(embedded_text("references"));
+  static const std::vector<Reference> references = read_bibtex(embedded_text("src/io/cite/references.bib"));
   return references;
 }
 

@@ -48,9 +48,9 @@ TEST(BoundKeys, FillTheCase)
 TEST(BoundKeys, FillTugging)
 {
   const auto t = scenario<simulation::TuggingCase>(
-      "tugging", {"tugging.passes=3", "tugging.shift=1 um", "tugging.kinematics=paper", "grid.extent=2"});
+      "tugging", {"tugging.passes=3", "tugging.shift=20 nm", "tugging.kinematics=paper", "grid.extent=2"});
   EXPECT_EQ(t.passes, 3);
-  EXPECT_EQ(t.shift, 1e-6);
+  EXPECT_EQ(t.shift, 20e-9);
   EXPECT_EQ(t.kinematics, simulation::Kinematics::paper);
   EXPECT_EQ(t.extent, 2.0);
   EXPECT_EQ(t.resolution, simulation::TuggingCase().resolution) << "its own default";
