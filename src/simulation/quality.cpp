@@ -3,7 +3,7 @@
 
 #include "footprint.hpp"
 #include "heat.hpp"
-#include "judgement.hpp"
+#include "judgement_parts.hpp"
 #include "roughness.hpp"
 
 #include <algorithm>
@@ -20,29 +20,12 @@ namespace
 // Limits. Those of the cells are where the tables of docs/verification.md leave some percent of error.
 constexpr double fewest_cells = 6.0; ///< per contact radius
 constexpr double fewest_cells_across =
-    3.0;                                ///< the motion: cells twice as long there cost half a percent of the net energy
-constexpr double hopeless_cells = 2.0;  ///< below, a third of the energy is missing
-constexpr int fewest_layers = 4;        ///< of the plastic zone
-constexpr double largest_strain = 0.05; ///< products of strains are neglected: an error of that share of the strain
-constexpr double largest_imbalance = 0.02;   ///< of the energies, over the largest work
-constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
-constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
-constexpr double smallest_approach = 1e-9;   ///< [m], some atoms: no continuum
+    3.0;                               ///< the motion: cells twice as long there cost half a percent of the net energy
+constexpr double hopeless_cells = 2.0; ///< below, a third of the energy is missing
+constexpr int fewest_layers = 4;       ///< of the plastic zone
+constexpr double smallest_approach = 1e-9;       ///< [m], some atoms: no continuum
 constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
-constexpr double largest_wear_step =
-    0.05; ///< in one increment, of the approach: the pressure there changes by that share
-constexpr double largest_worn_share_of_layer = 0.25; ///< of the layer of cells under the surface, whose strain stays
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
-
-/// "1.23 nm"
-std::string length_text(double metres)
-{
-  constexpr std::pair<double, const char*> units[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "um"}};
-  for (const auto& [size, name] : units)
-    if (std::abs(metres) >= size)
-      return fmt::format("{:.3g} {}", metres / size, name);
-  return fmt::format("{:.3g} nm", metres / 1e-9);
-}
 
 std::string errors_text(const std::vector<ExpectedError>& errors)
 {
@@ -128,20 +111,6 @@ public:
                     percent_text(std::min(1.0, 0.014 * std::pow(8.0 * share, 2.2)))));
   }
 
-  void of_textures()
-  {
-    for (std::size_t body = 0; body < f_.textures.size(); ++body)
-    {
-      const std::vector<TexturePart>& parts = f_.textures[body]->parts;
-      for (std::size_t i = 0; i < parts.size(); ++i)
-      {
-        const std::string name =
-            fmt::format("{}.texture{}", body == 0 ? "lower" : "upper", parts.size() > 1 ? fmt::format("[{}]", i) : "");
-        std::visit([&](const auto& part) { of_texture(name, part); }, parts[i]);
-      }
-    }
-  }
-
   void of_size()
   {
     if (f_.approach < smallest_approach)
@@ -193,120 +162,12 @@ public:
     }
   }
 
-  /// A body that has become hotter than its softening is known for.
-  void of_heat(const RunTotals& totals)
-  {
-    for (std::size_t side = 0; side < 2; ++side)
-    {
-      const constitutive::Material& material = *f_.materials[side];
-      const double hottest = totals.max_temperature[side];
-      if (!material.softening || !(hottest > material.temperature)) // nothing has heated it
-        continue;
-      const char* name = side == 0 ? "lower" : "upper";
-      if (const auto melting = constitutive::melting_temperature(*material.softening); melting && hottest >= *melting)
-        add("melting", fmt::format("the {} surface reaches {:.0f} degC and melts at {:.0f} degC: what melts is counted "
-                                   "as a solid that keeps {} of its yield stress",
-                                   name, hottest, *melting, percent_text(constitutive::least_softening_factor)));
-      else if (!constitutive::covers(*material.softening, hottest))
-        add("softening_range", fmt::format("the {} surface reaches {:.0f} degC, beyond the table of its softening, "
-                                           "whose last value is taken",
-                                           name, hottest));
-    }
-  }
-
-  /// Wear is found with the pressure at the end of an increment, and moves no plastic strain.
-  void of_wear(const RunTotals& totals)
-  {
-    if (const double share = totals.max_wear_step / f_.approach; share > largest_wear_step)
-      add("long_wear_step",
-          fmt::format(
-              "an increment has worn up to {}, {} of the approach: the pressure changes much while that is worn; "
-              "take smaller steps, or a smaller coefficient",
-              length_text(totals.max_wear_step), percent_text(share)));
-    const std::array worn{totals.max_worn_depth_lower, totals.max_worn_depth_upper};
-    for (std::size_t side = 0; side < 2; ++side)
-      if (f_.materials[side]->is_plastic() && totals.max_equivalent_plastic_strain > 0.0 &&
-          worn[side] > largest_worn_share_of_layer * f_.cell[2])
-        add("worn_strain",
-            fmt::format("the {} surface has lost up to {}, {} of the thickness of a layer of cells: its plastic strain "
-                        "and residual stress stay as far from the worn surface as they were from the old one, which is "
-                        "an estimate above {}",
-                        side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / f_.cell[2]),
-                        percent_text(largest_worn_share_of_layer)));
-  }
-  void of_course(const RunTotals& totals)
-  {
-    if (f_.can_yield && totals.max_equivalent_plastic_strain == 0.0)
-      add("no_yield", "nothing has yielded, though a yield stress is given: all of this is elastic");
-    if (totals.max_equivalent_plastic_strain > largest_strain)
-      add("large_strain",
-          fmt::format("plastic strain reaches {}, but the theory is that of small strains: above {} it is an "
-                      "estimate",
-                      percent_text(totals.max_equivalent_plastic_strain), percent_text(largest_strain)));
-    if (!(std::abs(totals.energy_balance_error) <= largest_imbalance))
-      add("energy_balance", fmt::format("the energies are off by {} of the largest work: take smaller steps or cells{}",
-                                        percent_text(totals.energy_balance_error),
-                                        f_.forgets_if_elastic && totals.max_equivalent_plastic_strain == 0.0
-                                            ? ". Nothing has yielded: all but the work is as it would be in any steps"
-                                            : ""));
-    if (totals.split_increments > 0)
-      add("split_increments", fmt::format("{} increments did not converge in one piece and were split; the result has "
-                                          "converged, but smaller steps would be faster and more accurate",
-                                          totals.split_increments));
-  }
-
+  [[nodiscard]] std::vector<Warning>& warnings() { return result_.warnings; }
   void add(Warning warning) { result_.warnings.push_back(std::move(warning)); }
 
   [[nodiscard]] Quality result() && { return std::move(result_); }
 
 private:
-  void of_texture(const std::string& name, const Dent& dent)
-  {
-    const double cell = std::max(f_.cell[0], f_.cell[1]);
-    if (dent.radius < fewest_cells_of_dent * cell)
-      add("coarse_texture",
-          fmt::format("{}: a {} of radius {} on cells of {} is not resolved: only its mean over each cell counts; {:g} "
-                      "cells per radius are the fewest",
-                      name, dent.depth < 0.0 ? "bump" : "dent", length_text(dent.radius), length_text(cell),
-                      fewest_cells_of_dent));
-  }
-
-  void of_texture(const std::string& name, const HeightMap& map)
-  {
-    if (map.dx < 0.999 * f_.cell[0] || map.dy < 0.999 * f_.cell[1])
-      add("coarse_texture",
-          fmt::format("{}: the points of the height map, {} x {}, are finer than the cells, {} x {}: "
-                      "each cell takes the mean height over it, and roughness finer than that is lost",
-                      name, length_text(map.dx), length_text(map.dy), length_text(f_.cell[0]),
-                      length_text(f_.cell[1])));
-    else if (const auto [wave_x, wave_y] = shortest_waves(map); rms_slope(map) > 0.0)
-      of_waves(name, "measured heights with waves down to about", wave_x, wave_y);
-  }
-
-  void of_texture(const std::string& name, const Sinusoid& s)
-  {
-    of_waves(name, "waves of", s.wavelength_x, s.wavelength_y);
-  }
-  void of_texture(const std::string& name, const RandomSurface& surface)
-  {
-    of_waves(name, "roughness with waves down to", surface.parameters().cutoff, surface.parameters().cutoff);
-  }
-
-  /// Tells of the axis with fewer cells per wave.
-  void of_waves(const std::string& name, const char* what, double wavelength_x, double wavelength_y)
-  {
-    const double cells_x = wavelength_x / f_.cell[0], cells_y = wavelength_y / f_.cell[1];
-    const double cells = std::min(cells_x, cells_y);
-    if (!(cells < 0.999 * fewest_cells_of_wave))
-      return;
-    add("coarse_texture",
-        fmt::format("{}: {} {} on cells of {}, which do not resolve them{}; {:g} cells per shortest wave are the "
-                    "fewest for contact area and peak pressure",
-                    name, what, length_text(cells_x < cells_y ? wavelength_x : wavelength_y),
-                    length_text(cells_x < cells_y ? f_.cell[0] : f_.cell[1]),
-                    cells < 2.0 ? ": only the mean over each cell counts" : "", fewest_cells_of_wave));
-  }
-
   void add(const char* key, std::string text) { add({key, std::move(text)}); }
 
   const Facts& f_;
@@ -314,6 +175,16 @@ private:
 };
 
 } // namespace
+
+/// "1.23 nm"
+std::string length_text(double metres)
+{
+  constexpr std::pair<double, const char*> units[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "um"}};
+  for (const auto& [size, name] : units)
+    if (std::abs(metres) >= size)
+      return fmt::format("{:.3g} {}", metres / size, name);
+  return fmt::format("{:.3g} nm", metres / 1e-9);
+}
 
 std::string percent_text(double share)
 {
@@ -348,7 +219,7 @@ Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
 {
   Judge judge(f, resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt));
   judge.of_cells();
-  judge.of_textures();
+  warn_of_textures(f, judge.warnings());
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();
@@ -369,13 +240,13 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   Judge judge(f, resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, seen.plastic_layers));
   judge.of_cells();
   judge.of_depth();
-  judge.of_textures();
+  warn_of_textures(f, judge.warnings());
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();
-  judge.of_course(totals);
-  judge.of_heat(totals);
-  judge.of_wear(totals);
+  warn_of_course(f, totals, judge.warnings());
+  warn_of_heat(f, totals, judge.warnings());
+  warn_of_wear(f, totals, judge.warnings());
   if (of_course)
     judge.add(std::move(*of_course));
   judge.of_tolerances();

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "judgement_parts.hpp"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+/// What a run has shown.
+namespace brinell::simulation
+{
+
+namespace
+{
+
+constexpr double largest_strain = 0.05;    ///< products of strains are neglected: an error of that share of the strain
+constexpr double largest_imbalance = 0.02; ///< of the energies, over the largest work
+constexpr double largest_wear_step =
+    0.05; ///< in one increment, of the approach: the pressure there changes by that share
+constexpr double largest_worn_share_of_layer = 0.25; ///< of the layer of cells under the surface, whose strain stays
+
+} // namespace
+
+void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  if (facts.can_yield && totals.max_equivalent_plastic_strain == 0.0)
+    warnings.push_back({"no_yield", "nothing has yielded, though a yield stress is given: all of this is elastic"});
+  if (totals.max_equivalent_plastic_strain > largest_strain)
+    warnings.push_back(
+        {"large_strain",
+         fmt::format("plastic strain reaches {}, but the theory is that of small strains: above {} it is an "
+                     "estimate",
+                     percent_text(totals.max_equivalent_plastic_strain), percent_text(largest_strain))});
+  if (!(std::abs(totals.energy_balance_error) <= largest_imbalance))
+    warnings.push_back(
+        {"energy_balance", fmt::format("the energies are off by {} of the largest work: take smaller steps or cells{}",
+                                       percent_text(totals.energy_balance_error),
+                                       facts.forgets_if_elastic && totals.max_equivalent_plastic_strain == 0.0
+                                           ? ". Nothing has yielded: all but the work is as it would be in any steps"
+                                           : "")});
+  if (totals.split_increments > 0)
+    warnings.push_back(
+        {"split_increments", fmt::format("{} increments did not converge in one piece and were split; the result has "
+                                         "converged, but smaller steps would be faster and more accurate",
+                                         totals.split_increments)});
+}
+
+void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const constitutive::Material& material = *facts.materials[side];
+    const double hottest = totals.max_temperature[side];
+    if (!material.softening || !(hottest > material.temperature)) // nothing has heated it
+      continue;
+    const char* name = side == 0 ? "lower" : "upper";
+    if (const auto melting = constitutive::melting_temperature(*material.softening); melting && hottest >= *melting)
+      warnings.push_back(
+          {"melting", fmt::format("the {} surface reaches {:.0f} degC and melts at {:.0f} degC: what melts is counted "
+                                  "as a solid that keeps {} of its yield stress",
+                                  name, hottest, *melting, percent_text(constitutive::least_softening_factor))});
+    else if (!constitutive::covers(*material.softening, hottest))
+      warnings.push_back(
+          {"softening_range", fmt::format("the {} surface reaches {:.0f} degC, beyond the table of its softening, "
+                                          "whose last value is taken",
+                                          name, hottest)});
+  }
+}
+
+void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  if (const double share = totals.max_wear_step / facts.approach; share > largest_wear_step)
+    warnings.push_back(
+        {"long_wear_step",
+         fmt::format(
+             "an increment has worn up to {}, {} of the approach: the pressure changes much while that is worn; "
+             "take smaller steps, or a smaller coefficient",
+             length_text(totals.max_wear_step), percent_text(share))});
+  const std::array worn{totals.max_worn_depth_lower, totals.max_worn_depth_upper};
+  for (std::size_t side = 0; side < 2; ++side)
+    if (facts.materials[side]->is_plastic() && totals.max_equivalent_plastic_strain > 0.0 &&
+        worn[side] > largest_worn_share_of_layer * facts.cell[2])
+      warnings.push_back(
+          {"worn_strain",
+           fmt::format("the {} surface has lost up to {}, {} of the thickness of a layer of cells: its plastic strain "
+                       "and residual stress stay as far from the worn surface as they were from the old one, which is "
+                       "an estimate above {}",
+                       side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / facts.cell[2]),
+                       percent_text(largest_worn_share_of_layer))});
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "judgement_parts.hpp"
+
+#include "roughness.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
+constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
+
+class OfTextures
+{
+public:
+  OfTextures(const Facts& facts, std::vector<Warning>& warnings) : f_(facts), warnings_(warnings) {}
+
+  void tell()
+  {
+    for (std::size_t body = 0; body < f_.textures.size(); ++body)
+    {
+      const std::vector<TexturePart>& parts = f_.textures[body]->parts;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+      {
+        const std::string name =
+            fmt::format("{}.texture{}", body == 0 ? "lower" : "upper", parts.size() > 1 ? fmt::format("[{}]", i) : "");
+        std::visit([&](const auto& part) { of_texture(name, part); }, parts[i]);
+      }
+    }
+  }
+
+private:
+  void of_texture(const std::string& name, const Dent& dent)
+  {
+    const double cell = std::max(f_.cell[0], f_.cell[1]);
+    if (dent.radius < fewest_cells_of_dent * cell)
+      warnings_.push_back(
+          {"coarse_texture",
+           fmt::format(
+               "{}: a {} of radius {} on cells of {} is not resolved: only its mean over each cell counts; {:g} "
+               "cells per radius are the fewest",
+               name, dent.depth < 0.0 ? "bump" : "dent", length_text(dent.radius), length_text(cell),
+               fewest_cells_of_dent)});
+  }
+
+  void of_texture(const std::string& name, const HeightMap& map)
+  {
+    if (map.dx < 0.999 * f_.cell[0] || map.dy < 0.999 * f_.cell[1])
+      warnings_.push_back({"coarse_texture",
+                           fmt::format("{}: the points of the height map, {} x {}, are finer than the cells, {} x {}: "
+                                       "each cell takes the mean height over it, and roughness finer than that is lost",
+                                       name, length_text(map.dx), length_text(map.dy), length_text(f_.cell[0]),
+                                       length_text(f_.cell[1]))});
+    else if (const auto [wave_x, wave_y] = shortest_waves(map); rms_slope(map) > 0.0)
+      of_waves(name, "measured heights with waves down to about", wave_x, wave_y);
+  }
+
+  void of_texture(const std::string& name, const Sinusoid& s)
+  {
+    of_waves(name, "waves of", s.wavelength_x, s.wavelength_y);
+  }
+  void of_texture(const std::string& name, const RandomSurface& surface)
+  {
+    of_waves(name, "roughness with waves down to", surface.parameters().cutoff, surface.parameters().cutoff);
+  }
+
+  /// Tells of the axis with fewer cells per wave.
+  void of_waves(const std::string& name, const char* what, double wavelength_x, double wavelength_y)
+  {
+    const double cells_x = wavelength_x / f_.cell[0], cells_y = wavelength_y / f_.cell[1];
+    const double cells = std::min(cells_x, cells_y);
+    if (!(cells < 0.999 * fewest_cells_of_wave))
+      return;
+    warnings_.push_back(
+        {"coarse_texture",
+         fmt::format("{}: {} {} on cells of {}, which do not resolve them{}; {:g} cells per shortest wave are the "
+                     "fewest for contact area and peak pressure",
+                     name, what, length_text(cells_x < cells_y ? wavelength_x : wavelength_y),
+                     length_text(cells_x < cells_y ? f_.cell[0] : f_.cell[1]),
+                     cells < 2.0 ? ": only the mean over each cell counts" : "", fewest_cells_of_wave)});
+  }
+
+  const Facts& f_;
+  std::vector<Warning>& warnings_;
+};
+
+} // namespace
+
+void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings)
+{
+  OfTextures(facts, warnings).tell();
+}
+
+} // namespace brinell::simulation
