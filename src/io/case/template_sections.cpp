@@ -170,7 +170,7 @@ private:
     Lines added;
     for (const std::string& name : names)
     {
-      const Entry* entry = find_entry(menu.table + "." + name);
+      const Entry* entry = find_entry(fmt::format("{}.{}", menu.table, name));
       if (own.find(name) || menu.find(name))
         continue;
       const auto fallback = entry ? fallback_of(*entry, scenario_) : std::nullopt;
@@ -199,7 +199,7 @@ private:
       if (!entry.key.starts_with(table + ".") || is_of_another)
         continue;
       const std::string rest = entry.key.substr(table.size() + 1), name = rest.substr(0, rest.find('.'));
-      if (!find(table + "." + name) && std::find(names.begin(), names.end(), name) == names.end())
+      if (!find(fmt::format("{}.{}", table, name)) && std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
     }
     return names;
