@@ -364,6 +364,12 @@ def default_tolerance(
     return 1e-7 * max(overlap, 0.0)
 
 
+def _modulus(contact_modulus: float) -> float:
+    if not contact_modulus > 0.0:
+        raise InputError(f"contact_modulus = {contact_modulus:g}; allowed: > 0")
+    return float(contact_modulus)
+
+
 def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modulus: float) -> float:
     """Area of a solved contact [m^2], finer than its cells: the edge lies where pressure inside and gap outside say.
 
@@ -378,10 +384,8 @@ def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact
     Raises:
         InputError: a wrong shape, or a modulus that is not above 0.
     """
-    if not contact_modulus > 0.0:
-        raise InputError(f"contact_modulus = {contact_modulus:g}; allowed: > 0")
     return _core.contact_area(
-        grid._engine, contiguous(pressure, "pressure"), contiguous(gap, "gap"), float(contact_modulus)
+        grid._engine, contiguous(pressure, "pressure"), contiguous(gap, "gap"), _modulus(contact_modulus)
     )
 
 
@@ -420,10 +424,8 @@ def patches(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modu
     Raises:
         InputError: a wrong shape, or a modulus that is not above 0.
     """
-    if not contact_modulus > 0.0:
-        raise InputError(f"contact_modulus = {contact_modulus:g}; allowed: > 0")
     p = contiguous(pressure, "pressure")
-    labels, area = _core.patches(grid._engine, p, contiguous(gap, "gap"), float(contact_modulus))
+    labels, area = _core.patches(grid._engine, p, contiguous(gap, "gap"), _modulus(contact_modulus))
     label = labels.astype(np.int64)
     inside = label >= 0
     cells = np.bincount(label[inside], minlength=len(area))
