@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 
 namespace brinell::elastoplastic
 {
@@ -32,12 +33,13 @@ Anderson::Anderson(int depth)
 
 void Anderson::advance(std::span<double> x, std::span<const double> g, std::span<const double> weights)
 {
+  const bool compares = !std::exchange(changes_map_, false) && count_ > 0;
   if (depth_ > 0)
-    remember(x, g, weights);
+    remember(x, g, weights, compares);
   std::copy(g.begin(), g.end(), x.begin());
-  const std::size_t used = std::min(count_, depth_);
-  if (depth_ > 0)
+  if (depth_ > 0 && (compares || count_ == 0))
     ++count_;
+  const std::size_t used = count_ > 0 ? std::min(count_ - 1, depth_) : 0;
   if (used == 0)
     return;
 
@@ -65,7 +67,9 @@ void Anderson::advance(std::span<double> x, std::span<const double> g, std::span
 }
 
 /// Adds the differences to the last evaluation to the history, and makes this evaluation the last.
-void Anderson::remember(std::span<const double> x, std::span<const double> g, std::span<const double> weights)
+/// @param compare  false: without the differences
+void Anderson::remember(std::span<const double> x, std::span<const double> g, std::span<const double> weights,
+                        bool compare)
 {
   const std::size_t size = x.size();
   for (std::size_t i = previous_g_.size(); i < size; ++i)
@@ -82,7 +86,7 @@ void Anderson::remember(std::span<const double> x, std::span<const double> g, st
   for (std::size_t i = 0; i < size; ++i)
   {
     const double f = g[i] - x[i];
-    if (count_ > 0)
+    if (compare)
     {
       dg_[slot][i] = g[i] - previous_g_[i];
       df_[slot][i] = f - previous_f_[i];
@@ -90,7 +94,7 @@ void Anderson::remember(std::span<const double> x, std::span<const double> g, st
     previous_g_[i] = g[i];
     previous_f_[i] = f;
   }
-  for (std::size_t d = 0; d < std::min(count_, depth_); ++d)
+  for (std::size_t d = 0; compare && d < std::min(count_, depth_); ++d)
     gram_[slot * depth_ + d] = gram_[d * depth_ + slot] = product(df_[slot], df_[d], weights);
 }
 

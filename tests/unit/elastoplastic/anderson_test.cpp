@@ -43,6 +43,32 @@ double distance(const std::vector<double>& a, const std::vector<double>& b)
   return d;
 }
 
+TEST(AndersonTest, KeepsWhatItHasLearntWhenTheMapChanges)
+{
+  // Another constant part has the same differences: with all of them known, one evaluation tells the new solution. The difference
+  // between evaluations of both maps is none of them.
+  constexpr std::size_t n = 4;
+  const Affine g(n);
+  Affine other = g;
+  for (std::size_t i = 0; i < n; ++i)
+    other.shift[i] += 1e-3 * static_cast<double>(i + 1);
+  for (int i = 0; i < 2000; ++i)
+    other.solution = i == 0 ? other.shift : other(other.solution);
+  const auto distance_after = [&](bool is_told)
+  {
+    Anderson anderson(static_cast<int>(n));
+    std::vector<double> x(n, 0.0);
+    for (std::size_t step = 0; step < n + 1; ++step)
+      anderson.advance(x, g(x));
+    if (is_told)
+      anderson.change_map();
+    anderson.advance(x, other(x));
+    return distance(x, other.solution);
+  };
+  EXPECT_LT(distance_after(true), 1e-8);
+  EXPECT_GT(distance_after(false), 1e-5);
+}
+
 TEST(AndersonTest, SolvesALinearProblemOfNUnknownsInNPlusOneSteps)
 {
   // With n differences the residual is zero in a combination of them, whatever the matrix; to the normal equations'
