@@ -10,8 +10,9 @@ namespace brinell::halfspace
 {
 
 /// What one block of wavenumbers needs. All couplings are zero for k = 0 and in lanes without a wavenumber.
-/// At a Nyquist index lx or ly is zero; that also drops the couplings of even order through the shears yz and xz, which are
-/// nothing to a strain that the cells resolve.
+/// At a Nyquist index lx or ly is zero, or smaller; that also drops the couplings of even order through the shears yz and xz, which
+/// are nothing to a strain that the cells resolve. What couplings of odd order give there is imaginary in a row along x, and no
+/// inverse transform of a row takes it up.
 struct EigenstrainStress::Factors : green::WaveDirection<Lanes>
 {
   Lanes q{};                    ///< e^{-x}, x = k dz: decay over a layer
@@ -19,10 +20,11 @@ struct EigenstrainStress::Factors : green::WaveDirection<Lanes>
   Lanes m0{}, m1{}, m2{};       ///< stress of a layer in itself
   Lanes x{}, rise{}, lag{};     ///< change of a wave at the surface into that of the image
 
-  void set(std::size_t lane, double m, double n, bool nyquist_x, bool nyquist_y, double dz, double nu, double mu);
+  /// @param kept_x, kept_y  share of m / k and n / k that is kept
+  void set(std::size_t lane, double m, double n, double kept_x, double kept_y, double dz, double nu, double mu);
 };
 
-void EigenstrainStress::Factors::set(std::size_t lane, double m, double n, bool nyquist_x, bool nyquist_y, double dz,
+void EigenstrainStress::Factors::set(std::size_t lane, double m, double n, double kept_x, double kept_y, double dz,
                                      double nu, double mu)
 {
   const double k = std::hypot(m, n);
@@ -33,8 +35,8 @@ void EigenstrainStress::Factors::set(std::size_t lane, double m, double n, bool 
   }
   lx2[lane] = m * m / (k * k);
   ly2[lane] = n * n / (k * k);
-  lx[lane] = nyquist_x ? 0.0 : m / k;
-  ly[lane] = nyquist_y ? 0.0 : n / k;
+  lx[lane] = kept_x * m / k;
+  ly[lane] = kept_y * n / k;
   lxly[lane] = lx[lane] * ly[lane];
   const double stiffness = mu / (2.0 * (1.0 - nu));
   const double x_ = k * dz;
@@ -130,7 +132,8 @@ ComplexLanes add_own(const Factors& f, const Layer& layer, Field& s)
 
 EigenstrainStress::~EigenstrainStress() = default;
 
-EigenstrainStress::EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft)
+EigenstrainStress::EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft,
+                                     double shortest)
     : grid_(grid), nu_(elastic.poisson_ratio), mu_(elastic.shear_modulus()), fft_(fft),
       spectra_bytes_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(fft.py()) *
                      static_cast<std::size_t>(Deviator::size * grid.nz) * sizeof(ComplexLanes))
@@ -143,7 +146,8 @@ EigenstrainStress::EigenstrainStress(const VolumeGrid& grid, const Elastic& elas
       const double m = 2.0 * std::numbers::pi * i / (fft.px() * grid.surface.dx);
       const double n = 2.0 * std::numbers::pi * row / (fft.py() * grid.surface.dy);
       factors_[static_cast<std::size_t>(i / lane_count * rows + row)].set(
-          static_cast<std::size_t>(i % lane_count), m, n, 2 * i == fft.px(), 2 * row == fft.py(), grid.dz, nu_, mu_);
+          static_cast<std::size_t>(i % lane_count), m, n, 2 * i == fft.px() ? std::sqrt(shortest) : 1.0,
+          2 * row == fft.py() ? 0.0 : 1.0, grid.dz, nu_, mu_);
     }
 }
 

@@ -34,8 +34,10 @@ namespace brinell::halfspace
 class EigenstrainStress
 {
 public:
-  /// @param fft  any transform of the surface of `grid`, for its lengths; must outlive this object.
-  EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft);
+  /// @param fft       any transform of the surface of `grid`, for its lengths; must outlive this object.
+  /// @param shortest  share of the couplings of even order through the shears that the shortest wave along x keeps; none is what
+  ///                  goes with the grid itself, see HalfSpace for parts of larger ones.
+  EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft, double shortest = 0.0);
   ~EigenstrainStress();
   EigenstrainStress(const EigenstrainStress&) = delete;
   EigenstrainStress& operator=(const EigenstrainStress&) = delete;

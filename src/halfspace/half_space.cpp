@@ -2,16 +2,36 @@
 #include "brinell/halfspace/half_space.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/fft.hpp"
 #include "half_space_operators.hpp"
 #include "require_surface.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace brinell::halfspace
 {
 
 HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
-    : operators_(std::make_unique<Operators>(grid, elastic))
+    : operators_(std::make_unique<Operators>(grid, elastic, 0.0))
+{
+}
+
+namespace
+{
+
+/// Of the shortest wave along x, so that a strain within a part makes the same of it as in the whole: a lattice of p columns leaves
+/// out 1/p of what each cell gives to each, with alternating signs.
+double shortest_of_part(const SurfaceGrid& part, const SurfaceGrid& whole)
+{
+  const int columns = padded_lengths(part).x, of_whole = padded_lengths(whole).x;
+  return of_whole % 2 == 0 ? std::max(0.0, 1.0 - static_cast<double>(columns) / of_whole) : 1.0;
+}
+
+} // namespace
+
+HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole)
+    : operators_(std::make_unique<Operators>(grid, elastic, shortest_of_part(grid.surface, whole)))
 {
 }
 
@@ -38,6 +58,21 @@ HalfSpace::Work HalfSpace::make_work() const
 {
   Work work;
   work.buffers_ = operators_->make_buffers();
+  return work;
+}
+
+void HalfSpace::exchange_buffers(Work& guest, Work& host)
+{
+  for (const auto spectra : {&Work::Buffers::rows, &Work::Buffers::strain, &Work::Buffers::stress})
+    ((*guest.buffers_).*spectra).swap((*host.buffers_).*spectra);
+  ++host.buffers_->number; // the strain that it held is lost
+}
+
+HalfSpace::Work HalfSpace::make_guest() const
+{
+  Work work = make_work();
+  for (const auto spectra : {&Work::Buffers::rows, &Work::Buffers::strain, &Work::Buffers::stress})
+    (*work.buffers_).*spectra = {};
   return work;
 }
 

@@ -24,13 +24,13 @@ int parts_for(int layers)
 
 } // namespace
 
-HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constants)
+HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constants, double shortest)
     : grid(volume), elastic(constants),
       surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
-      mirrored_fft(volume, surface_fft.px(), surface_fft.py()), eigenstrain_stress(volume, constants, surface_fft),
-      image_correction(volume, constants, surface_fft)
+      mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
+      eigenstrain_stress(volume, constants, surface_fft, shortest), image_correction(volume, constants, surface_fft)
 {
   static_cast<void>(kernels_of({true, false, false}));
 }

@@ -68,7 +68,8 @@ struct HalfSpace::Operators
   EigenstrainStress eigenstrain_stress;
   ImageCorrection image_correction;
 
-  Operators(const VolumeGrid& volume, const Elastic& constants);
+  /// @param shortest  see EigenstrainStress
+  Operators(const VolumeGrid& volume, const Elastic& constants, double shortest);
 
   [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers() const;
   /// Kernels of some components of the traction, nullptr for the others. Those of a shear are tabulated when they are first

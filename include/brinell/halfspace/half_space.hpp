@@ -23,6 +23,9 @@ class HalfSpace
 {
 public:
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic);
+  /// Of some columns of a longer body with the same rows: as much like the operators of the whole as the shorter transforms
+  /// allow (docs/theory/elastoplastic.md, windows).
+  HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole);
   ~HalfSpace();
   HalfSpace(HalfSpace&&) noexcept;
   HalfSpace& operator=(HalfSpace&&) noexcept;
@@ -32,6 +35,10 @@ public:
   /// Buffers of one evaluation; make one per concurrent caller, once.
   class Work;
   [[nodiscard]] Work make_work() const;
+  /// Buffers without those that are large: it gets them from the work of a larger half space while that is not in use, and
+  /// gives them back, both by `exchange_buffers`.
+  [[nodiscard]] Work make_guest() const;
+  static void exchange_buffers(Work& guest, Work& host);
 
   [[nodiscard]] const VolumeGrid& grid() const;
   [[nodiscard]] const Elastic& elastic() const;
