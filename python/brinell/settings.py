@@ -126,6 +126,7 @@ class Solver(_Table):
         mirror: whether bodies that are mirror images are solved once.
         symmetry: whether one side of the plane y = 0 is solved where both are the same.
         shortcuts: whether the stress is computed only in the layers near yield within an increment, and heat roughly.
+        windows: with shortcuts, whether the stress is computed only in the columns near the contact within an increment.
     """
 
     accuracy: float | str | None = None
@@ -138,6 +139,7 @@ class Solver(_Table):
     mirror: bool | None = None
     symmetry: bool | None = None
     shortcuts: bool | None = None
+    windows: bool | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
+#include "window.hpp"
 #include "with_copies.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ void BodyState::exchange(Archive& archive)
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
            const constitutive::Material& material, bool shortcuts, halfspace::Displacements displacements,
-           Symmetry symmetry)
+           Symmetry symmetry, bool windows)
     : grid_(grid), material_(material), half_space_(std::move(half_space)), shortcuts_(shortcuts), symmetry_(symmetry),
       layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
 {
@@ -67,7 +68,13 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   }
   if (is_plastic())
     add_initial_stress(grid_.nz, grid_.surface.ny, state_.stress);
+  if (is_plastic() && shortcuts && windows)
+    window_ = std::make_unique<Window>(grid_, material_.elastic, symmetry_);
 }
+
+Body::~Body() = default;
+Body::Body(Body&&) noexcept = default;
+Body& Body::operator=(Body&&) noexcept = default;
 
 /// A body that is rigid or stays elastic never has a trial of its own.
 void Body::prepare_trial()
@@ -85,6 +92,11 @@ void Body::exchange(Archive& archive)
   prepare_trial();
   archive("state", state_);
   archive("q_field", stress_);
+  if (window_)
+    for (std::size_t part = 0; part < committed_load_.size(); ++part)
+      archive.list(fmt::format("load_{}", part), committed_load_[part]);
+  if (window_)
+    archive("window_wishes", window_->wishes());
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
@@ -113,6 +125,9 @@ void Body::begin(int shift, double stiffness_share)
   in_increment_ = true;
   active_.clear();
   layers_ = grid().nz;
+  windowed_ = was_windowed_ = wants_whole_ = false;
+  reference_ = Known::state;
+  shift_ = shift;
   thermal_stress_ = state_.thermal_stress;
   // Seen from the contact, q changes little from step to step: it is carried along.
   collect_active(stress_, shift, shortcuts_ ? active_share : -1.0);
@@ -141,6 +156,8 @@ void Body::restore()
 void Body::compute_all_layers()
 {
   layers_ = grid().nz;
+  windowed_ = false;
+  wants_whole_ = true;
 }
 
 /// The deviator of xx = yy = sigma, zz = 0.
@@ -208,12 +225,14 @@ constitutive::PlasticIncrement Body::increment(const Law& law, std::size_t a, In
                             active_.trial(a), state_.equivalent[cell], stiffness_, back);
 }
 
-void Body::integrate(Integration integration)
+double Body::integrate(Integration integration)
 {
   if (!is_plastic())
-    return;
+    return 0.0;
   if (work_.empty())
     work_ = half_space_->make_work();
+  choose_window();
+  const std::vector<double> before = displacement_;
   const std::size_t n = grid().size();
   std::visit(
       [&](const auto& law)
@@ -228,9 +247,10 @@ void Body::integrate(Integration integration)
         }
       },
       *material_.hardening);
-  const halfspace::Displacements wanted = found_at_once();
-  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, wanted, symmetry_));
-  find_displacements(wanted);
+  load_strain();
+  const double change = change_of_displacement(before);
+  was_windowed_ = windowed_;
+  return change;
 }
 
 bool Body::update(const halfspace::SurfaceLoad& load)
@@ -238,10 +258,7 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   if (!is_plastic())
     return false;
   const std::size_t n = grid().size();
-  loaded_->stress(load, stress_);
-  const int rows = told_rows(grid().surface, symmetry_);
-  add_initial_stress(layers_, rows, stress_);
-  add_thermal_stress(layers_, rows, stress_);
+  find_stress(load);
   std::visit(
       [&](const auto& law)
       {
@@ -263,7 +280,7 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   collect_active(stress_, 0, 1.0);
   if (active_.size() == before)
     return false;
-  keep_active_layers();
+  widen(before);
   return true;
 }
 
@@ -380,6 +397,8 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   state_.residual_displacement_x = displacement_x_;
   state_.residual_displacement_y = displacement_y_;
   state_.locked_in_energy = locked_in_energy(load);
+  if (window_)
+    keep(load, committed_load_);
   keep_guess();
   in_increment_ = false;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
+#include "window.hpp"
 #include "with_copies.hpp"
 
 #include <algorithm>
@@ -47,8 +48,9 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
 {
   const SurfaceGrid& s = grid().surface;
   const std::size_t n = grid().size();
-  const auto first = static_cast<std::size_t>(std::max(0, shift));
-  const auto last = static_cast<std::size_t>(std::max(0, std::min(s.nx, s.nx + shift)));
+  const Columns columns = searched();
+  const auto first = static_cast<std::size_t>(std::max(columns.first, shift));
+  const auto last = static_cast<std::size_t>(std::max(0, std::min(columns.first + columns.count, s.nx + shift)));
   if (last <= first)
     return;
   const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };

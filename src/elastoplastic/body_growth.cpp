@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
+#include "window.hpp"
 
 #include <algorithm>
 
@@ -54,6 +55,8 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   state_.residual_displacement_x = displacement_x_;
   state_.residual_displacement_y = displacement_y_;
   state_.locked_in_energy = locked_in_energy(load);
+  if (window_)
+    keep(load, committed_load_);
   take_up_guess();
 }
 

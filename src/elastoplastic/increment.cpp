@@ -53,14 +53,6 @@ private:
   bool committed_ = false;
 };
 
-double largest_change(std::span<const double> a, const std::vector<double>& b)
-{
-  double change = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    change = std::max(change, std::abs(a[i] - b[i]));
-  return change;
-}
-
 /// Errors over their tolerances below which the next evaluation is likely to be the last one.
 constexpr double closing_factor = 5.0;
 
@@ -87,13 +79,8 @@ bool CoupledContact::has_unknowns() const
 double CoupledContact::integrate(Integration integration)
 {
   double change = 0.0;
-  std::vector<double> before;
   for (Side& side : sides_)
-  {
-    before.assign(side.body.residual_displacement().begin(), side.body.residual_displacement().end());
-    side.body.integrate(integration);
-    change = larger(change, largest_change(side.body.residual_displacement(), before));
-  }
+    change = larger(change, side.body.integrate(integration));
   return change;
 }
 
@@ -180,6 +167,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   EnergyWatch energy_watch;
   // The increment may end with an evaluation that has looked at the stress everywhere: the last few do.
   bool closing = strategy.watch_energy || !has_unknowns();
+  bool was_complete = false;
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
@@ -187,9 +175,9 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     for (Side& side : sides_)
       if (closing)
         side.body.compute_all_layers();
+    report.displacement_error = integrate(strategy.integration);
     const bool complete =
         std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.computes_all_layers(); });
-    report.displacement_error = integrate(strategy.integration);
     solve_contact(distance, drive, placement, strategy, closing, report);
     const bool grew = update(report);
     // The first evaluation measures its change against the state before the increment: only a second one can settle it.
@@ -210,7 +198,8 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     if (report.energy_rose || stalls)
       return report;
     closing = strategy.watch_energy || is_within(closing_factor, report);
-    acceleration.advance(sides_);
+    acceleration.advance(sides_, complete && !was_complete);
+    was_complete = complete;
   }
 }
 

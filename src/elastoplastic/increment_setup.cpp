@@ -72,10 +72,11 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const auto half_space = operators(lower, lower_material.elastic);
   const halfspace::Displacements displacements = displacements_under(interface_.get());
   sides_.push_back(
-      {Body(lower, half_space, lower_material, settings.shortcuts, displacements, symmetry_), &Placement::lower});
+      {Body(lower, half_space, lower_material, settings.shortcuts, displacements, symmetry_, settings.windows),
+       &Placement::lower});
   if (twin == Twin::none)
     sides_.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
-                                   upper_material, settings.shortcuts, displacements, symmetry_),
+                                   upper_material, settings.shortcuts, displacements, symmetry_, settings.windows),
                       .place = &Placement::upper,
                       .shear_sign = -1.0});
 }

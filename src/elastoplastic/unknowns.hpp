@@ -96,9 +96,12 @@ class Acceleration
 public:
   explicit Acceleration(int depth) : anderson_(depth) {}
 
+  /// @param changes_map  the evaluation is not of the same map as the one before, see Anderson::change_map
   template <typename Sides>
-  void advance(Sides& sides)
+  void advance(Sides& sides, bool changes_map)
   {
+    if (changes_map)
+      anderson_.change_map();
     unknowns_.grow(sides);
     unknowns_.pack(sides, x_, g_);
     anderson_.advance(x_, g_, unknowns_.weights());

@@ -36,6 +36,24 @@ double body_bytes(const VolumeGrid& grid, const constitutive::Material& material
   return half_space.operators + half_space.work + field_bytes(grid, fields_of_state(material) + flags);
 }
 
+/// Of a body much longer than the contact, the columns of it that are computed within an increment: operators of two lengths, strain
+/// and stress of the longer one, now and before.
+double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  constexpr int few_steps = 100; // before a window pays it must have been asked for many times
+  if (!material.is_plastic() || grid.surface.is_periodic_x() || 2 * plan.contact.nx > grid.surface.nx ||
+      plan.steps < few_steps)
+    return 0.0;
+  double bytes = 0.0;
+  VolumeGrid part = grid;
+  for (const double share : {0.25, 0.375})
+  {
+    part.surface.nx = static_cast<int>(share * grid.surface.nx);
+    bytes += halfspace::memory_of_half_space(part, shears).operators;
+  }
+  return bytes + field_bytes(part, 20.0);
+}
+
 /// What the cells in the fixed point take in an increment, with the history of the accelerator. Their number is not known
 /// before: a plastic zone fills less of a box than of its section.
 double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material, int anderson_depth)
@@ -100,6 +118,7 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
       continue;
     bodies += body_bytes(*grid, *material, shears) + (has_heat ? heat_bytes(*grid, *material, plan.symmetry) : 0.0);
     trials += trial_bytes(*grid, *material, anderson_depth);
+    bodies += window_bytes(plan, *grid, *material, shears);
     checkpoint += checkpoint_bytes(*grid, *material);
   }
   constexpr double holes = 1.05; // between the fields

@@ -232,6 +232,50 @@ TEST(ShortCuts, Tugging)
   worst.tell("tugging");
 }
 
+/// Evaluations of a window alone. The balls roll far, so that their tracks are several times as long as the contact.
+TEST(ShortCuts, Windows)
+{
+  std::mt19937_64 engine(20063);
+  const auto between = [&](double a, double b) { return test::uniform(engine, a, b); };
+  double worst_strain = 0.0, worst_force = 0.0;
+  const int count = slow_build ? 1 : 5;
+  for (int number = 0; number < count; ++number)
+  {
+    SCOPED_TRACE(number);
+    const double load = between(1.2, 4.0); // approach over that of first yield
+    const double a = std::sqrt(0.5 * load * critical().interference);
+    simulation::RollingCase c;
+    c.lower = {ball(1.0), material(static_cast<Law>(number % 3), static_cast<Profile>(number % 5))};
+    c.upper = {ball(1.0), number % 2 == 0 ? elastic_material() : material(Law::linear, Profile::none)};
+    c.drive = approach(load * critical().interference);
+    c.distance = between(11.0, 14.0) * a;
+    c.passes = 2;
+    c.slide_to_roll = number % 4 == 3 ? 0.5 : 0.0;
+    c.load_steps = 3;
+    c.resolution = between(4.0, 5.0);
+    c.solver.symmetry = number % 3 != 1;
+    c.solver.yield_tolerance = 1e-5;
+    c.solver.displacement_tolerance = 1e-6;
+    Outcome with, without;
+    for (Outcome* o : {&with, &without})
+    {
+      c.solver.windows = o == &with;
+      take(computed(c), *o);
+    }
+    const double yield_strain = yield_stress / elastic.young_modulus;
+    const double strain =
+        std::abs(with.plastic_strain - without.plastic_strain) / std::max(without.plastic_strain, 0.1 * yield_strain);
+    const double force = std::abs(with.force / without.force - 1.0);
+    EXPECT_NE(with.dissipation, without.dissipation) << "no window has been used";
+    worst_strain = std::max(worst_strain, strain);
+    worst_force = std::max(worst_force, force);
+  }
+  test::expect_within("rolling in windows, largest difference of the plastic strain", worst_strain, 0.0, 1e-3,
+                      "all columns in every evaluation");
+  test::expect_within("rolling in windows, largest difference of a force", worst_force, 0.0, 1e-3,
+                      "all columns in every evaluation");
+}
+
 /// Those of heat: images on coarse cells, shares that are rough until an increment is nearly solved, heat that follows a turn
 /// behind. Without them it is computed as exactly as it can be, along grids long enough for all of them.
 TEST(ShortCuts, Heat)

@@ -8,6 +8,7 @@
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,6 +36,9 @@ struct BodyState
   void exchange(Archive& archive);
 };
 
+class Window;
+struct Columns;
+
 /// Sides of a body's grid.
 struct Edges
 {
@@ -57,9 +61,17 @@ public:
   /// @param displacements  those on which the loads work: along x with shear along x, all with shears along x and y. All are
   ///                    computed in each evaluation, along x only when asked for.
   /// @param symmetry    of history and loads. With one, evaluations work on the told rows alone; in the state all rows agree.
+  /// @param windows     with short cuts: compute only the columns of the active cells and of the load until an evaluation closes the
+  ///                    increment; see Settings::windows.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
        const constitutive::Material& material, bool shortcuts = true,
-       halfspace::Displacements displacements = halfspace::Displacements::normal, Symmetry symmetry = Symmetry::none);
+       halfspace::Displacements displacements = halfspace::Displacements::normal, Symmetry symmetry = Symmetry::none,
+       bool windows = false);
+  ~Body();
+  Body(Body&&) noexcept;
+  Body& operator=(Body&&) noexcept;
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
 
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
@@ -82,15 +94,16 @@ public:
   /// Deviator of the thermal stress at the end of the increment, 5 values per cell [Pa]; after `begin`. Without it, that of the
   /// last increment stays.
   void set_thermal_stress(std::span<const double> deviator);
-  /// From now on, until new cells become active, evaluations compute the stress in all layers. An increment may only be
-  /// committed after an evaluation that has computed all layers and has found no new active cell.
+  /// The next evaluation computes the stress in all cells; without windows so do those after it, until new cells become active.
+  /// An increment may only be committed after an evaluation that has computed all cells and has found no new active one.
   void compute_all_layers();
-  /// Whether the evaluations compute the stress in all layers.
-  [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz; }
+  /// After `integrate`: whether the evaluation computes the stress in all cells.
+  [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz && !windowed_; }
   /// Undoes everything that an increment without a commit has changed; does nothing after a commit.
   void restore();
   /// Integrates the plastic strain for the present q and computes the residual displacement of that strain.
-  void integrate(Integration integration);
+  /// @returns the largest change of that displacement into the body [m], where the evaluation before has computed it
+  double integrate(Integration integration);
   /// Stress under `load` (on the whole surface grid) and, from it, the next fixed-point value g of q.
   /// @returns whether cells outside the active set yield; they have been added to it.
   bool update(const halfspace::SurfaceLoad& load);
@@ -172,6 +185,13 @@ private:
   [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load) const;
   [[nodiscard]] halfspace::Displacements found_at_once() const;
   void find_displacements(halfspace::Displacements wanted);
+  void choose_window();
+  void load_strain();
+  void find_stress(const halfspace::SurfaceLoad& load);
+  void widen(std::size_t first);
+  [[nodiscard]] Columns columns_at_work(const std::array<std::vector<double>, 3>& load, int shift) const;
+  [[nodiscard]] Columns searched() const;
+  [[nodiscard]] double change_of_displacement(const std::vector<double>& before) const;
 
   VolumeGrid grid_;
   constitutive::Material material_;
@@ -196,6 +216,22 @@ private:
   std::vector<double> guessed_q_;
   std::vector<double> displacement_, displacement_x_, displacement_y_;
   bool knows_displacement_x_ = false; ///< of the present trial
+
+  /// Of what all cells are known, so that a window can refer to it.
+  enum class Known
+  {
+    nothing,
+    state,     ///< before the increment
+    evaluation ///< the last one
+  };
+  std::unique_ptr<Window> window_;                    ///< nullptr: none
+  bool windowed_ = false;                             ///< the evaluation at hand is one of the window
+  bool was_windowed_ = false;                         ///< the one before was, in the box that the window has now
+  bool wants_whole_ = false;                          ///< the next one is not
+  Known reference_ = Known::nothing;                  ///< in an increment
+  int shift_ = 0;                                     ///< by which the contact moves in the increment [cells]
+  std::array<std::vector<double>, 3> load_;           ///< of the last evaluation of all cells; with a window
+  std::array<std::vector<double>, 3> committed_load_; ///< of the state; with a window
 };
 
 } // namespace brinell::elastoplastic

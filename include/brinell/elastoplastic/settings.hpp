@@ -25,6 +25,9 @@ struct Settings
   /// solved; the evaluation that ends the increment computes all layers, and finds every cell that yields. false: all layers
   /// in every evaluation, every cell active.
   bool shortcuts = true;
+  /// With short cuts, on a body much longer than the contact: until an increment is nearly solved compute only the columns of the
+  /// active cells and of the load; the evaluation that ends the increment computes all cells. false: all columns.
+  bool windows = true;
 };
 
 } // namespace brinell::elastoplastic

@@ -146,6 +146,12 @@ std::vector<Entry> solver_entries()
             "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all "
             "of them, so that no yield is missed. false: every layer and every cell in every evaluation, and heat as "
             "exactly as it can be computed (a check; the results agree to the tolerances)."),
+      entry(
+          "windows", &Settings::windows, {},
+          "Where `shortcuts` is true and a body is much longer than the contact, compute the stress within an "
+          "increment "
+          "only in a window, the columns near the cells that yield and the pressure; its last evaluation looks at the "
+          "whole body. false: no window (a check; the results agree to the tolerances)."),
       bound({.key = "solver.accuracy",
              .range = up_to(0.0, 0.5),
              .percent = true,

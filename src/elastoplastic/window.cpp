@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+constexpr int margin = 2; ///< columns on either side of what is needed
+/// Lengths that occur, in shares of the body: few, as each is planned, and none that hardly pays.
+constexpr std::array<double, 2> shares{0.25, 0.375};
+/// Evaluations that ask for a length before it is planned. Planning costs about as much as twenty evaluations of the whole.
+constexpr double wishes_needed = 60.0;
+
+/// An even number of columns, so that the transforms have a shortest wave, as those of the body have.
+int length_for(double share, int columns)
+{
+  return 2 * static_cast<int>(std::floor(0.5 * share * columns));
+}
+
+std::array<std::span<const double>, 3> parts_of(const halfspace::SurfaceLoad& load)
+{
+  return {load.pressure, load.shear_x, load.shear_y};
+}
+
+double value_at(std::span<const double> field, std::size_t cell)
+{
+  return field.empty() ? 0.0 : field[cell];
+}
+
+} // namespace
+
+void keep(const halfspace::SurfaceLoad& load, KeptLoad& kept)
+{
+  const auto parts = parts_of(load);
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    kept[t].assign(parts[t].begin(), parts[t].end());
+}
+
+Window::Window(const VolumeGrid& body, const Elastic& elastic, Symmetry symmetry)
+    : body_(body), elastic_(elastic), symmetry_(symmetry), cells_(body), parts_(shares.size()),
+      wishes_(shares.size(), 0.0)
+{
+}
+
+bool Window::place(const Columns& needed, const Reference& reference)
+{
+  const int all = body_.surface.nx;
+  if (body_.surface.is_periodic_x())
+    return false;
+  std::size_t length = 0;
+  while (length < shares.size() && length_for(shares[length], all) < needed.count + 2 * margin)
+    ++length;
+  if (length == shares.size() || ++wishes_[length] <= wishes_needed)
+    return false;
+  const int count = length_for(shares[length], all);
+  length_ = length;
+  columns_ = {std::clamp(needed.first - (count - needed.count) / 2, 0, all - count), count};
+  cells_.surface.nx = count;
+  refer_to(reference);
+  return true;
+}
+
+/// Calls use(place of a row in a scalar field of the body, the same of the window) for all told rows.
+template <typename Use>
+void Window::for_told_rows(int layers, const Use& use) const
+{
+  const int told = told_rows(cells_.surface, symmetry_);
+  for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < told; ++j)
+      use(body_.index(columns_.first, j, k), cells_.index(0, j, k));
+}
+
+/// The same for all rows of the surface.
+template <typename Use>
+void Window::for_surface_rows(const Use& use) const
+{
+  for (int j = 0; j < cells_.surface.ny; ++j)
+    use(body_.surface.index(columns_.first, j), cells_.surface.index(0, j));
+}
+
+void Window::refer_to(const Reference& reference)
+{
+  const auto count = static_cast<std::size_t>(columns_.count);
+  for (std::vector<double>* field : {&strain_, &stress_, &change_, &answer_})
+    field->resize(Deviator::size * cells_.size());
+  for (std::size_t c = 0; c < Deviator::size; ++c)
+    for_told_rows(body_.nz,
+                  [&](std::size_t from, std::size_t to)
+                  {
+                    const std::size_t in_body = c * body_.size() + from, here = c * cells_.size() + to;
+                    for (std::size_t i = 0; i < count; ++i)
+                    {
+                      strain_[here + i] = reference.strain[in_body + i];
+                      stress_[here + i] =
+                          reference.stress[in_body + i] - value_at(reference.thermal_stress, in_body + i);
+                    }
+                  });
+  for (std::size_t t = 0; t < surface_.size(); ++t)
+  {
+    const std::span<const double> field = reference.displacement[t];
+    surface_[t].assign(field.empty() ? 0 : cells_.surface.size(), 0.0);
+    moved_[t] = surface_[t];
+    if (!field.empty())
+      for_surface_rows([&](std::size_t from, std::size_t to)
+                       { std::copy_n(field.data() + from, count, surface_[t].data() + to); });
+  }
+  load_ = *reference.load;
+}
+
+bool Window::is_at_end(int column) const
+{
+  const int last = columns_.first + columns_.count - 1;
+  return (column <= columns_.first && columns_.first > 0) || (column >= last && last + 1 < body_.surface.nx);
+}
+
+bool Window::holds(const halfspace::SurfaceLoad& load) const
+{
+  const SurfaceGrid& s = body_.surface;
+  const auto parts = parts_of(load);
+  const auto agree = [&](std::size_t t, int first, int last, int row)
+  {
+    for (int i = first; i < last; ++i)
+      if (const std::size_t cell = s.index(i, row); value_at(parts[t], cell) != value_at(load_[t], cell))
+        return false;
+    return true;
+  };
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    for (int j = 0; j < s.ny && !(parts[t].empty() && load_[t].empty()); ++j)
+      if (!agree(t, 0, columns_.first, j) || !agree(t, columns_.first + columns_.count, s.nx, j))
+        return false;
+  return true;
+}
+
+Window::Part& Window::part()
+{
+  std::unique_ptr<Part>& part = parts_[length_];
+  if (!part)
+  {
+    halfspace::HalfSpace half_space(cells_, elastic_, body_.surface);
+    halfspace::HalfSpace::Work work = half_space.make_guest();
+    part = std::make_unique<Part>(Part{std::move(half_space), std::move(work)});
+  }
+  return *part;
+}
+
+void Window::load(std::span<const double> strain, int layers, halfspace::Displacements displacements,
+                  const std::array<std::span<double>, 3>& displacement, halfspace::HalfSpace::Work& host)
+{
+  layers_ = layers;
+  const auto count = static_cast<std::size_t>(columns_.count);
+  for (std::size_t c = 0; c < Deviator::size; ++c)
+    for_told_rows(body_.nz,
+                  [&](std::size_t from, std::size_t to)
+                  {
+                    const std::size_t in_body = c * body_.size() + from, here = c * cells_.size() + to;
+                    for (std::size_t i = 0; i < count; ++i)
+                      change_[here + i] = strain[in_body + i] - strain_[here + i];
+                  });
+  Part& operators = part();
+  halfspace::HalfSpace::exchange_buffers(operators.work, host);
+  loaded_.emplace(operators.half_space.load(change_, layers, operators.work, displacements, symmetry_));
+  std::array<std::span<double>, 3> wanted;
+  for (std::size_t t = 0; t < wanted.size(); ++t)
+    if (!displacement[t].empty())
+      wanted[t] = moved_[t];
+  loaded_->displacement({.z = wanted[0], .x = wanted[1], .y = wanted[2]});
+  halfspace::HalfSpace::exchange_buffers(operators.work, host);
+  for (std::size_t t = 0; t < wanted.size(); ++t)
+    for_surface_rows(
+        [&](std::size_t to, std::size_t from)
+        {
+          for (std::size_t i = 0; i < (wanted[t].empty() ? 0 : count); ++i)
+            displacement[t][to + i] = surface_[t][from + i] + moved_[t][from + i];
+        });
+}
+
+void Window::stress(const halfspace::SurfaceLoad& load, std::span<const double> thermal_stress,
+                    std::span<double> stress, halfspace::HalfSpace::Work& host)
+{
+  const auto count = static_cast<std::size_t>(columns_.count);
+  const auto parts = parts_of(load);
+  for (std::size_t t = 0; t < parts.size(); ++t)
+  {
+    added_[t].assign(parts[t].empty() && load_[t].empty() ? 0 : cells_.surface.size(), 0.0);
+    for_surface_rows(
+        [&](std::size_t from, std::size_t to)
+        {
+          for (std::size_t i = 0; i < (added_[t].empty() ? 0 : count); ++i)
+            added_[t][to + i] = value_at(parts[t], from + i) - value_at(load_[t], from + i);
+        });
+  }
+  Part& operators = part();
+  halfspace::HalfSpace::exchange_buffers(operators.work, host);
+  loaded_->stress({.pressure = added_[0], .shear_x = added_[1], .shear_y = added_[2]}, answer_);
+  halfspace::HalfSpace::exchange_buffers(operators.work, host);
+  for (std::size_t c = 0; c < Deviator::size; ++c)
+    for_told_rows(layers_,
+                  [&](std::size_t to, std::size_t from)
+                  {
+                    const std::size_t in_body = c * body_.size() + to, here = c * cells_.size() + from;
+                    for (std::size_t i = 0; i < count; ++i)
+                      stress[in_body + i] =
+                          stress_[here + i] + answer_[here + i] + value_at(thermal_stress, in_body + i);
+                  });
+}
+
+} // namespace brinell::elastoplastic
