@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <fmt/format.h>
+#include <functional>
 #include <omp.h>
 #include <optional>
 #include <utility>
@@ -87,12 +88,14 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   {
     return stop.after_step() || (Results::keeps_checkpoints && seconds_since(checkpoint_time) >= c.checkpoint_interval);
   };
-  observer.on_checkpoint = [&](const Record& record, Archive::Fields state)
+  observer.on_checkpoint = [&](const Record& record, const std::function<void(Archive&)>& state)
   {
-    Archive archive;
-    archive("snapshot_choice", choice);
-    state.merge(std::move(archive).fields());
-    results.add_checkpoint(record.step, std::move(state));
+    const auto with_choice = [&](Archive& archive)
+    {
+      state(archive);
+      archive("snapshot_choice", choice);
+    };
+    results.add_checkpoint(record.step, with_choice);
     checkpoint_time = Clock::now();
     if (stop.after_step())
       throw Interrupted();

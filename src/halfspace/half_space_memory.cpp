@@ -11,7 +11,8 @@ namespace brinell::halfspace
 
 MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 {
-  // As in BlockedFft: blocks of wavenumbers along x, and rows along y with their padding or without.
+  // As in BlockedFft: blocks of wavenumbers along x, and rows along y with their padding or without. Rows of the strain lie
+  // where its stress comes to lie.
   const PaddedLengths padded = padded_lengths(grid.surface);
   const int along_x = padded.x / 2 + 1, along_y = padded.y / 2 + 1; // wavenumbers of half of the spectrum
   const double blocks = std::ceil(along_x / static_cast<double>(lane_count));
@@ -23,7 +24,7 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 
   // ImageCorrection hardly depends on the grid.
   constexpr double images = 2.5e6;
-  const double strain_and_stress = deviators * (blocks * (rows + pitch) + pitch);
+  const double strain_and_stress = deviators * (blocks * pitch + pitch);
   const double surface = tractions * blocks * (rows + pitch) + 1.5 * grid.nz * pitch;
   return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images,
           .work = (strain_and_stress + surface) * sizeof(ComplexLanes),

@@ -23,7 +23,7 @@ void HalfSpace::Operators::transform_strain_mirrored(std::span<const double> pla
         image_correction.take(plastic_strain.data() + field_at(part.component, part.layer), part.component, part.layer,
                               work.symmetry, work.images);
     if (!plane.is_empty())
-      mirrored_fft.rows_forward(plastic_strain.data(), number, layers, work.rows.data(), scratch);
+      mirrored_fft.rows_forward(plastic_strain.data(), number, layers, work.rows(mirrored_fft.rows_size()), scratch);
   }
 }
 

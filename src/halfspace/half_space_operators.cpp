@@ -57,9 +57,8 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
     work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
                              AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
-  work->rows.resize(std::max(volume_fft.rows_size(), mirrored_fft.rows_size()));
   work->strain.resize(volume_fft.block_size());
-  work->stress.resize(volume_fft.block_size() * blocks);
+  work->stress.resize(std::max({volume_fft.block_size() * blocks, volume_fft.rows_size(), mirrored_fft.rows_size()}));
   work->displacement_parts.resize(static_cast<std::size_t>(part_at(parts_for(grid.nz), 0)));
   work->displacement_rows.front().resize(surface_fft.rows_size());
   work->surface.front().resize(surface_fft.block_size() * blocks);
@@ -154,7 +153,7 @@ void HalfSpace::Operators::transform_strain(std::span<const double> plastic_stra
     const int layer = plane / Deviator::size;
     const double* strain = plastic_strain.data() + field_at(component, layer);
     image_correction.take(strain, component, layer, Symmetry::none, work.images);
-    volume_fft.rows_forward(strain, plane, work.rows.data(), scratch.fft);
+    volume_fft.rows_forward(strain, plane, work.rows(volume_fft.rows_size()), scratch.fft);
   }
 }
 
@@ -174,15 +173,15 @@ void HalfSpace::Operators::transform_layers(int block, int part, int layers,
 {
   const bool is_mirrored = work.symmetry != Symmetry::none;
   if (is_mirrored)
-    mirrored_fft.columns_forward(work.rows.data(), block, part, layers, work.strain.data(), volume_fft.pitch(),
-                                 scratch.mirrored);
+    mirrored_fft.columns_forward(work.rows(mirrored_fft.rows_size()), block, part, layers, work.strain.data(),
+                                 volume_fft.pitch(), scratch.mirrored);
   ComplexLanes* sums = work.displacement_parts.data() + part_at(part, 0);
   std::fill_n(sums, part_at(1, 0), ComplexLanes{});
   for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
   {
     ComplexLanes* strain = work.strain.data() + volume_fft.plane_at(0, Deviator::size * layer);
     for (int component = 0; component < Deviator::size && !is_mirrored; ++component)
-      volume_fft.columns_forward(work.rows.data(), block, Deviator::size * layer + component,
+      volume_fft.columns_forward(work.rows(volume_fft.rows_size()), block, Deviator::size * layer + component,
                                  strain + static_cast<std::ptrdiff_t>(component) * volume_fft.pitch(), scratch.fft);
     for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
       kernels[t]->add_displacement(block, layer, spectrum_rows(work.symmetry), strain, sums + part_at(0, t));

@@ -41,9 +41,8 @@ struct HalfSpace::Work::Buffers
     MirroredFft::Scratch mirrored;
   };
   std::vector<Scratch> threads;       ///< one per thread
-  AlignedVector<ComplexLanes> rows;   ///< of the strain
   AlignedVector<ComplexLanes> strain; ///< spectrum of one block
-  AlignedVector<ComplexLanes> stress; ///< spectra of all blocks, of the strain loaded
+  AlignedVector<ComplexLanes> stress; ///< spectra of all blocks, of the strain loaded; before them, rows of the strain
   /// Displacements of the surface by a few layers each, in one block: the order of their sum is that of the layers, however
   /// many threads there are.
   AlignedVector<ComplexLanes> displacement_parts; ///< [part][traction][pitch]
@@ -55,6 +54,11 @@ struct HalfSpace::Work::Buffers
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
   long number = 0;                                     ///< of the strain loaded
+
+  /// Rows of the strain between its transforms along x and y lie at the end of the memory of the stress: block by block they are
+  /// read before the spectrum of the block is written, which ends where the rows of the next block begin, or before.
+  /// @param size  of the rows of all blocks
+  [[nodiscard]] ComplexLanes* rows(std::size_t size) { return stress.data() + (stress.size() - size); }
 };
 
 struct HalfSpace::Operators

@@ -302,7 +302,7 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
     require_finite_depth(lower, upper, drive.value, domain);
   const Pair pair = pair_of(lower, upper, domain, friction);
   if (domain.is_periodic() && are_flat(lower, upper) && !are_smooth(lower, upper))
-    return of_flats(lower, upper, pair.modulus, pair.yield_pressure, domain);
+    return of_flats(lower, upper, pair.modulus, pair.yield_pressure, drive, domain);
   Footprint f = smooth_footprint(lower, upper, drive, domain, friction);
   if (!domain.is_periodic())
   {
@@ -339,6 +339,7 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
           {scale * 1.6 * f.over_x, scale * reach_y, track_lower + scale * reach_x, track_upper + scale * reach_x,
            scale * f.depth},
           numerics.domain, plan);
+  plan.contact_share = f.contact_share;
   // Not so small a change of displacement that the tolerance of the contact hides it.
   plan.scales = {std::clamp(f.first_yield_approach, 1e-2 * f.approach, f.approach), f.approach};
 }

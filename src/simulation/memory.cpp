@@ -55,10 +55,11 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
 }
 
 /// What the cells in the fixed point take in an increment, with the history of the accelerator. Their number is not known
-/// before: a plastic zone fills less of a box than of its section.
-double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material, int anderson_depth)
+/// before: a plastic zone fills less of a box than of its section, and of a period little more than what lies under peaks.
+double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material, int anderson_depth,
+                   double contact_share)
 {
-  const double active_share = is_plane(grid.surface) ? 0.5 : 0.15;
+  const double active_share = is_plane(grid.surface) ? 0.5 : std::min(0.15, 0.75 * contact_share);
   const double of_unknowns = 5.0 * (2.0 * anderson_depth + 9.0);
   return material.is_plastic() ? field_bytes(grid, active_share * of_unknowns) : 0.0;
 }
@@ -73,9 +74,13 @@ double output_bytes(const VolumeGrid& grid, const constitutive::Material& materi
   return std::max(field_bytes(grid, 6.0) + work + half_space.trace, field_bytes(grid, 12.0));
 }
 
-double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& material)
+/// The checkpoint from which a run is taken up, before there is any work. It is written without a copy in memory.
+double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
-  return material.is_plastic() ? field_bytes(grid, fields_of_state(material)) : 0.0;
+  if (!material.is_plastic())
+    return 0.0;
+  const double state = field_bytes(grid, fields_of_state(material));
+  return std::max(0.0, state - halfspace::memory_of_half_space(grid, shears).work);
 }
 
 /// The heat of a body, on a grid a third longer and wider than its own: some sixty waves in depth, on lattices that take
@@ -117,9 +122,9 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
     if (has_twin && grid == &plan.upper)
       continue;
     bodies += body_bytes(*grid, *material, shears) + (has_heat ? heat_bytes(*grid, *material, plan.symmetry) : 0.0);
-    trials += trial_bytes(*grid, *material, anderson_depth);
+    trials += trial_bytes(*grid, *material, anderson_depth, plan.contact_share);
     bodies += window_bytes(plan, *grid, *material, shears);
-    checkpoint += checkpoint_bytes(*grid, *material);
+    checkpoint += checkpoint_bytes(*grid, *material, shears);
   }
   constexpr double holes = 1.05; // between the fields
   return program + holes * (contact_bytes(plan.contact, shears) + bodies + std::max({trials, output, checkpoint}));

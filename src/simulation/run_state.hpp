@@ -217,8 +217,13 @@ template <typename Case>
 Archive::Fields Run<Case>::checkpoint()
 {
   Archive archive;
-  state_->exchange(archive);
+  checkpoint(archive);
   return std::move(archive).fields();
+}
+template <typename Case>
+void Run<Case>::checkpoint(Archive& archive)
+{
+  state_->exchange(archive);
 }
 template <typename Case>
 auto Run<Case>::summary() const -> Summary

@@ -137,8 +137,22 @@ void add_textures(const ShapedBody& lower, const ShapedBody& upper, const Drive&
     f.depth = std::min(f.depth, longest);
 }
 
+namespace
+{
+
+/// Of the period that touches under a mean pressure: of elastic roughness in light contact (Bush, Gibson, Thomas 1975), and
+/// what peaks that yield all over take beside that, at their hardness.
+double contact_share(double pressure, double modulus, double slope, double yield_pressure)
+{
+  constexpr double hardness = 1.75; // over the peak pressure at first yield: 2.8 over 1.6
+  const double elastic = std::sqrt(2.0 * std::numbers::pi) * pressure / (modulus * slope);
+  return std::min(1.0, elastic + pressure / (hardness * yield_pressure));
+}
+
+} // namespace
+
 Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modulus, double yield_pressure,
-                   const Domain& domain)
+                   const Drive& drive, const Domain& domain)
 {
   constexpr double rounding = 1e-9;
   const SurfaceGrid grid = sampled_period(domain);
@@ -164,6 +178,9 @@ Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modu
   f.depth = length; // over it exp(-kz) (1 + kz) falls to 1.4 %
   f.over_x = 0.5 * domain.x.size;
   f.over_y = 0.5 * domain.y.size;
+  if (drive.kind == Drive::Kind::load)
+    f.contact_share =
+        contact_share(drive.value / (domain.x.size * domain.y.size), modulus, together.slope, yield_pressure);
   return f;
 }
 

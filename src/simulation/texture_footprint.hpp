@@ -18,6 +18,6 @@ void add_textures(const ShapedBody& lower, const ShapedBody& upper, const contac
 /// @param yield_pressure  peak pressure at which a point contact first yields [Pa]
 /// @throws KeyError of textures that leave the distance of the bodies the same everywhere
 [[nodiscard]] Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modulus,
-                                 double yield_pressure, const Domain& domain);
+                                 double yield_pressure, const contact::Drive& drive, const Domain& domain);
 
 } // namespace brinell::simulation

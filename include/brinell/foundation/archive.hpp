@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -22,9 +24,13 @@ class Archive
 {
 public:
   using Fields = std::map<std::string, std::vector<double>>;
+  /// Takes the numbers of a field, which are valid during the call.
+  using Take = std::function<void(const std::string& name, std::span<const double> values)>;
 
   /// An empty archive: stores every number that it is shown.
   Archive() = default;
+  /// Hands every field on as it is shown, and keeps none.
+  explicit Archive(Take take) : take_(std::move(take)) {}
   /// A filled archive: gives the stored numbers back to the members that it is shown. It copies nothing: numbers that are not
   /// handed over must outlive it.
   explicit Archive(const Fields& stored) : lent_(&stored), gives_(true) {}
@@ -34,7 +40,7 @@ public:
   void operator()(const std::string& name, std::vector<double>& values)
   {
     if (!gives())
-      fields_[prefix_ + name] = values;
+      keep(name, values);
     else if (const std::vector<double>& field = at(name); field.size() == values.size())
       values = field;
     else
@@ -98,6 +104,8 @@ public:
         for (const auto& [member, value] : one.fields_)
           fields_[first + member].push_back(value.front());
     }
+    for (; take_ && !fields_.empty(); fields_.erase(fields_.begin()))
+      take_(fields_.begin()->first, fields_.begin()->second);
   }
 
   [[nodiscard]] bool gives() const { return gives_; }
@@ -105,11 +113,18 @@ public:
   [[nodiscard]] Fields fields() && { return std::move(fields_); }
 
 private:
+  void keep(const std::string& name, std::span<const double> values)
+  {
+    if (take_)
+      take_(prefix_ + name, values);
+    else
+      fields_[prefix_ + name].assign(values.begin(), values.end());
+  }
   template <typename Number>
   void exchange_number(const std::string& name, Number& value)
   {
-    if (!gives())
-      fields_[prefix_ + name] = {static_cast<double>(value)};
+    if (const auto number = static_cast<double>(value); !gives())
+      keep(name, {&number, 1});
     else
       value = static_cast<Number>(at(name).front());
   }
@@ -154,6 +169,7 @@ private:
     return found->second;
   }
 
+  Take take_; ///< instead of keeping them
   Fields fields_;
   const Fields* lent_ = nullptr; ///< instead of these
   bool gives_ = false;

@@ -6,6 +6,7 @@
 #include "brinell/io/history_csv.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -54,7 +55,7 @@ public:
   /// Its fields, with the columns as attributes. @throws IoError
   void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   /// The state after a step, replacing the one before. @throws IoError
-  void add_checkpoint(int step, Archive::Fields fields);
+  void add_checkpoint(int step, const std::function<void(Archive&)>& state);
 
   /// The state after the last step. @throws IoError
   void add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns);

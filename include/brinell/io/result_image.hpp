@@ -5,6 +5,7 @@
 #include "brinell/io/case_file.hpp"
 #include "brinell/io/history_csv.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,7 +28,7 @@ public:
 
   /// None: nothing can be resumed.
   [[nodiscard]] static std::optional<Archive::Fields> take_checkpoint() { return std::nullopt; }
-  void add_checkpoint(int, const Archive::Fields&) {}
+  void add_checkpoint(int, const std::function<void(Archive&)>&) {}
 
   /// A row of the history.
   void add(const std::vector<NamedNumber>& columns);

@@ -42,6 +42,8 @@ public:
   [[nodiscard]] StepFields fields() const;
   /// Everything that the rest of the run depends on.
   [[nodiscard]] Archive::Fields checkpoint();
+  /// The same, shown to an archive, which may store it without a copy in memory.
+  void checkpoint(Archive& archive);
   /// Of the steps so far.
   [[nodiscard]] Summary summary() const;
   /// The same without the fields within the bodies in its `final_state`.
@@ -65,7 +67,7 @@ void finish(Run<Case>& going, const Observer<typename Case::Record>& observer = 
     if (observer.wants_snapshot && observer.on_snapshot && observer.wants_snapshot(record))
       observer.on_snapshot(record, going.fields());
     if (observer.wants_checkpoint && observer.on_checkpoint && observer.wants_checkpoint(record))
-      observer.on_checkpoint(record, going.checkpoint());
+      observer.on_checkpoint(record, [&](Archive& archive) { going.checkpoint(archive); });
   }
 }
 

@@ -105,6 +105,7 @@ struct Plan
   int steps = 0;                                        ///< estimate
   elastoplastic::Twin twin = elastoplastic::Twin::none; ///< other than none: one body is solved
   Symmetry symmetry = Symmetry::none;                   ///< other than none: half of each body is solved
+  double contact_share = 1.0;                           ///< of a period that touches, estimate; 1 where none tells
   double memory_bytes = 0.0;
   elastoplastic::Scales scales; ///< of the tolerances
   double reference = 0.0;       ///< of the displacement with one periodic axis [m]
@@ -282,8 +283,9 @@ struct Observer : Watch
   std::function<bool(const Record&)> wants_snapshot;
   std::function<void(const Record&, const StepFields&)> on_snapshot;
   std::function<bool(const Record&)> wants_checkpoint;
-  /// Everything that the rest of the run depends on: to be given to `run` later.
-  std::function<void(const Record&, Archive::Fields)> on_checkpoint;
+  /// Shows everything that the rest of the run depends on to an archive, as often as it is called: to be given to `run` later.
+  using Checkpoint = std::function<void(Archive&)>;
+  std::function<void(const Record&, const Checkpoint&)> on_checkpoint;
 };
 
 } // namespace brinell::simulation

@@ -100,7 +100,7 @@ void write_virtual_dataset(const Handle& group, const char* name, std::span<cons
                            std::span<const VirtualPart> parts);
 
 /// Plain numbers, as they are. What is read is trusted in nothing: types and sizes are checked.
-void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values);
+void write_numbers(const Handle& group, const std::string& name, std::span<const double> values);
 [[nodiscard]] std::vector<double> read_numbers(const Handle& group, const std::string& name);
 /// Names of the objects in a group.
 [[nodiscard]] std::vector<std::string> names(const Handle& group);

@@ -181,7 +181,7 @@ void write_virtual_dataset(const Handle& group, const char* name, std::span<cons
   (void)write_dataset_of(group, name, H5T_NATIVE_DOUBLE, shape, nullptr, creation.id());
 }
 
-void write_numbers(const Handle& group, const std::string& name, const std::vector<double>& values)
+void write_numbers(const Handle& group, const std::string& name, std::span<const double> values)
 {
   const hsize_t size = values.size();
   (void)write_dataset_of(group, name, H5T_NATIVE_DOUBLE, {&size, 1}, values.data());

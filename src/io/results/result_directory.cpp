@@ -15,6 +15,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 #include <sys/file.h>
 #include <unistd.h>
@@ -78,24 +79,24 @@ std::string program()
   return versions.brinell + " " + versions.git_hash;
 }
 
-/// Empties the fields on the way.
-void write_checkpoint(const fs::path& path, int step, const std::string& history_sum, Archive::Fields&& fields)
+/// Field by field, without a copy in memory.
+void write_checkpoint(const fs::path& path, int step, const std::string& history_sum,
+                      const std::function<void(Archive&)>& state)
 {
   constexpr std::size_t around = 1 << 18, around_a_field = 1 << 10; // bytes
   std::size_t size = around;
-  for (const auto& [name, values] : fields)
-    size += around_a_field + sizeof(double) * values.size();
+  Archive sizes([&](const std::string&, std::span<const double> values)
+                { size += around_a_field + values.size_bytes(); });
+  state(sizes);
   Replacement replacement(path);
   replacement.require_room(size);
   h5::Handle file = h5::create_file(replacement.part());
   h5::write_attribute(file, "step", step);
   h5::write_attribute(file, "program", program());
   h5::write_attribute(file, "history", history_sum);
-  while (!fields.empty())
-  {
-    const auto field = fields.extract(fields.begin());
-    h5::write_numbers(file, field.key(), field.mapped());
-  }
+  Archive written([&](const std::string& name, std::span<const double> values)
+                  { h5::write_numbers(file, name, values); });
+  state(written);
   h5::close_file(std::move(file));
   replacement.seal(checkpoint_mark);
   replacement.commit();
@@ -241,12 +242,14 @@ void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, con
   state_->result.add_step(step, columns, fields);
 }
 
-void ResultDirectory::add_checkpoint(int step, Archive::Fields fields)
+void ResultDirectory::add_checkpoint(int step, const std::function<void(Archive&)>& state)
 {
-  Archive archive;
-  archive("result", state_->result);
-  fields.merge(std::move(archive).fields());
-  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), std::move(fields));
+  const auto with_pieces = [&](Archive& archive)
+  {
+    state(archive);
+    archive("result", state_->result);
+  };
+  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), with_pieces);
 }
 
 void ResultDirectory::add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns)

@@ -59,6 +59,21 @@ TEST(ArchiveTest, GivesBackWhatItTookIn)
   }
 }
 
+TEST(ArchiveTest, HandsOnWhatItWouldKeep)
+{
+  for (Outer original : {sample(), Outer{}})
+  {
+    Archive keeping;
+    original.exchange(keeping);
+    Archive::Fields taken;
+    Archive handing([&](const std::string& name, std::span<const double> values)
+                    { EXPECT_TRUE(taken.emplace(name, std::vector(values.begin(), values.end())).second) << name; });
+    original.exchange(handing);
+    EXPECT_EQ(taken, keeping.fields());
+    EXPECT_TRUE(handing.fields().empty());
+  }
+}
+
 TEST(ArchiveTest, ListsOfPartsAreColumns)
 {
   Outer original = sample();
