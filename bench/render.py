@@ -18,6 +18,7 @@ END = "<!-- measured: end -->"
 # Benchmarks by their question, in the order of the page.
 QUESTIONS = {
     "tugging_paper": "The paper's case, all in all",
+    "sliding_step": "A step of two rough surfaces that yield and slide, on 64, 128, 256 squared cells with 24 layers",
     "residual_stress": "One residual-stress evaluation, on 45 x 13 x 31 cells refined 1, 2 and 4 times",
     "symmetric_residual_stress": "The same where both sides of y = 0 are mirror images: half of each field",
     "residual_stress_of_powers": "One residual-stress evaluation on powers of two, which strain the caches",
@@ -28,6 +29,9 @@ QUESTIONS = {
 QUANTITIES = {
     "over_transforms": "time over that of the bare transforms",
     "ns_per_cell": "time per cell",
+    "ns_per_cell_and_evaluation": "time per cell and evaluation",
+    "processor_s_per_step": "processor time [s]",
+    "contact_percent": "real contact [%]",
     "bytes_per_cell": "memory per cell",
     "evaluations_per_step": "evaluations per step",
     "split_increments": "increments that had to be split",
