@@ -131,7 +131,7 @@ TEST(Sliding, OfElasticWavesGivesAllWorkBack)
 TEST(Sliding, ConvergesWithPlasticity)
 {
   // With the cells the steps get shorter, too. The limit is where two orders lead from the last two.
-  std::vector<double> balances, friction, plastic;
+  std::vector<double> balances, friction, plastic, contact;
   for (const int cells : {16, 32, 64})
   {
     if (slow_build && cells > 16)
@@ -140,6 +140,7 @@ TEST(Sliding, ConvergesWithPlasticity)
     balances.push_back(run.summary.energy_balance_error);
     friction.push_back(run.summary.strokes[0].friction_ploughing);
     plastic.push_back(run.summary.strokes[0].dissipation_plastic);
+    contact.push_back(run.summary.strokes[0].contact_fraction);
     EXPECT_EQ(run.summary.split_increments, 0);
   }
   const auto errors = [](const std::vector<double>& of)
@@ -156,6 +157,12 @@ TEST(Sliding, ConvergesWithPlasticity)
                       1.0 + errors(friction)[1], 0.85, 0.95, "second order from 64 cells");
   test::expect_within("yielding waves: plastic work of 32 cells, share of the limit", 1.0 + errors(plastic)[1], 0.93,
                       0.98, "second order from 64 cells");
+  EXPECT_GT(
+      test::Orders("yielding waves: change of the contact fraction", {contact[1] - contact[0], contact[2] - contact[1]})
+          .overall,
+      1.7);
+  test::expect_close("yielding waves: contact fraction of 32 cells over that of 64, less 1",
+                     contact[1] / contact[2] - 1.0, 0.0, 5e-3, "an edge of the contact is known to a share of a cell");
 }
 
 TEST(Sliding, SurfacesRunIn)
