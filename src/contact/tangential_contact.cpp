@@ -62,6 +62,27 @@ void require_force_below(double carried, const TangentialDrive& drive)
                     size, carried));
 }
 
+/// After a step that has made the energy larger.
+/// @param again  a step shortly before had, too: part of the way could lead here for ever, where a few cells have to cross their
+///               disc and the cut at its edge takes more than the way has gained
+/// @returns whether the displacement is that of the shears but for rounding: between two points of a disc's edge shears are within it
+template <typename Iteration>
+bool go_back(Iteration& it, bool again)
+{
+  if (!again && it.retreat())
+    return true;
+  if (again)
+  {
+    it.move_worst();
+    it.displace();
+    if (it.has_descended())
+      return false;
+  }
+  it.follow_gradient();
+  it.displace();
+  return false;
+}
+
 } // namespace
 
 /// By the same step on larger cells, on large grids.
@@ -104,7 +125,9 @@ TangentialReport TangentialContact::solve(const TangentialStep& step, double tol
   it.start(step, shear);
   TangentialReport report;
   improve_guess(step, tolerance, report, shear, wants_stop);
-  bool is_known = true; // the displacement, but for rounding
+  constexpr int soon = 16; // iterations after a retreat within which another one is a sign of going in circles
+  int retreated = -soon;   // in which iteration
+  bool is_known = true;    // the displacement, but for rounding
   for (int followed = 0;; ++report.iterations)
   {
     if (wants_stop && report.iterations % few == 0 && wants_stop())
@@ -120,10 +143,8 @@ TangentialReport TangentialContact::solve(const TangentialStep& step, double tol
       if (!it.has_descended() && !is_last)
       {
         ++report.retreats;
-        if (it.retreat())
-          followed = 1; // between two points of a disc's edge shears are within it
-        else
-          it.displace();
+        followed = go_back(it, report.iterations - retreated < soon) ? 1 : 0;
+        retreated = report.iterations;
       }
       it.settle(report);
       it.keep();

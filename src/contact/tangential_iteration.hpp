@@ -39,8 +39,13 @@ public:
   [[nodiscard]] bool advance(double step, double error);
   /// Cuts what exceeds its bound.
   void restore_bounds();
-  /// Back towards what was kept, so far that the energy is less than there. @returns whether the displacement is known
+  /// Back towards what was kept, so far that the energy is less than there; the displacement stays known.
+  /// @returns whether there is such a place on the way
   [[nodiscard]] bool retreat();
+  /// From what was kept, all cells a little along their slip: the energy becomes smaller.
+  void follow_gradient();
+  /// From what was kept, those cells whose slip is most wrong to where it is right if they are far apart.
+  void move_worst();
   void finish(TangentialReport& report, const AlongSurface& shear, const AlongSurface& slip) const;
 
 private:
@@ -72,10 +77,21 @@ private:
   void combine(double beta);
   void bound_shears(bool of_slip);
   [[nodiscard]] double excess_allowed(double error) const;
+  /// Lays values of the cells on the grid, with nothing in the others.
   template <typename Value>
-  void lay_out(const Value& value);
+  void lay_out(const Value& value)
+  {
+    all_.clear();
+    for (std::size_t i = 0; i < cells(); ++i)
+      all_.set(cells_[i], value(i));
+  }
+  /// Takes values of the cells from the grid.
   template <typename Use>
-  void take_in(const Use& use);
+  void take_in(const Use& use)
+  {
+    for (std::size_t i = 0; i < cells(); ++i)
+      use(i, all_.at(cells_[i]));
+  }
   void multiply();
 
   const halfspace::TractionCompliance& compliance_;

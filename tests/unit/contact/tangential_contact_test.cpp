@@ -446,5 +446,41 @@ TEST(FrictionalContactTest, OfDissimilarBodiesMeetsBothProblemsAtOnce)
   EXPECT_THROW((void)contact.step(distance, {}, {}, -0.1, tolerances, state, gap, slip.out()), InputError);
 }
 
+TEST(FrictionalContactTest, ABallIsPressedOnAnUnlikeFlatInAFewIterations)
+{
+  // At the rim a few cells have to cross their disc, at a step or a turn that is not known before. Part of the way back then led
+  // to the same place again and again, for hundreds of iterations or until the last one allowed.
+  struct Case
+  {
+    double friction, poisson_ratio, young_modulus;
+  };
+  for (const Case& c : {Case{0.3, 0.3, 1.0 / 3.0}, {0.3, 0.1, 0.2}, {0.3, 0.17, 1.0 / 3.0}, {0.6, 0.1, 1.0 / 3.0}})
+    for (const int cells : {36, 37})
+    {
+      const SurfaceGrid g{cells, cells, 1.0 / 12.0, 1.0 / 12.0};
+      const Elastic stiff{1.0, 0.3}, soft{c.young_modulus, c.poisson_ratio};
+      const halfspace::SurfaceCompliance normal(g, contact_modulus(stiff, soft));
+      const halfspace::TractionCompliance tractions(g, stiff, soft);
+      FrictionalContact contact(normal, tractions);
+      Field distance(g.size()), gap(g.size());
+      for (int j = 0; j < g.ny; ++j)
+        for (int i = 0; i < g.nx; ++i)
+          distance[g.index(i, j)] = 0.5 * (std::pow(g.x(i), 2) + std::pow(g.y(j), 2)) / 100.0;
+      const double last_load = 4.0 / 3.0 * contact_modulus(stiff, soft) / 100.0; // of a radius of 12 cells
+      FrictionState state(g.size());
+      Fields slip(g.size());
+      FrictionTolerances tolerances;
+      tolerances.gap = tolerances.slip = 1e-10;
+      tolerances.max_iterations = 30; // of each turn: most need fewer than 10
+      for (int step = 1; step <= 10; ++step)
+      {
+        const FrictionReport report = contact.step(distance, {Drive::Kind::load, last_load * step / 10.0}, {},
+                                                   c.friction, tolerances, state, gap, slip.out());
+        EXPECT_TRUE(report.converged) << c.friction << ' ' << cells << " step " << step << " turn "
+                                      << report.alternations << ": " << report.tangential.slip_error << " m";
+      }
+    }
+}
+
 } // namespace
 } // namespace brinell::contact

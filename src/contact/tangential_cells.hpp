@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/tangential_contact.hpp"
+#include "foundation/sharing.hpp"
+#include "friction_discs.hpp"
+
+#include <cstddef>
+
+/// What `TangentialContact` does with many cells at once: the same in each, and sums that do not depend on the threads.
+namespace brinell::contact
+{
+
+/// work(cell) for all cells.
+template <typename Work>
+void for_cells(std::size_t cells, const Work& work)
+{
+  for_pieces(cells,
+             [&](std::size_t first, std::size_t last)
+             {
+#pragma omp simd
+               for (std::size_t i = first; i < last; ++i)
+                 work(i);
+             });
+}
+
+/// Sum of part(cell).
+template <typename Part>
+auto sum_of_cells(std::size_t cells, const Part& part)
+{
+  return sum_of_pieces(cells,
+                       [&](std::size_t first, std::size_t last)
+                       {
+                         decltype(part(first)) sum{};
+                         for (std::size_t i = first; i < last; ++i)
+                           sum += part(i);
+                         return sum;
+                       });
+}
+
+/// The largest of values, under +=; a NaN stays.
+struct Largest
+{
+  double value = 0.0;
+  Largest& operator+=(const Largest& other)
+  {
+    value = larger(value, other.value);
+    return *this;
+  }
+};
+
+[[nodiscard]] inline double square(const Along& a)
+{
+  return dot(a, a);
+}
+
+/// Whether a shear is as large as its bound.
+/// @param threshold  share of the bound from which on it counts as such
+[[nodiscard]] inline bool is_bound(double square_of_shear, double bound, double threshold = slip_threshold)
+{
+  return square_of_shear >= threshold * threshold * bound * bound;
+}
+
+} // namespace brinell::contact
