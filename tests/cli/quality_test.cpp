@@ -235,4 +235,27 @@ TEST_F(QualityOfRuns, AnInterruptedSeriesTakesOverWhatIsFinished)
 
 } // namespace
 
+TEST_F(QualityOfRuns, TellWhereTheStrainOfASlidingSurfaceIsThatOfItsCells)
+{
+  write("case.toml", R"(scenario = "tugging"
+lower = {shape = {type = "sphere", radius = "10 um"}, material = {young_modulus = "200 GPa", poisson_ratio = 0.3, hardening = {law = "linear", yield_stress = "600 MPa", modulus = "0 GPa"}}}
+upper = {shape = {type = "sphere", radius = "10 um"}, material = {young_modulus = "200 GPa", poisson_ratio = 0.3}}
+tugging = {interference = 3}
+interface = {friction = 0.4}
+grid = {resolution = 4}
+output = {snapshots = "none"}
+)");
+  const auto tells = [&](const std::string& key, const std::string& value)
+  {
+    const Outcome outcome = run({"run", "case.toml", "-o", "out", "--set", key + "=" + value});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out.find("depends on the thickness of the uppermost layer") != std::string::npos;
+  };
+  EXPECT_TRUE(tells("lower.material.hardening.modulus", "0 GPa"));
+  EXPECT_GT(summary().at("max_share_at_shear_limit"), 0.0);
+  EXPECT_FALSE(tells("lower.material.hardening.modulus", "20 GPa"));
+  EXPECT_FALSE(tells("interface.shear_limit", "200 MPa")) << "a film below the strength of the body";
+  EXPECT_FALSE(tells("interface.friction", "0.05")) << "the limit is not reached";
+}
+
 } // namespace brinell::cli
