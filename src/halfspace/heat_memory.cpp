@@ -23,7 +23,7 @@ double cell_mean(double angle)
 } // namespace
 
 HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-                       Symmetry symmetry)
+                       Symmetry symmetry, const std::shared_ptr<const LayeredConduction>& layers)
     : fft_(grid, px, py, symmetry), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
       waves_(std::move(waves)), heat_(waves_.waves.size() * fft_.plane())
 {
@@ -37,6 +37,8 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
   if (waves_.has_fields)
     for (const SurfaceWave& wave : along_)
       slow_share_.push_back(waves_.slow_share(wave.k));
+  if (layers)
+    buried_.emplace(layers, along_, fft_.plane(), diffusivity_);
 }
 
 std::span<const SurfaceWave> HeatMemory::row_of_waves(int row) const
@@ -131,30 +133,58 @@ void HeatMemory::finish(double depth, std::span<const SurfaceWave> along, const 
   }
 }
 
-void HeatMemory::add_row(int row, const RowOfFields& wanted, DepthSums::Row& sums) const
+/// What the heat in the body adds to the sums at one depth.
+/// @param columns  that the sums have so far
+void HeatMemory::add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const
+{
+  DepthSums::Row& row = sums.of_surface;
+  const std::size_t first = number * row.pitch, parts = sums.buried.parts;
+  for (AlignedVector<double>* sum : {&row.temperature, &row.potential, &row.slope})
+    std::fill(sum->begin() + static_cast<std::ptrdiff_t>(first + 2 * columns),
+              sum->begin() + static_cast<std::ptrdiff_t>(first + parts), 0.0);
+  buried_->add(depth, factor, sums.buried,
+               {row.temperature.data() + first, row.potential.data() + first, row.slope.data() + first});
+}
+
+void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
 {
   const std::span<const SurfaceWave> along = row_of_waves(row);
   const RowEnd end = row_end(row, wanted.duration, wanted.factor);
-  wanted.sums.gather(along, heat_.data() + begin_of(row), fft_.plane(), sums);
-  finish_surface(along, end, sums);
+  DepthSums::Row& of_surface = sums.of_surface;
+  wanted.sums.gather(along, heat_.data() + begin_of(row), fft_.plane(), of_surface);
+  finish_surface(along, end, of_surface);
+  if (wanted.has_buried)
+  {
+    if (wanted.sums.has_layers())
+      buried_->gather(begin_of(row), along.size(), sums.buried);
+    buried_->add_potential_at_surface(begin_of(row), along.size(), wanted.factor,
+                                      complex_values(of_surface.at_surface, 0, along.size()).data());
+  }
   const std::size_t count = wanted.spectra.size() / wanted.depths.size();
   std::vector<Complex*> out(count);
   for (std::size_t first = 0; first < wanted.depths.size(); first += DepthSums::together)
   {
     const double least = wanted.depths[first].depth;
     if (wanted.sums.has_layers())
-      wanted.sums.sum(first, columns_that_reach(least, along), sums);
+      wanted.sums.sum(first, columns_that_reach(least, along), of_surface);
     for (std::size_t d = first; d < std::min(first + DepthSums::together, wanted.depths.size()); ++d)
     {
       const double depth = wanted.depths[d].depth;
-      const std::size_t columns = columns_that_reach(depth, along), at = (d - first) * sums.pitch;
+      std::size_t columns = columns_that_reach(depth, along);
+      const std::size_t at = (d - first) * of_surface.pitch;
       if (wanted.sums.has_layers())
-        finish(depth, along.first(columns), end, d - first, sums);
+        finish(depth, along.first(columns), end, d - first, of_surface);
+      if (wanted.sums.has_layers() && wanted.has_buried)
+      {
+        add_buried_row(depth, wanted.factor, columns, d - first, sums);
+        columns = along.size();
+      }
       for (std::size_t f = 0; f < count; ++f)
         out[f] = wanted.spectra[d * count + f].data() + begin_of(row);
-      wanted.fields_of_heat.waves({depth, along.first(columns), complex_values(sums.temperature, at, columns),
-                                   complex_values(sums.potential, at, columns), complex_values(sums.slope, at, columns),
-                                   complex_values(sums.at_surface, 0, columns)},
+      wanted.fields_of_heat.waves({depth, along.first(columns), complex_values(of_surface.temperature, at, columns),
+                                   complex_values(of_surface.potential, at, columns),
+                                   complex_values(of_surface.slope, at, columns),
+                                   complex_values(of_surface.at_surface, 0, columns)},
                                   out);
     }
   }
@@ -165,10 +195,13 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
 {
   std::vector<AlignedVector<Complex>> spectra(out.size(), AlignedVector<Complex>(fft_.plane()));
   const DepthSums sums(waves_.waves, depths, left_in_depth(duration));
-  const RowOfFields wanted{duration, factor, sums, depths, fields_of_heat, spectra};
+  const bool has_buried = buried_ && !buried_->is_cold();
+  const RowOfFields wanted{duration, factor, has_buried, sums, depths, fields_of_heat, spectra};
 #pragma omp parallel if (is_shared(fft_.plane()))
   {
-    DepthSums::Row of_row = sums.make_row(columns());
+    Row of_row{sums.make_row(columns())};
+    if (has_buried)
+      of_row.buried = buried_->make_row(columns());
 #pragma omp for schedule(static)
     for (int row = 0; row < fft_.rows(); ++row)
       add_row(row, wanted, of_row);
@@ -242,28 +275,73 @@ void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion,
   take_up_from(*before, flux, motion, true);
 }
 
-std::vector<double> HeatMemory::whole_heat() const
+void HeatMemory::take_up_in_body(const std::vector<std::vector<double>>& rise, double duration)
 {
-  const std::size_t waves = waves_.waves.size(), all = fft_.all().plane();
+  std::vector<AlignedVector<Complex>> spectra;
+  for (const std::vector<double>& layer : rise)
+    spectra.push_back(layer.empty() ? AlignedVector<Complex>{} : fft_.forward(layer));
+  buried_->take_up(spectra, duration);
+}
+
+void HeatMemory::add_buried(double factor, std::span<double> temperature) const
+{
+  if (!buried_ || buried_->is_cold())
+    return;
+  std::vector<AlignedVector<Complex>> spectra(1, AlignedVector<Complex>(fft_.plane()));
+  buried_->add_surface(0, along_.size(), spectra.front().data());
+  for (Complex& wave : spectra.front())
+    wave *= factor;
+  fft_.inverse(spectra, {false}, true, {temperature});
+}
+
+std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) const
+{
+  const std::size_t all = fft_.all().plane();
   AlignedVector<Complex> plane(all);
   std::vector<double> values;
-  values.reserve(2 * waves * all);
-  for (std::size_t w = 0; w < waves; ++w)
+  values.reserve(2 * planes.size() / fft_.plane() * all);
+  for (std::size_t at = 0; at < planes.size(); at += fft_.plane())
   {
-    fft_.complete(heat_.data() + w * fft_.plane(), plane.data());
+    fft_.complete(planes.data() + at, plane.data());
     const auto* parts = reinterpret_cast<const double*>(plane.data());
     values.insert(values.end(), parts, parts + 2 * all);
   }
   return values;
 }
 
+AlignedVector<Complex> HeatMemory::told(std::span<const double> values) const
+{
+  const std::size_t all = 2 * fft_.all().plane(), planes = values.size() / all;
+  AlignedVector<Complex> told(planes * fft_.plane());
+  for (std::size_t p = 0; p < planes; ++p)
+    std::copy_n(values.data() + p * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
+                reinterpret_cast<double*>(told.data() + p * fft_.plane()));
+  return told;
+}
+
+std::vector<double> HeatMemory::whole_heat() const
+{
+  return whole(heat_);
+}
+
 void HeatMemory::set_whole_heat(std::span<const double> values)
 {
-  const std::size_t waves = waves_.waves.size(), all = fft_.all().plane();
-  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves * all);
-  for (std::size_t w = 0; w < waves; ++w)
-    std::copy_n(values.data() + 2 * w * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
-                reinterpret_cast<double*>(heat_.data() + w * fft_.plane()));
+  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.all().plane());
+  heat_ = told(values);
+}
+
+std::vector<double> HeatMemory::whole_heat_in_body() const
+{
+  return buried_ && !buried_->is_cold() ? whole(buried_->modes()) : std::vector<double>{};
+}
+
+void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
+{
+  if (!buried_)
+    return;
+  require_size("HeatMemory::set_whole_heat_in_body: the heat", values,
+               values.empty() ? 0 : 2 * buried_->layers().size() * fft_.all().plane());
+  buried_->set_modes(told(values));
 }
 
 void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "brinell/halfspace/heat_response.hpp"
+#include "buried_heat.hpp"
 #include "depth_sums.hpp"
 #include "told_rows_fft.hpp"
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +32,9 @@ class HeatMemory
 public:
   /// @param grid      where flux and temperature are; periods px, py cells of it
   /// @param symmetry  of all fluxes: half of the waves along y tell all
-  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves, Symmetry symmetry);
+  /// @param layers    in which heat may arise; nullptr: in none
+  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves, Symmetry symmetry,
+             const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.all().grid(); }
   [[nodiscard]] int period_x() const { return fft_.all().px(); } ///< [cells]
@@ -40,6 +45,9 @@ public:
   /// @param heated  those cells
   void add_remaining(double duration, double factor, const SurfaceGrid& heated, std::span<double> temperature) const;
 
+  /// Adds `factor` times the temperature of the surface that the heat in the body gives as it is.
+  void add_buried(double factor, std::span<double> temperature) const;
+
   /// Some fields at one depth.
   struct FieldsOfHeat
   {
@@ -48,7 +56,7 @@ public:
     std::vector<bool> is_odd; ///< in y, of a flux that is even
   };
   /// `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
-  /// For duration = 0 they are those at the end of the last step.
+  /// For duration = 0 they are those at the end of the last step. What has arisen in the body is in them as it is.
   /// @param depths  factors of all waves, of which those of this memory are the last ones; for each depth
   /// @param out   as many at each depth, [depth][field][cell]
   /// @param adds  to what is there; otherwise it is overwritten
@@ -61,11 +69,19 @@ public:
   /// More flux comes in over the last motion, which all has decayed over already.
   void amend(std::span<const double> flux, const HeatMotion& motion);
 
+  /// A step of the heat in the body: `BuriedHeat::take_up`.
+  /// @param rise  of each of its layers [K], a field each; empty ones are zero
+  void take_up_in_body(const std::vector<std::vector<double>>& rise, double duration);
+  void go_back_in_body() { buried_->go_back(); }
+
   [[nodiscard]] const AlignedVector<Complex>& heat() const { return heat_; }
   [[nodiscard]] AlignedVector<Complex>& heat() { return heat_; }
   /// The same with or without symmetry: real and imaginary parts in turn.
   [[nodiscard]] std::vector<double> whole_heat() const;
   void set_whole_heat(std::span<const double> values);
+  /// Likewise in the body; nothing where none can arise.
+  [[nodiscard]] std::vector<double> whole_heat_in_body() const;
+  void set_whole_heat_in_body(std::span<const double> values);
 
 private:
   [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.all().kx()); }
@@ -83,13 +99,23 @@ private:
   struct RowOfFields
   {
     double duration, factor;
+    bool has_buried; ///< whether there is heat in the body
     const DepthSums& sums;
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
     std::vector<AlignedVector<Complex>>& spectra; ///< [depth][field]
   };
   [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
-  void add_row(int row, const RowOfFields& wanted, DepthSums::Row& sums) const;
+  /// Sums of a row, of the heat of the surface and of that in the body.
+  struct Row
+  {
+    DepthSums::Row of_surface;
+    BuriedHeat::Row buried{};
+  };
+  void add_row(int row, const RowOfFields& wanted, Row& sums) const;
+  void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
+  [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
+  [[nodiscard]] AlignedVector<Complex> told(std::span<const double> values) const;
   [[nodiscard]] RowEnd row_end(int row, double duration, double factor) const;
   void finish_surface(std::span<const SurfaceWave> along, const RowEnd& end, DepthSums::Row& sums) const;
   void finish(double depth, std::span<const SurfaceWave> along, const RowEnd& end, std::size_t number,
@@ -103,6 +129,7 @@ private:
   std::vector<SurfaceWave> along_; ///< [plane]
   AlignedVector<Complex> heat_;    ///< [wave][plane] [K m]
   std::vector<double> slow_share_; ///< of each wavenumber, for fields
+  std::optional<BuriedHeat> buried_;
 };
 
 } // namespace brinell::halfspace

@@ -57,13 +57,28 @@ DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Therm
   return depth_waves(thermal.diffusivity(), {times.shortest_step, times.duration, deepest}, finest);
 }
 
+/// The layers go on until beneath all heat.
+std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heated, const Thermal& thermal,
+                                                        const HeatTimes& times)
+{
+  if (heated.count == 0)
+    return nullptr;
+  if (!(heated.count > 0 && heated.thickness > 0.0 && std::isfinite(heated.thickness)))
+    throw InputError(fmt::format("ThermalField: {} layers of {} m in which heat arises; allowed: a thickness above 0",
+                                 heated.count, heated.thickness));
+  const double spread = reach * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
+  return std::make_shared<const LayeredConduction>(heated.count, heated.thickness,
+                                                   (heated.count + 1) * heated.thickness + spread);
+}
+
 } // namespace
 
 OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
                                const HeatTimes& times, const Wanted& wanted)
-    : times_(times), symmetry_(wanted.symmetry), waves_(planned_waves(owner, grid, thermal, times, wanted.deepest)),
+    : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
+      symmetry_(wanted.symmetry), waves_(planned_waves(owner, grid, thermal, times, wanted.deepest)),
       near_(grid, period(grid.nx, grid.is_periodic_x(), wanted.images),
-            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_, wanted.symmetry)
+            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_, wanted.symmetry, layers_)
 {
   if (!grid.is_periodic())
     plan_images(thermal, wanted);
@@ -105,8 +120,9 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
         farther_.empty() ? CoarserSurface(grid, 0)
                          : CoarserSurface(farther_.back().cells.grid(), farther_.back().cells.margins(), {true, true});
     const DepthWaves slow = waves_.slower_than(decayed / distance);
-    farther_.push_back({cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, wanted.symmetry),
-                                        HeatMemory(cells.grid(), once_x, once_y, thermal, slow, wanted.symmetry)}});
+    farther_.push_back(
+        {cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, wanted.symmetry, layers_),
+                         HeatMemory(cells.grid(), once_x, once_y, thermal, slow, wanted.symmetry, layers_)}});
   }
 }
 
@@ -248,6 +264,69 @@ void OpenHeatMemory::amend(const char* function_name, std::span<const double> fl
   with_coarser(flux, [&](HeatMemory& memory, std::span<const double> given) { memory.amend(given, motion); });
 }
 
+/// On all layers that conduct: heat that arises beneath those of one thickness is shared by what they overlap. Cold layers are empty.
+std::vector<std::vector<double>> OpenHeatMemory::in_layers(std::span<const double> rise) const
+{
+  const std::size_t cells = grid().size(), given = rise.size() / cells;
+  std::vector<std::vector<double>> of_layers(layers_->size());
+  for (std::size_t k = 0; k < given; ++k)
+  {
+    const std::span<const double> field = rise.subspan(k * cells, cells);
+    if (std::all_of(field.begin(), field.end(), [](double value) { return value == 0.0; }))
+      continue;
+    const double top = static_cast<double>(k) * heated_.thickness, bottom = top + heated_.thickness;
+    const bool is_heated = k < layers_->heated();
+    for (std::size_t j = is_heated ? k : layers_->layer_at(top);
+         j < layers_->size() && (is_heated ? j == k : layers_->top(j) < bottom); ++j)
+    {
+      const double overlap = std::min(bottom, layers_->bottom(j)) - std::max(top, layers_->top(j));
+      const double share = is_heated ? 1.0 : overlap / (layers_->bottom(j) - layers_->top(j));
+      of_layers[j].resize(cells);
+      for (std::size_t i = 0; i < cells; ++i)
+        of_layers[j][i] += share * field[i];
+    }
+  }
+  return of_layers;
+}
+
+void OpenHeatMemory::take_up_in_body(const char* function_name, std::span<const double> rise, double duration)
+{
+  if (!layers_)
+    throw InternalError(fmt::format("{}: no layers are planned in which heat arises", function_name));
+  require_step(function_name, duration);
+  if (rise.size() % grid().size() != 0)
+    throw InternalError(fmt::format("{}: {} values on {} cells", function_name, rise.size(), grid().size()));
+  std::vector<std::vector<double>> of_layers = in_layers(rise);
+  near_.take_up_in_body(of_layers, duration);
+  for (FartherImages& images : farther_)
+  {
+    for (std::vector<double>& layer : of_layers)
+      if (!layer.empty())
+        layer = images.cells.from_finer(layer);
+    if (!images.lattices)
+      continue;
+    images.lattices->twice.take_up_in_body(of_layers, duration);
+    images.lattices->once.take_up_in_body(of_layers, duration);
+  }
+}
+
+void OpenHeatMemory::go_back_in_body()
+{
+  for (HeatMemory* memory : lattices())
+    memory->go_back_in_body();
+}
+
+void OpenHeatMemory::add_temperature_of_body(std::span<double> temperature) const
+{
+  if (!layers_)
+    return;
+  Fields result = sum_of_images(
+      1, 1.0, [](const HeatMemory& memory, double factor, Fields& sums) { memory.add_buried(factor, sums.front()); });
+  near_.add_buried(1.0, result.front());
+  for (std::size_t i = 0; i < temperature.size(); ++i)
+    temperature[i] += result.front()[i];
+}
+
 std::vector<HeatMemory*> OpenHeatMemory::lattices()
 {
   std::vector<HeatMemory*> all{&near_};
@@ -282,8 +361,15 @@ void OpenHeatMemory::exchange(Archive& archive)
   for (HeatMemory* memory : lattices())
   {
     std::vector<double> values = memory->whole_heat();
-    archive(fmt::format("lattice{}", n++), values);
+    archive(fmt::format("lattice{}", n), values);
     memory->set_whole_heat(values);
+    if (layers_)
+    {
+      std::vector<double> in_body = memory->whole_heat_in_body();
+      archive.list(fmt::format("body{}", n), in_body);
+      memory->set_whole_heat_in_body(in_body);
+    }
+    ++n;
   }
   archive("time", time_, 0.0, times_.duration);
 }

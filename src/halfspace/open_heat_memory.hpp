@@ -7,6 +7,7 @@
 #include "heat_memory.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,7 @@ public:
     double deepest = -1.0; ///< of fields in the body [m]; negative: none
     HeatImages images = HeatImages::fine;
     Symmetry symmetry = Symmetry::none; ///< of all fluxes
+    HeatedLayers heated{};              ///< where heat may arise in the body
   };
   /// @throws InputError if a constant or a time is not above 0
   OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
@@ -45,6 +47,13 @@ public:
   void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
                Heat* before = nullptr);
   void amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
+
+  /// A step of the heat in the body: ThermalField::take_up_in_body.
+  /// @param rise  by which it would warm the heated layers if they kept it [K], [layer][cell]
+  void take_up_in_body(const char* function_name, std::span<const double> rise, double duration);
+  void go_back_in_body();
+  /// Adds the temperature of the surface that the heat in the body gives as it is.
+  void add_temperature_of_body(std::span<double> temperature) const;
 
   /// What it remembers: of every lattice, and the time.
   struct Heat
@@ -80,7 +89,11 @@ private:
   void require_step(const char* function_name, double duration) const;
   [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;
 
+  [[nodiscard]] std::vector<std::vector<double>> in_layers(std::span<const double> rise) const;
+
   HeatTimes times_;
+  HeatedLayers heated_;
+  std::shared_ptr<const LayeredConduction> layers_; ///< nullptr: no heat arises in the body
   Symmetry symmetry_;
   double time_ = 0.0;
   DepthWaves waves_;

@@ -2,6 +2,7 @@
 #include "brinell/halfspace/thermal_field.hpp"
 
 #include "brinell/foundation/deviator.hpp"
+#include "foundation/require_size.hpp"
 #include "open_heat_memory.hpp"
 #include "require_surface.hpp"
 
@@ -60,6 +61,7 @@ struct ThermalField::State
   Elastic elastic;
   double expansion; ///< alpha [1/K]
   double strain;    ///< of a layer that cannot expand along the surface: alpha (1 + nu)/(1 - nu) [1/K]
+  double capacity;  ///< rho c [J/(m^3 K)]
   std::vector<double> depths;
   OpenHeatMemory memory;
   std::vector<DepthFactors> layers{};
@@ -73,7 +75,8 @@ struct ThermalField::State
 };
 
 ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
-                           const HeatTimes& times, std::vector<double> depths, HeatImages images, Symmetry symmetry)
+                           const HeatTimes& times, std::vector<double> depths, HeatImages images, Symmetry symmetry,
+                           const HeatedLayers& heated)
 {
   for (const double depth : depths)
     if (!(depth >= 0.0) || std::isinf(depth))
@@ -83,9 +86,9 @@ ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, cons
   if (!std::isfinite(thermal.expansion))
     throw InputError(fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.expansion));
   const double nu = elastic.poisson_ratio, deepest = largest_of(depths);
-  state_ =
-      make_hidden<State>(elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu), std::move(depths),
-                         OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images, symmetry}));
+  state_ = make_hidden<State>(
+      elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu), thermal.density * thermal.specific_heat,
+      std::move(depths), OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images, symmetry, heated}));
   state_->tabulate();
 }
 
@@ -112,6 +115,25 @@ void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motio
 void ThermalField::amend(std::span<const double> flux, const HeatMotion& motion)
 {
   state_->memory.amend("ThermalField::amend", flux, motion);
+}
+
+void ThermalField::take_up_in_body(std::span<const double> heat, double duration)
+{
+  std::vector<double> rise(heat.begin(), heat.end());
+  for (double& value : rise)
+    value /= state_->capacity;
+  state_->memory.take_up_in_body("ThermalField::take_up_in_body", rise, duration);
+}
+
+void ThermalField::go_back_in_body()
+{
+  state_->memory.go_back_in_body();
+}
+
+void ThermalField::add_temperature_of_body(std::span<double> temperature) const
+{
+  require_size("ThermalField::add_temperature_of_body: the temperature", temperature, grid().size());
+  state_->memory.add_temperature_of_body(temperature);
 }
 
 struct ThermalField::Heat

@@ -29,6 +29,13 @@ enum class HeatImages
   coarse
 };
 
+/// Layers from the surface down in which heat may arise.
+struct HeatedLayers
+{
+  int count = 0;          ///< 0: heat comes through the surface only
+  double thickness = 0.0; ///< of each [m]
+};
+
 /// What the heat that has entered the surface of an elastic half space does to it: displacement of the surface, and temperature and
 /// stress in the body, step by step: docs/theory/heat.md (thermal-displacement, thermal-stress).
 ///
@@ -44,7 +51,7 @@ public:
   /// @throws InputError if a constant or a time is not above 0, a depth is below 0, or a rigid body has depths
   ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatTimes& times,
                std::vector<double> depths = {}, HeatImages images = HeatImages::fine,
-               Symmetry symmetry = Symmetry::none);
+               Symmetry symmetry = Symmetry::none, const HeatedLayers& heated = {});
 
   [[nodiscard]] const SurfaceGrid& grid() const;
   [[nodiscard]] const std::vector<double>& depths() const;
@@ -56,7 +63,17 @@ public:
   /// More flux of the last step, whose motion has to be the same: as if it had been taken up with the sum of both.
   void amend(std::span<const double> flux, const HeatMotion& motion);
 
-  /// What it remembers, to go back to it.
+  /// Heat that arises in the body, evenly over the step that begins; what has arisen before spreads over that step. It comes before
+  /// the flux of the step. `layers` and `displacement` have it at once as it is at the end of the step, whatever duration they
+  /// are asked for; `remaining_temperature` leaves it out. docs/theory/heat.md (buried)
+  /// @param heat  [J/m^3] per cell, [layer][cell]; more layers than are planned are thinner than what they are kept in
+  void take_up_in_body(std::span<const double> heat, double duration);
+  /// As before the last `take_up_in_body`.
+  void go_back_in_body();
+  /// Adds the rise of the temperature of the surface that the heat in the body gives as it is [K].
+  void add_temperature_of_body(std::span<double> temperature) const;
+
+  /// What it remembers of the flux, to go back to it.
   struct Heat;
   [[nodiscard]] Hidden<Heat> heat() const;
   /// Takes up a step and leaves what it remembered before, without a copy: `before` may have room for it.

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layered_conduction.hpp"
+
+#include "foundation/lane_functions.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace brinell::halfspace
+{
+
+RowsOfFour::RowsOfFour(std::size_t rows, std::size_t columns)
+    : rows_(rows), columns_(columns), values_((rows + together - 1) / together * together * columns)
+{
+}
+
+double& RowsOfFour::at(std::size_t row, std::size_t column)
+{
+  return values_[(row / together * columns_ + column) * together + row % together];
+}
+
+void RowsOfFour::multiply(const double* in, std::size_t first, std::size_t last, double* out) const
+{
+  for (std::size_t row = 0; row < rows_; row += together)
+  {
+    std::array<Lanes, together> sums{};
+    const double* values = values_.data() + row * columns_ + first * together;
+    for (std::size_t column = first; column < last; ++column, values += together)
+    {
+      const Lanes given = load_lanes(in + column * lane_count);
+      for (std::size_t r = 0; r < together; ++r)
+        sums[r] += values[r] * given;
+    }
+    for (std::size_t r = 0; r < std::min(together, rows_ - row); ++r)
+      store_lanes(sums[r], lane_count, out + (row + r) * lane_count);
+  }
+}
+
+namespace
+{
+
+std::vector<double> ends_of_layers(int heated, double thickness, double deepest)
+{
+  std::vector<double> ends;
+  for (int n = 0; n <= heated; ++n)
+    ends.push_back(n * thickness);
+  for (double next = std::numbers::sqrt2 * thickness; ends.back() < deepest; next *= std::numbers::sqrt2)
+    ends.push_back(ends.back() + next);
+  return ends;
+}
+
+} // namespace
+
+LayeredConduction::LayeredConduction(int heated, double thickness, double deepest)
+    : heated_(static_cast<std::size_t>(heated)), thickness_(thickness),
+      ends_(ends_of_layers(heated, thickness, deepest)), to_layers_(size(), size()), to_modes_(size(), size())
+{
+  find_modes();
+}
+
+std::size_t LayeredConduction::layer_at(double depth) const
+{
+  const auto above = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, depth);
+  return static_cast<std::size_t>(above - ends_.begin()) - 1;
+}
+
+/// Between the middles of neighbours the temperature is linear. With the roots of the thicknesses as weights the matrix is symmetric.
+void LayeredConduction::find_modes()
+{
+  const std::size_t n = size();
+  // In units of the thickness of a heated layer.
+  const auto height = [&](std::size_t i) { return (bottom(i) - top(i)) / thickness_; };
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)),
+                  beside(static_cast<Eigen::Index>(n - 1));
+  for (std::size_t i = 0; i + 1 < n; ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double between = thickness_ / (middle(i + 1) - middle(i));
+    diagonal[row] += between / height(i);
+    diagonal[row + 1] += between / height(i + 1);
+    beside[row] = -between / std::sqrt(height(i) * height(i + 1));
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes;
+  modes.computeFromTridiagonal(diagonal, beside);
+  const double whole = ends_.back() / thickness_;
+  for (std::size_t l = 0; l < n; ++l)
+  {
+    // The slowest mode, the first one, is uniform and does not decay at all.
+    const auto mode = static_cast<Eigen::Index>(l);
+    squared_numbers_.push_back(l == 0 ? 0.0 : modes.eigenvalues()[mode] / (thickness_ * thickness_));
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double root = std::sqrt(height(i));
+      const double value = l == 0 ? root / std::sqrt(whole) : modes.eigenvectors()(static_cast<Eigen::Index>(i), mode);
+      to_layers_.at(i, l) = value / root;
+      to_modes_.at(l, i) = value * root;
+    }
+  }
+}
+
+} // namespace brinell::halfspace
