@@ -127,6 +127,15 @@ def test_figures(run: Run) -> None:
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_plastic_work_heats(run: Run) -> None:
+    history = run.history
+    work = history["dissipation_lower"] + history["dissipation_upper"]
+    assert history["heat_of_plastic_work"] == pytest.approx(0.9 * work, rel=1e-9, abs=1e-15)
+    off = tugging(thermal=brinell.Heating(heat_of_plastic_work=0.0)).run(in_memory=True)
+    assert not off.history["heat_of_plastic_work"].any()
+    assert off.history["max_temperature_lower"].max() < history["max_temperature_lower"].max()
+
+
 def test_hot_bodies_are_softer(run: Run) -> None:
     softening = brinell.JohnsonCook(melting_temperature="600 degC", exponent=1.0)
     plastic = brinell.Linear("900 MPa", "20 GPa")
@@ -142,6 +151,7 @@ def test_hot_bodies_are_softer(run: Run) -> None:
         ({"speed": 0}, "speed"),
         ({"thermal": brinell.Heating(partition=1.5)}, "partition"),
         ({"thermal": brinell.Heating(conductance=-1.0)}, "conductance"),
+        ({"thermal": brinell.Heating(heat_of_plastic_work=1.1)}, "heat_of_plastic_work"),
         ({"thermal": brinell.Heating(regime="steady")}, "thermal.displacement = false and thermal.stress = false"),
         ({"material": MELTED}, "lower.material.thermal.temperature = 700 degC.*melts at 600 degC"),
     ],

@@ -403,6 +403,14 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   in_increment_ = false;
 }
 
+std::vector<double> Body::work_of_increment() const
+{
+  std::vector<double> work(grid().size());
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    with_copies(a, [&](std::size_t cell, const auto&) { work[cell] = active_.dissipation(a); });
+  return work;
+}
+
 void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace)
 {
   if (work_.empty())

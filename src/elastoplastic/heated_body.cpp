@@ -38,6 +38,15 @@ std::vector<double> depths_of(const VolumeGrid& volume)
   return depths;
 }
 
+/// Those in which plastic work heats.
+halfspace::HeatedLayers heated_layers(const VolumeGrid& volume, const constitutive::Material& material,
+                                      const HeatSettings& settings)
+{
+  if (!material.is_plastic() || settings.of_plastic_work == 0.0)
+    return {};
+  return {volume.nz, volume.dz};
+}
+
 } // namespace
 
 void fit(const SurfaceGrid& from, std::span<const double> field, const SurfaceGrid& to, std::span<double> out)
@@ -57,8 +66,11 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
       softening_law_(material.is_plastic() ? material.softening : std::nullopt),
       field_(grid_, thermal_, material.elastic, run.times,
              material.elastic.is_rigid() ? std::vector<double>{} : depths_of(volume),
-             numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry)
+             numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry,
+             heated_layers(volume, material, run.settings))
 {
+  if (heated_layers(volume, material, run.settings).count > 0)
+    plastic_.emplace(grid_, run.settings.of_plastic_work);
   for (std::vector<double>* field :
        {&remaining_temperature_, &remaining_displacement_, &displacement_, &displacement_before_, &pressure_})
     field->assign(grid_.size(), 0.0);
@@ -69,12 +81,20 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
 void BodyHeat::begin(std::span<const double> expected, const halfspace::HeatMotion& motion, const VolumeGrid& body)
 {
   motion_ = motion;
+  if (plastic_)
+  {
+    field_.take_up_in_body(plastic_->arising(motion.velocity_x * motion.duration / grid_.dx, motion.duration),
+                           motion.duration);
+    is_carried_on_ = true;
+  }
   if (field_.time() > 0.0)
   {
     field_.remaining_temperature(motion.duration, remaining_temperature_);
     if (swells_)
       field_.displacement({remaining_displacement_, {}, {}}, motion.duration);
   }
+  if (plastic_)
+    field_.add_temperature_of_body(remaining_temperature_);
   if (!acts_in_layers())
     return;
   expected_.assign(expected.begin(), expected.end());
@@ -83,8 +103,15 @@ void BodyHeat::begin(std::span<const double> expected, const halfspace::HeatMoti
   find_layers(body);
 }
 
+void BodyHeat::settle_work(std::span<const double> work, const VolumeGrid& body, double duration)
+{
+  if (plastic_)
+    plastic_->settle(work, body, duration);
+}
+
 void BodyHeat::settle(std::span<const double> flux)
 {
+  is_carried_on_ = false;
   if (!is_expected_)
     field_.take_up(flux, motion_);
   else
@@ -102,6 +129,9 @@ void BodyHeat::settle(std::span<const double> flux)
 
 void BodyHeat::restore()
 {
+  if (is_carried_on_)
+    field_.go_back_in_body();
+  is_carried_on_ = false;
   if (!is_expected_)
     return;
   field_.go_back(before_);
@@ -184,6 +214,8 @@ void BodyHeat::exchange(Archive& archive)
   archive("field", field_);
   archive("displacement", displacement_);
   archive("pressure", pressure_);
+  if (plastic_)
+    archive("plastic", *plastic_);
 }
 
 } // namespace brinell::elastoplastic

@@ -4,6 +4,7 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/elastoplastic/heating.hpp"
 #include "brinell/halfspace/thermal_field.hpp"
+#include "plastic_heat.hpp"
 
 #include <optional>
 #include <span>
@@ -32,6 +33,12 @@ public:
   void begin(std::span<const double> expected, const halfspace::HeatMotion& motion, const VolumeGrid& body);
   /// Ends it with the flux that has come in.
   void settle(std::span<const double> flux);
+  /// Ends it with the plastic work that has been done [J/m^3]; a step that takes no time, too.
+  void settle_work(std::span<const double> work, const VolumeGrid& body, double duration);
+  [[nodiscard]] double heat_of_plastic_work() const
+  {
+    return plastic_ ? plastic_->total() : 0.0;
+  } ///< since the start [J]
   /// Nothing has come in, and no time has passed.
   void restore();
 
@@ -61,6 +68,8 @@ private:
   double bulk_;               ///< temperature far from the contact [deg C]
   bool swells_, is_stressed_; ///< whether its displacement counts in the gap, its thermal stress when it yields
   std::optional<constitutive::SofteningLaw> softening_law_; ///< none: it does not count
+  std::optional<PlasticHeat> plastic_;                      ///< none: plastic work does not heat
+  bool is_carried_on_ = false; ///< whether the heat in the body is that at the end of the step at hand
   halfspace::ThermalField field_;
   Hidden<halfspace::ThermalField::Heat> before_{}; ///< the step at hand
   bool is_expected_ = false;                       ///< whether the expected flux of the step at hand is taken up

@@ -201,6 +201,18 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
       s.work_on_pressure += s.twins * side.heat().work_against(side.on_body(pressure, "pressure"));
 }
 
+bool Heating::takes_work(std::size_t side) const
+{
+  const HeatedSide& s = state_->sides.at(side);
+  return s.remembers() && !s.is_mirrored() && state_->settings.of_plastic_work > 0.0;
+}
+
+void Heating::settle_work(std::size_t side, std::span<const double> work, const VolumeGrid& body)
+{
+  if (takes_work(side))
+    state_->sides.at(side).heat().settle_work(work, body, state_->duration);
+}
+
 void Heating::restore()
 {
   for (HeatedSide& side : state_->sides)
@@ -241,6 +253,15 @@ double Heating::heat(std::size_t side) const
 double Heating::heat_of_friction() const
 {
   return state_->heat_of_friction;
+}
+
+double Heating::heat_of_plastic_work() const
+{
+  double heat = 0.0;
+  for (const HeatedSide& side : state_->sides)
+    if (side.remembers() && !side.is_mirrored())
+      heat += state_->twins * side.heat().heat_of_plastic_work();
+  return heat;
 }
 
 double Heating::work_on_pressure() const

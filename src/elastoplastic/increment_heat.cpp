@@ -32,6 +32,12 @@ double CoupledContact::follow_heat(Heating::Sharing sharing)
 
 void CoupledContact::settle_heating(const Strategy& strategy)
 {
+  for (std::size_t side = 0; side < sides_.size(); ++side)
+    if (heating_->takes_work(side))
+    {
+      const Body& body = sides_[side].body;
+      heating_->settle_work(side, body.work_of_increment(), body.grid());
+    }
   heating_->settle(pressure_, sliding()->heat_per_area(strategy.slid));
 }
 

@@ -42,6 +42,10 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
   if (numerics.domain.x.is_periodic() || numerics.domain.y.is_periodic())
     refuse("along a periodic axis heat piles up", "a grid without periodic axes");
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+    if (body->material.is_plastic() && numerics.heat.of_plastic_work > 0.0)
+      refuse(fmt::format("the heat of the plastic work of the {} body is not known in it", name),
+             "thermal.heat_of_plastic_work = 0");
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (body->material.softening)
       refuse(fmt::format("the {} body softens with the temperature in it, which is not known", name), "no softening");
 }
@@ -57,6 +61,7 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
                   const std::optional<double>& speed, const std::string& speed_key)
 {
   require_share("interface.heat_fraction", numerics.heat.fraction);
+  require_share("thermal.heat_of_plastic_work", numerics.heat.of_plastic_work);
   if (numerics.heat.partition)
     require_share("thermal.partition", *numerics.heat.partition);
   if (numerics.heat.conductance && !(*numerics.heat.conductance >= 0.0 && std::isfinite(*numerics.heat.conductance)))

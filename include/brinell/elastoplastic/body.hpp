@@ -113,6 +113,9 @@ public:
   /// Makes the present trial the new state.
   void commit(const halfspace::SurfaceLoad& load);
 
+  /// Plastic work of the increment that was committed last [J/m^3], one per cell; before the next one begins.
+  [[nodiscard]] std::vector<double> work_of_increment() const;
+
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);
 

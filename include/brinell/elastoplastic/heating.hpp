@@ -24,10 +24,12 @@ enum class HeatRegime
   steady     ///< as if the flux of a step had always been there and moved as it does in that step
 };
 
-/// What the heat of friction does: docs/theory/heat.md (heat-of-friction).
+/// What the heat of friction and of plastic work does: docs/theory/heat.md (heat-of-friction).
 struct HeatSettings
 {
   double fraction = 1.0; ///< of the friction power that goes into the bodies as heat, [0, 1]
+  /// Share of the plastic work that becomes heat where it is done, [0, 1] (Taylor and Quinney 1934: about 0.9 of metals).
+  double of_plastic_work = 0.9;
   /// Share of the lower body in it, everywhere, before any passes between the surfaces, [0, 1]; none: half.
   std::optional<double> partition{};
   /// Between the surfaces where they touch [W/(m^2 K)], >= 0. None: nothing passes with a given partition; without one nothing
@@ -101,6 +103,12 @@ public:
   /// Ends an increment.
   /// @param heat_per_area  of friction in the increment, without the fraction [J/m^2]
   void settle(std::span<const double> pressure, std::span<const double> heat_per_area);
+  /// The plastic work of the increment in a body that is solved, before `settle`.
+  /// @param side  0: lower, 1: upper, unless it is a twin
+  /// @param work  [J/m^3] per cell of its grid
+  void settle_work(std::size_t side, std::span<const double> work, const VolumeGrid& body);
+  /// Whether plastic work heats that body.
+  [[nodiscard]] bool takes_work(std::size_t side) const;
   /// The increment has failed: as it was before it began.
   void restore();
 
@@ -117,6 +125,8 @@ public:
   [[nodiscard]] double heat(std::size_t side) const;                         ///< since the start [J]
   /// Heat of friction since the start, times the fraction [J].
   [[nodiscard]] double heat_of_friction() const;
+  /// Heat of the plastic work of both bodies since the start [J].
+  [[nodiscard]] double heat_of_plastic_work() const;
   /// What the swelling surfaces have done against the pressure since the start [J].
   [[nodiscard]] double work_on_pressure() const;
   /// Adds the depth of the surface under the contact grid by which it has shrunk [m]; swollen: negative.

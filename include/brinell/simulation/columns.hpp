@@ -61,7 +61,7 @@ inline constexpr Column<FrictionRecord> share_at_shear_limit{
     "share of the contact whose shear is at the limit of the surface"};
 
 /// Of the scenarios in which friction may heat.
-inline constexpr std::array<Column<HeatedRecord>, 5> heated{{
+inline constexpr std::array<Column<HeatedRecord>, 6> heated{{
     {"max_temperature_lower", "degC", &HeatedRecord::max_temperature_lower,
      "largest temperature of the lower surface in and around the contact; without heat that of the bulk"},
     {"max_temperature_upper", "degC", &HeatedRecord::max_temperature_upper,
@@ -70,6 +70,8 @@ inline constexpr std::array<Column<HeatedRecord>, 5> heated{{
      "heat of friction that has come into the lower body since the start"},
     {"heat_upper", "J", &HeatedRecord::heat_upper,
      "heat of friction that has come into the upper body since the start"},
+    {"heat_of_plastic_work", "J", &HeatedRecord::heat_of_plastic_work,
+     "heat that has arisen in both bodies since the start, of their plastic work"},
     {"work_of_expansion", "J", &HeatedRecord::work_of_expansion,
      "work that the bodies have done since the start as heat made them swell"},
 }};

@@ -163,6 +163,7 @@ struct HeatedRecord : FrictionRecord
   /// Of each surface under the contact grid, at the end of the step [deg C]; without heat that of the bulk.
   double max_temperature_lower = 0.0, max_temperature_upper = 0.0;
   double heat_lower = 0.0, heat_upper = 0.0; ///< that has come into each body since the start [J]
+  double heat_of_plastic_work = 0.0;         ///< that has arisen in both bodies since the start [J]
 };
 
 /// A grid was enlarged, because pressure or plastic strain had reached its edge.

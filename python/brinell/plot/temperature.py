@@ -24,7 +24,8 @@ def _is_heated(run: Run) -> bool:
 
 @style.figure
 def surface_temperatures(run: Run) -> Figure | None:
-    """Step by step: the largest temperature of each surface, and the heat that has come into each body.
+    """Step by step: the largest temperature of each surface, and the heat that has come into each body; with plastic work that
+    heats, what has arisen in both.
 
     Returns:
         None if no heat was computed.
@@ -39,6 +40,12 @@ def surface_temperatures(run: Run) -> Figure | None:
         look = {"color": colour, "linestyle": dash, "label": side}
         warm.plot(history["step"], history[f"max_temperature_{side}"], **look)
         taken.plot(history["step"], history[f"heat_{side}"] / heat.size, **look)
+    of_work = history.get("heat_of_plastic_work", np.zeros(history.steps))
+    if np.any(of_work):
+        taken.plot(
+            history["step"], of_work / heat.size, color=style.CATEGORIES[2], linestyle=":", label="of plastic work, both"
+        )
+        taken.legend()
     warm.set_title("(a)  hottest place of each surface")
     warm.set_ylabel("temperature  $T$  [°C]")
     zero_line(taken)

@@ -185,7 +185,8 @@ void warn_of_keys_without_heat(const CaseReader& reader, Case& c, const std::str
     return reader.get<double>(key) != std::get<double>(*fallback);
   };
   for (const std::string& key : {speed, std::string("thermal.partition"), std::string("thermal.displacement"),
-                                 std::string("thermal.stress"), std::string("interface.heat_fraction")})
+                                 std::string("thermal.heat_of_plastic_work"), std::string("thermal.stress"),
+                                 std::string("interface.heat_fraction")})
     if (differs(key))
       c.warnings.push_back(
           {"no_heat",

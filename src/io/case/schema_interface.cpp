@@ -139,6 +139,13 @@ std::vector<Entry> heat_entries()
                        "if it had always been there and moved as it does now, at any speed; temperatures of the "
                        "surfaces alone, without displacement, stress and softening, on grids without periodic axes."},
               &HeatSettings::regime),
+      of_heat({.key = "thermal.heat_of_plastic_work",
+               .range = between(0.0, 1.0),
+               .text =
+                   "Share of the plastic work that becomes heat, in the cells in which it is done, where the heat of "
+                   "friction is computed. 0: plastic work does not heat. Of metals some 0.9; the rest stays in the "
+                   "material."},
+              &HeatSettings::of_plastic_work),
       of_heat({.key = "thermal.displacement",
                .text = "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion "
                        "there."},

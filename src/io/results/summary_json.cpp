@@ -219,6 +219,7 @@ Json heat_json(double fraction, const simulation::RunTotals& s, const simulation
           {"max_temperature_upper_degC", max_temperature[1]},
           {"lower_J", last.heat_lower},
           {"upper_J", last.heat_upper},
+          {"of_plastic_work_J", last.heat_of_plastic_work},
           {"work_of_expansion_J", s.work_of_expansion},
           {"balance_error", given > 0.0 ? (given - last.heat_lower - last.heat_upper) / given : 0.0}};
 }

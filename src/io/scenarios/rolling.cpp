@@ -255,7 +255,7 @@ void summarise(Json& json, const Case& c, const RollingCase& r, const RollingPla
                      {"residual_yy_Pa", s.profile.residual_yy},
                      {"equivalent_plastic_strain", s.profile.equivalent_plastic_strain}};
   json["energy"] = energy_json(s);
-  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0)
+  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0 || s.last.heat_of_plastic_work != 0.0)
     json["heat"] = heat_json(r.heat.fraction, s, s.last, s.max_temperature);
   if (r.wear.wears())
     json["wear"] = wear_json(s);

@@ -172,7 +172,7 @@ void summarise(Json& json, const Case& c, const SlidingCase& s, const SlidingPla
   for (const SlidingStroke& stroke : summary.strokes)
     json["strokes"].push_back(row_json(stroke));
   json["energy"] = energy_json(summary);
-  if (summary.last.heat_lower != 0.0 || summary.last.heat_upper != 0.0)
+  if (summary.last.heat_lower != 0.0 || summary.last.heat_upper != 0.0 || summary.last.heat_of_plastic_work != 0.0)
     json["heat"] = heat_json(s.heat.fraction, summary, summary.last, summary.max_temperature);
   if (s.wear.wears())
     json["wear"] = wear_json(summary);

@@ -258,7 +258,7 @@ void summarise(Json& json, const Case& c, const TuggingCase& t, const TuggingPla
   json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
   json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
   json["forces"] = forces_json(t, s);
-  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0)
+  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0 || s.last.heat_of_plastic_work != 0.0)
     json["heat"] = heat_json(t.heat.fraction, s, s.last, s.max_temperature);
   json["energy"] = energy_json(s);
   json["energy"]["work_to_alignment_J"] = s.work_to_alignment;

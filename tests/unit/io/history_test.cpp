@@ -18,7 +18,7 @@ TEST(History, HeaderIsTheSpecifiedOne)
   EXPECT_EQ(history_header(sample::columns(0)),
             "step,pass,X,theta,interference,height,contact_area,max_pressure,F_n,F_X,F_Y,"
             "F_Z,F_X_macro,F_Z_macro,F_friction,share_at_shear_limit,max_temperature_lower,max_temperature_upper,"
-            "heat_lower,heat_upper,work_of_expansion,work,dissipation_lower,"
+            "heat_lower,heat_upper,heat_of_plastic_work,work_of_expansion,work,dissipation_lower,"
             "dissipation_upper,dissipation_friction,energy_residual,energy_elastic,max_residual_lower,"
             "max_residual_upper,max_equivalent_plastic_strain,"
             "evaluations");

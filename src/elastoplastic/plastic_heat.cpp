@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plastic_heat.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "foundation/sharing.hpp"
+#include "heated_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// `to` += `factor` times a field, layer by layer, moved along x by a number of columns; what leaves an open grid is left out.
+void add_moved(const SurfaceGrid& grid, std::span<const double> field, double columns, double factor,
+               std::vector<double>& to)
+{
+  const int whole = static_cast<int>(std::floor(columns));
+  const double fraction = columns - whole;
+  for (std::size_t row = 0; row < field.size(); row += static_cast<std::size_t>(grid.nx))
+    for (int i = 0; i < grid.nx; ++i)
+    {
+      const double value = factor * field[row + static_cast<std::size_t>(i)];
+      if (value == 0.0)
+        continue;
+      for (const auto& [column, share] : {std::pair{i + whole, 1.0 - fraction}, {i + whole + 1, fraction}})
+      {
+        const int at = grid.is_periodic_x() ? (column % grid.nx + grid.nx) % grid.nx : column;
+        if (at >= 0 && at < grid.nx)
+          to[row + static_cast<std::size_t>(at)] += share * value;
+      }
+    }
+}
+
+} // namespace
+
+std::vector<double> PlasticHeat::arising(double columns, double duration)
+{
+  expected_.assign(last_.size(), 0.0);
+  // A longer step, as the way back to the next pass, need not have more.
+  add_moved(grid_, last_, columns, last_duration_ > 0.0 ? std::min(1.0, duration / last_duration_) : 0.0, expected_);
+  std::vector<double> all(std::max(expected_.size(), lacking_.size()), 0.0);
+  for (const std::vector<double>* part : {&expected_, &lacking_})
+    for (std::size_t i = 0; i < part->size(); ++i)
+      all[i] += (*part)[i];
+  return all;
+}
+
+void PlasticHeat::settle(std::span<const double> work, const VolumeGrid& body, double duration)
+{
+  const std::size_t cells = grid_.size(), of_body = body.surface.size();
+  std::vector<double> heat(static_cast<std::size_t>(body.nz) * cells);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(body.nz); ++k)
+    fit(body.surface, work.subspan(k * of_body, of_body), grid_, std::span(heat).subspan(k * cells, cells));
+  const double all = sum(work), kept = sum(heat);
+  if (constexpr double rounding = 1e-9; std::abs(all - kept) > rounding * all)
+    throw GridError(
+        "the plastic zone has grown beyond the grid on which the heat of a body is kept, and the heat of its "
+        "plastic work would be lost; allowed: a larger grid.extent");
+  for (double& value : heat)
+    value *= share_;
+  total_ += share_ * kept * body.cell_volume();
+  if (duration > 0.0)
+  {
+    lacking_.assign(std::max(heat.size(), expected_.size()), 0.0);
+    for (std::size_t i = 0; i < expected_.size(); ++i)
+      lacking_[i] -= expected_[i];
+    last_ = heat;
+    last_duration_ = duration;
+  }
+  lacking_.resize(std::max(heat.size(), lacking_.size()), 0.0);
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    lacking_[i] += heat[i];
+}
+
+void PlasticHeat::exchange(Archive& archive)
+{
+  archive.list("last", last_);
+  archive("duration", last_duration_);
+  archive.list("lacking", lacking_);
+  for (const std::vector<double>* field : {&last_, &lacking_})
+    if (field->size() % grid_.size() != 0)
+      throw InputError("the stored heat of plastic work is on another grid");
+  archive("total", total_);
+}
+
+} // namespace brinell::elastoplastic
