@@ -135,6 +135,7 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     common::heated[2],
     common::heated[3],
     common::heated[4],
+    common::heated[5],
     common::worn[0],
     common::worn[1],
     common::worn[2],

@@ -145,6 +145,7 @@ inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
     common::heated[2],
     common::heated[3],
     common::heated[4],
+    common::heated[5],
 });
 
 } // namespace brinell::simulation

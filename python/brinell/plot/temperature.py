@@ -24,8 +24,9 @@ def _is_heated(run: Run) -> bool:
 
 @style.figure
 def surface_temperatures(run: Run) -> Figure | None:
-    """Step by step: the largest temperature of each surface, and the heat that has come into each body; with plastic work that
-    heats, what has arisen in both.
+    """Step by step: the largest temperature of each surface, and the heat that has come into each body.
+
+    Beside it, the heat that has arisen in both of their plastic work.
 
     Returns:
         None if no heat was computed.
@@ -43,7 +44,11 @@ def surface_temperatures(run: Run) -> Figure | None:
     of_work = history.get("heat_of_plastic_work", np.zeros(history.steps))
     if np.any(of_work):
         taken.plot(
-            history["step"], of_work / heat.size, color=style.CATEGORIES[2], linestyle=":", label="of plastic work, both"
+            history["step"],
+            of_work / heat.size,
+            color=style.CATEGORIES[2],
+            linestyle=":",
+            label="of plastic work, both",
         )
         taken.legend()
     warm.set_title("(a)  hottest place of each surface")

@@ -23,7 +23,14 @@ OF_A_PERIOD = ("nominal_pressure", "contact_fraction", "mean_gap", "contact_stif
 
 _OF_FRICTION = ("dissipation_friction", "F_friction", "share_at_shear_limit")
 _OF_STICK_AND_SLIP = ("F_x", "F_y", "M_z", "stick_share", "stick_area", "slip_path")  # of rolling
-_OF_HEAT = ("max_temperature_lower", "max_temperature_upper", "heat_lower", "heat_upper", "heat_of_plastic_work", "work_of_expansion")
+_OF_HEAT = (
+    "max_temperature_lower",
+    "max_temperature_upper",
+    "heat_lower",
+    "heat_upper",
+    "heat_of_plastic_work",
+    "work_of_expansion",
+)
 _OF_WEAR = (
     "worn_volume_lower",
     "worn_volume_upper",

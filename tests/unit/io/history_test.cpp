@@ -32,11 +32,11 @@ TEST(History, NumbersReadBackTheSame)
   std::vector<std::string> cells;
   for (std::string cell; std::getline(row, cell, ',');)
     cells.push_back(cell);
-  ASSERT_EQ(cells.size(), 31u);
+  ASSERT_EQ(cells.size(), 32u);
   EXPECT_EQ(cells.front(), "4");
   EXPECT_EQ(std::strtod(cells[2].c_str(), nullptr), record.X);
   EXPECT_EQ(std::strtod(cells[9].c_str(), nullptr), 1.0 / 3.0);
-  EXPECT_EQ(std::strtod(cells[21].c_str(), nullptr), record.work);
+  EXPECT_EQ(std::strtod(cells[22].c_str(), nullptr), record.work);
   EXPECT_EQ(cells.back(), "7");
 }
 
