@@ -278,6 +278,7 @@ void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion,
 void HeatMemory::take_up_in_body(const std::vector<std::vector<double>>& rise, double duration)
 {
   std::vector<AlignedVector<Complex>> spectra;
+  spectra.reserve(rise.size());
   for (const std::vector<double>& layer : rise)
     spectra.push_back(layer.empty() ? AlignedVector<Complex>{} : fft_.forward(layer));
   buried_->take_up(spectra, duration);
