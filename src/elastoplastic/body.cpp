@@ -407,7 +407,7 @@ std::vector<double> Body::work_of_increment() const
 {
   std::vector<double> work(grid().size());
   for (std::size_t a = 0; a < active_.size(); ++a)
-    with_copies(a, [&](std::size_t cell, const auto&) { work[cell] = active_.dissipation(a); });
+    with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { work[cell] = active_.dissipation(a); });
   return work;
 }
 
