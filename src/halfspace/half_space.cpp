@@ -63,7 +63,7 @@ HalfSpace::Work HalfSpace::make_work() const
 
 void HalfSpace::exchange_buffers(Work& guest, Work& host)
 {
-  for (const auto spectra : {&Work::Buffers::rows, &Work::Buffers::strain, &Work::Buffers::stress})
+  for (const auto spectra : {&Work::Buffers::strain, &Work::Buffers::stress})
     ((*guest.buffers_).*spectra).swap((*host.buffers_).*spectra);
   ++host.buffers_->number; // the strain that it held is lost
 }
@@ -71,7 +71,7 @@ void HalfSpace::exchange_buffers(Work& guest, Work& host)
 HalfSpace::Work HalfSpace::make_guest() const
 {
   Work work = make_work();
-  for (const auto spectra : {&Work::Buffers::rows, &Work::Buffers::strain, &Work::Buffers::stress})
+  for (const auto spectra : {&Work::Buffers::strain, &Work::Buffers::stress})
     (*work.buffers_).*spectra = {};
   return work;
 }

@@ -22,7 +22,14 @@ void write_stopped(const fs::path& folder)
   ResultDirectory results(folder, sample::parsed());
   results.add(sample::columns(0));
   results.add(0, sample::columns(0), sample::fields());
-  results.add_checkpoint(0, {{"summary.last.step", {0.0}}, {"field", sample::numbered(5, 3, 2)}});
+  results.add_checkpoint(0,
+                         [](Archive& archive)
+                         {
+                           double step = 0.0;
+                           std::vector<double> field = sample::numbered(5, 3, 2);
+                           archive("summary.last.step", step);
+                           archive("field", field);
+                         });
 }
 
 void flip_bit(const fs::path& file, std::uintmax_t bit)
