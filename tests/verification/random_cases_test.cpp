@@ -359,13 +359,16 @@ struct Outcome
     const simulation::RunTotals fine = computed(c).summary;
     // At the shear limit slip along the surface and flow of the layer beneath it are not told apart: docs/theory/simulation.md.
     const bool limited = coarse.max_share_at_shear_limit > 0.0;
-    const auto dissipation = [limited](const simulation::RunTotals& s)
-    { return s.dissipation_lower + s.dissipation_upper + (limited ? s.dissipation_friction : 0.0); };
+    const auto plastic = [](const simulation::RunTotals& s) { return s.dissipation_lower + s.dissipation_upper; };
+    // Where they hardly yield, the plastic zone is one of few cells however many a contact has.
+    const bool hardly_yields = plastic(fine) < 1e-4 * fine.dissipation_friction;
+    const auto dissipation = [&](const simulation::RunTotals& s)
+    { return plastic(s) + (limited || hardly_yields ? s.dissipation_friction : 0.0); };
     const auto residual = [](const simulation::RunTotals& s)
     { return std::max(s.max_residual_lower, s.max_residual_upper); };
     ++compared;
-    EXPECT_EQ(dissipation(coarse) > 0.0, dissipation(fine) > 0.0);
-    if (!(dissipation(fine) > 0.0))
+    EXPECT_EQ(plastic(coarse) > 0.0, plastic(fine) > 0.0);
+    if (!(plastic(fine) > 0.0))
       return;
     // The convergence tables let expect some 20 % of an energy and 10 % of a depth at 2.5 to 4 cells per contact radius, with
     // as much scatter in single cases: a depth is that of one cell.
@@ -420,17 +423,17 @@ TEST(RandomCases, IndentationConvergesAndBalances)
 
 TEST(RandomCases, RubbingConvergesAndBalances)
 {
-  sweep("tugging with friction", slow_build ? 5 : 60, random_rubbing);
+  sweep("tugging with friction", slow_build ? 5 : 100, random_rubbing);
 }
 
 TEST(RandomCases, SkiddingConvergesAndBalances)
 {
-  sweep("rolling with slip and friction", slow_build ? 5 : 40, random_skidding);
+  sweep("rolling with slip and friction", slow_build ? 5 : 100, random_skidding);
 }
 
 TEST(RandomCases, CreepingConvergesAndBalances)
 {
-  sweep("rolling with creepage", slow_build ? 5 : 40, random_creeping);
+  sweep("rolling with creepage", slow_build ? 5 : 100, random_creeping);
 }
 
 TEST(RandomCases, RollingConvergesAndBalances)
