@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <omp.h>
@@ -113,18 +115,18 @@ TEST(Friction, PlasticShareOfTheBalanceConverges)
                       "at least first order");
 }
 
-/// A cylinder that does not turn slides over a steel flat in plane strain, and yields itself nothing: p0/k = 4.5, friction 0.25.
+/// A cylinder that does not turn slides over a steel flat in plane strain, and yields itself nothing.
 /// @param step  in cells
-RollingCase slid_track(double cells, double step)
+RollingCase slid_track(double cells, double step, double p0_over_k = 4.5, double friction = 0.25)
 {
   RollingCase c;
   c.domain.y = {Boundary::periodic, 1.0, 1};
   c.lower = {simulation::Plane{}, track_steel(20e9)};
   c.upper = {simulation::Roller{0.01, std::numeric_limits<double>::infinity()}, elastic_material()};
   const double E = contact_modulus(c.lower.material.elastic, c.upper.material.elastic);
-  const double p0 = 4.5e9, a = 2.0 * 0.01 * p0 / E;
+  const double p0 = p0_over_k * 1e9, a = 2.0 * 0.01 * p0 / E;
   c.drive = load(0.5 * std::numbers::pi * p0 * a);
-  c.friction.coefficient = 0.25;
+  c.friction.coefficient = friction;
   c.slide_to_roll = 2.0;
   c.distance = 6.0 * a;
   c.spacing = {{a / cells, 1.0, 0.5 * a / cells}};
@@ -149,6 +151,67 @@ TEST(Friction, SlidTrackConvergesWithCellsAndStep)
                      "bound: mesh and steps");
   const std::vector<double> by_steps = differences({resistance(8, 4), resistance(8, 2), resistance(8, 1)});
   EXPECT_GT(test::Orders("the same, 8 cells: steps of 4, 2, 1 cells", by_steps).last, 1.3);
+}
+
+/// What a number changes by from each run to the next, over the last one.
+template <typename Run, typename Number>
+std::vector<double> changes(const std::vector<Run>& runs, const Number& number)
+{
+  std::vector<double> result;
+  for (std::size_t i = 1; i < runs.size(); ++i)
+    result.push_back((std::invoke(number, runs[i]) - std::invoke(number, runs[i - 1])) /
+                     std::invoke(number, runs.back()));
+  return result;
+}
+
+TEST(Friction, SlidTracksConvergeWithLoadAndFriction)
+{
+  if (slow_build)
+    GTEST_SKIP() << "needs fine cells: too slow in this build";
+  for (const double p0_over_k : {3.5, 4.5})
+    for (const double friction : {0.1, 0.25})
+    {
+      const std::string name = fmt::format("slid track, p0/k = {:g}, friction {:g}, ", p0_over_k, friction);
+      std::vector<simulation::RollingPass> passes;
+      for (const double cells : {4.0, 8.0, 16.0, 32.0})
+        passes.push_back(computed(slid_track(cells, 1, p0_over_k, friction)).summary.passes.front());
+      // Second order of the step, first order of the edge of the contact.
+      for (const auto& [what, number] : {std::pair{"resistance", &simulation::RollingPass::resistance},
+                                         {"plastic work", &simulation::RollingPass::dissipation}})
+      {
+        const std::vector<double> by_cells = changes(passes, number);
+        EXPECT_GT(test::Orders((name + what).c_str(), by_cells).overall, 1.0);
+        test::expect_close(name + what + ", 32 cells over 16, less 1", by_cells.back(), 0.0, 0.02,
+                           "bound: mesh and steps");
+      }
+      // Most of it is the strain of the layers next to the surface, which becomes a thinner and steeper one with the cells.
+      test::expect_close(name + "rut, 32 cells over 16, less 1",
+                         changes(passes, &simulation::RollingPass::rut_depth).back(), 0.0, 0.1,
+                         "bound: layers at the surface");
+    }
+}
+
+TEST(Friction, RubbingConvergesWithTheCells)
+{
+  if (slow_build)
+    GTEST_SKIP() << "needs fine cells: too slow in this build";
+  std::vector<simulation::TuggingSummary> runs;
+  for (const double cells : {4.0, 8.0, 16.0, 32.0})
+    runs.push_back(computed(rubbing(4.0, 0.2, cells)).summary);
+  using Summary = simulation::TuggingSummary;
+  const auto plastic = [](const Summary& s) { return s.dissipation_lower + s.dissipation_upper; };
+  const auto expect = [&](const std::string& what, const auto& number, double order, double change)
+  {
+    const std::string name = "tugging, friction 0.2: " + what;
+    const std::vector<double> by_cells = changes(runs, number);
+    EXPECT_GT(test::Orders(name.c_str(), by_cells).overall, order);
+    test::expect_close(name + ", 32 cells over 16, less 1", by_cells.back(), 0.0, change, "bound: mesh and steps");
+  };
+  expect("locked-in energy", &Summary::energy_residual, 1.5, 0.02);
+  expect("dent", &Summary::max_residual_lower, 1.0, 0.01);
+  expect("plastic work", plastic, 1.0, 0.02);
+  expect("largest F_X", &Summary::peak_F_X, 1.0, 0.001);
+  expect("largest F_Z", &Summary::peak_F_Z, 1.0, 0.001);
 }
 
 TEST(Friction, SwappingTheBodiesMirrorsTheResult)
