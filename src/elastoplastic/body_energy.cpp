@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/elastoplastic/body.hpp"
+
+#include "foundation/sharing.hpp"
+#include "with_copies.hpp"
+
+/// Works and energies of a body.
+namespace brinell::elastoplastic
+{
+
+double Body::locked_in_energy(const halfspace::SurfaceLoad& load) const
+{
+  // 1/2 eps H eps - s0 eps, with H eps = (stress of the load + initial stress s0 - stress); the first part by Betti
+  // on the surface. The energy of s0 itself is left out: it is there from the start.
+  const std::size_t n = grid().size();
+  const auto work_in = [&](std::size_t first, std::size_t last)
+  {
+    double work = 0.0;
+    for (std::size_t cell = first; cell < last; ++cell)
+    {
+      const Deviator strain = deviator_at(state_.plastic_strain, n, cell);
+      const double relieved = initial_stress_[layer_of(cell)] * (strain[Deviator::xx] + strain[Deviator::yy]);
+      work += contract(deviator_at(stress_, n, cell), strain) + relieved;
+    }
+    return work;
+  };
+  // The stress has the thermal one in it, which does not belong to the strain.
+  const double volume_work = sum_of_pieces(n, work_in) - work_of(thermal_stress_, state_.plastic_strain);
+  double surface_work = dot(load.pressure, displacement_);
+  if (!load.shear_x.empty())
+    surface_work += dot(load.shear_x, displacement_x_);
+  if (!load.shear_y.empty())
+    surface_work += dot(load.shear_y, displacement_y_);
+  return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
+}
+
+/// Of a deviatoric stress on a strain [J/cell volume].
+double Body::work_of(std::span<const double> stress_deviator, std::span<const double> strain) const
+{
+  const std::size_t n = grid().size();
+  double work = 0.0;
+  for (std::size_t cell = 0; cell < n && !stress_deviator.empty(); ++cell)
+    work += contract(deviator_at(stress_deviator, n, cell), deviator_at(strain, n, cell));
+  return work;
+}
+
+/// Of the thermal stress on the plastic strain of the present trial, by the trapezoidal rule [J].
+double Body::thermal_work_of_trial() const
+{
+  if (thermal_stress_.empty())
+    return 0.0;
+  const std::size_t n = grid().size();
+  double work = 0.0;
+  for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    const std::size_t cell = active_.cell(a);
+    Deviator mean = 0.5 * deviator_at(thermal_stress_, n, cell);
+    if (!state_.thermal_stress.empty())
+      mean = mean + 0.5 * deviator_at(state_.thermal_stress, n, cell);
+    work += copies(a) * contract(mean, deviator_at(state_.plastic_strain, n, cell) - active_.start(a));
+  }
+  return work * grid().cell_volume();
+}
+
+double Body::energy(const halfspace::SurfaceLoad& load) const
+{
+  if (!is_plastic())
+    return 0.0;
+  double dissipation = 0.0;
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    dissipation += copies(a) * active_.dissipation(a);
+  const double of_heat = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
+  return dissipation * grid().cell_volume() + locked_in_energy(load) - of_heat;
+}
+
+std::vector<double> Body::work_of_increment() const
+{
+  std::vector<double> work(grid().size());
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { work[cell] = active_.dissipation(a); });
+  return work;
+}
+
+} // namespace brinell::elastoplastic
