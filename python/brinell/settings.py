@@ -128,7 +128,7 @@ class Solver(_Table):
         mirror: whether bodies that are mirror images are solved once.
         symmetry: whether one side of the plane y = 0 is solved where both are the same.
         shortcuts: whether the stress is computed only in the layers near yield within an increment, and heat roughly.
-        windows: with shortcuts, whether the stress is computed only in the columns near the contact within an increment.
+        windows: with shortcuts, whether only the columns near the contact are computed within an increment.
     """
 
     accuracy: float | str | None = None
