@@ -388,5 +388,5 @@ def test_ctrl_c_stops_the_runs_of_a_cluster(cluster: Any, tmp_path: Path) -> Non
     with cluster.get_client() as client:
         assert not any(client.processing().values())
     assert not (tmp_path / "stop").exists()
-    assert not run_folder(tmp_path, 2).exists()
+    assert not (run_folder(tmp_path, 2) / "summary.json").exists()  # on a busy machine it may have begun
     assert_complete(brinell.sweep(case, over, output=tmp_path, cluster=cluster, progress=False))
