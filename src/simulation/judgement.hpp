@@ -40,6 +40,9 @@ struct Facts
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
   bool is_heated = false; ///< by friction
+  /// Under the largest shear that it carries a surface flows on without end: then strain gathers in its uppermost layer, however
+  /// thin that is.
+  bool flows_freely = false;
   elastoplastic::Settings solver;
 };
 

@@ -37,6 +37,15 @@ void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<War
                                        facts.forgets_if_elastic && totals.max_equivalent_plastic_strain == 0.0
                                            ? ". Nothing has yielded: all but the work is as it would be in any steps"
                                            : "")});
+  if (facts.flows_freely && totals.max_share_at_shear_limit > 0.0)
+    warnings.push_back(
+        {"free_flow",
+         fmt::format(
+             "shear is at the limit of a surface that does not harden, in up to {} of the contact: its strain depends "
+             "on "
+             "the thickness of the uppermost layer of cells, forces and depths do so less; give the material some "
+             "hardening, or a shear_limit below its yield stress",
+             percent_text(totals.max_share_at_shear_limit))});
   if (totals.split_increments > 0)
     warnings.push_back(
         {"split_increments", fmt::format("{} increments did not converge in one piece and were split; the result has "

@@ -16,7 +16,8 @@ namespace brinell::simulation
 /// Textures that the cells do not resolve.
 void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 
-/// Yield that is missing, strains that are no longer small, energies that do not balance, increments that were split.
+/// Yield that is missing, strains that are no longer small or those of the cells, energies that do not balance, increments that were
+/// split.
 void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
 
 /// A body that has become hotter than its softening is known for.

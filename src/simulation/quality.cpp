@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
+#include <variant>
 
 namespace brinell::simulation
 {
@@ -61,6 +62,13 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
       r.expected_errors.push_back(
           {d.quantity, d.name, std::min(1.0, d.error * std::pow(d.cells / deciding_cells(f, r), d.order))});
   return r;
+}
+
+/// Whether the yield stress of a body stays what it is.
+bool never_hardens(const constitutive::Material& material)
+{
+  return material.kinematic.empty() && material.hardening &&
+         std::visit([](const auto& law) { return law.modulus_at(0.0) == 0.0; }, *material.hardening);
 }
 
 class Judge
@@ -212,6 +220,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.textures = {&lower.texture, &upper.texture};
   f.materials = {&lower.material, &upper.material};
   f.is_heated = is_heated(numerics, lower, upper);
+  f.flows_freely = !numerics.friction.shear_limit && (never_hardens(lower.material) || never_hardens(upper.material));
   return f;
 }
 

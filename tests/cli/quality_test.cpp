@@ -249,7 +249,10 @@ output = {snapshots = "none"}
   {
     const Outcome outcome = run({"run", "case.toml", "-o", "out", "--set", key + "=" + value});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.out.find("depends on the thickness of the uppermost layer") != std::string::npos;
+    const bool is_told = outcome.err.find("depends on the thickness of the uppermost layer") != std::string::npos;
+    const std::string warnings = summary().at("warnings").dump();
+    EXPECT_EQ(warnings.find("free_flow") != std::string::npos, is_told) << warnings;
+    return is_told;
   };
   EXPECT_TRUE(tells("lower.material.hardening.modulus", "0 GPa"));
   EXPECT_GT(summary().at("max_share_at_shear_limit"), 0.0);

@@ -4,7 +4,6 @@
 #include "io/scenarios/scenario_io.hpp"
 
 #include <fmt/format.h>
-#include <variant>
 
 namespace brinell::io
 {
@@ -12,16 +11,8 @@ namespace brinell::io
 namespace
 {
 
-/// Whether the surface of a body flows on under the same shear: then strain gathers in its uppermost layer, however thin that is.
-bool flows_freely(const constitutive::Material& material)
-{
-  return material.kinematic.empty() && material.hardening &&
-         std::visit([](const auto& law) { return law.modulus_at(0.0) == 0.0; }, *material.hardening);
-}
-
 /// Empty without friction.
-template <typename ScenarioCase>
-std::string friction_text(const ScenarioCase& scenario, const simulation::RunTotals& s)
+std::string friction_text(const simulation::RunTotals& s)
 {
   if (s.dissipation_friction == 0.0)
     return {};
@@ -29,13 +20,7 @@ std::string friction_text(const ScenarioCase& scenario, const simulation::RunTot
   if (s.max_share_at_shear_limit > 0.0)
     text += fmt::format("; shear at the limit of the surface in up to {:.2g} % of the contact",
                         100.0 * s.max_share_at_shear_limit);
-  text += "\n";
-  if (s.max_share_at_shear_limit > 0.0 && !scenario.friction.shear_limit &&
-      (flows_freely(scenario.lower.material) || flows_freely(scenario.upper.material)))
-    text += "          without hardening the strain at this limit depends on the thickness of the uppermost layer; "
-            "forces and "
-            "depths do so less\n";
-  return text;
+  return text + "\n";
 }
 
 /// Empty without wear.
@@ -64,7 +49,7 @@ std::string results_text(const Case& c, const simulation::AnySummary& summary)
       [&]<typename ScenarioCase>(const ScenarioCase& scenario)
       {
         const auto& s = summary_of<ScenarioCase>(summary);
-        return io_of(scenario).results(c, s) + friction_text(scenario, s) + wear_text(s);
+        return io_of(scenario).results(c, s) + friction_text(s) + wear_text(s);
       },
       c.scenario);
 }
