@@ -5,6 +5,7 @@
 #include "foundation/require_size.hpp"
 #include "open_heat_memory.hpp"
 #include "require_surface.hpp"
+#include "thermal_wave.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,37 +17,12 @@ namespace brinell::halfspace
 namespace
 {
 
-/// -i times a value.
-Complex divided_by_i(const Complex& value)
-{
-  return {value.imag(), -value.real()};
-}
-
-/// The stress of one wave at one depth, of a unit 2 mu alpha (1 + nu)/(1 - nu).
-struct StressWave
-{
-  Complex xx, yy, zz, yz, xz, xy;
-
-  [[nodiscard]] Complex trace() const { return xx + yy + zz; }
-};
-
-/// The potential of the temperature leaves a normal traction on the surface, and a pressure takes it off. In the body they
-/// cancel to what is left in zz, xz and yz.
+/// Of one wave in a row of them.
 StressWave stress_wave(const HeatRow& heat, std::size_t i, double poisson_ratio)
 {
-  const SurfaceWave& wave = heat.waves[i];
-  const double k = wave.k, kz = k * heat.depth;
-  const Complex surface = std::exp(-kz) * heat.potential_at_surface[i];
-  const Complex bent = heat.potential[i] + (1.0 - 2.0 * poisson_ratio - kz) * surface;
-  const Complex all = 2.0 * poisson_ratio * k * surface - heat.temperature[i];
-  const Complex slope = divided_by_i(heat.slope[i] + kz * surface);
-  const double inverse = k > 0.0 ? 1.0 / k : 0.0;
-  return {all + wave.kx * wave.kx * inverse * bent,
-          all + wave.ky * wave.ky * inverse * bent,
-          -k * (heat.potential[i] - (1.0 + kz) * surface),
-          wave.odd_y * slope,
-          wave.odd_x * slope,
-          wave.odd_x * wave.odd_y * inverse * bent};
+  return stress_wave(heat.waves[i], heat.depth,
+                     {heat.temperature[i], heat.potential[i], heat.slope[i], heat.potential_at_surface[i]},
+                     poisson_ratio);
 }
 
 double largest_of(const std::vector<double>& depths)

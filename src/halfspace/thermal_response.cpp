@@ -2,8 +2,10 @@
 #include "brinell/halfspace/thermal_response.hpp"
 
 #include "brinell/halfspace/thermal_field.hpp"
-#include "foundation/fft.hpp"
 #include "foundation/require_size.hpp"
+#include "steady_displacement.hpp"
+
+#include <cmath>
 
 namespace brinell::halfspace
 {
@@ -11,19 +13,31 @@ namespace brinell::halfspace
 namespace
 {
 
-/// The offsets between the cells of one axis, as cells of a grid of their own.
-struct Offsets
+/// Table of all offsets, of a step that has a beginning: the last one that a cold body has taken up.
+std::vector<double> displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
+                                         const HeatMotion& motion)
 {
-  int cells, count, middle;
+  SurfaceGrid offsets = grid;
+  offsets.nx = grid.is_periodic_x() ? grid.nx : 2 * grid.nx - 1;
+  offsets.ny = grid.is_periodic_y() ? grid.ny : 2 * grid.ny - 1;
+  std::vector<double> flux(offsets.size()), displacement(offsets.size());
+  flux[offsets.index(grid.is_periodic_x() ? 0 : grid.nx - 1, grid.is_periodic_y() ? 0 : grid.ny - 1)] = 1.0;
+  ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration});
+  field.take_up(flux, motion);
+  field.displacement({displacement, {}, {}});
+  return displacement;
+}
 
-  Offsets(int cells_of_grid, bool is_periodic)
-      : cells(cells_of_grid), count(is_periodic ? cells_of_grid : 2 * cells_of_grid - 1),
-        middle(is_periodic ? 0 : cells_of_grid - 1)
-  {
-  }
-  /// Where the cell with the number n among offsets is in a transform of this length.
-  [[nodiscard]] int wrapped(int n, int length) const { return n >= middle ? n - middle : n - middle + length; }
-};
+/// Of one that has not.
+std::vector<double> steady_displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
+                                                const HeatMotion& motion, std::optional<double> reference)
+{
+  const SteadyMotion steady{motion.velocity_x, reference};
+  require_steady("ThermalResponse", grid, thermal, steady);
+  if (motion.velocity_y != 0.0)
+    throw InputError("ThermalResponse: a flux that has always been there moves along x; allowed: velocity_y = 0");
+  return steady_displacement(SteadyLattices(grid, thermal, motion.velocity_x), thermal, elastic, steady);
+}
 
 } // namespace
 
@@ -32,25 +46,9 @@ struct ThermalResponse::Operator
   PaddedFft fft;
   AlignedVector<Complex> spectrum;
 
-  Operator(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatMotion& motion)
-      : fft(grid), spectrum(fft.plane())
+  Operator(const SurfaceGrid& grid, const std::vector<double>& offsets)
+      : fft(grid), spectrum(spectrum_of_offsets(fft, offsets))
   {
-    const Offsets x(grid.nx, grid.is_periodic_x()), y(grid.ny, grid.is_periodic_y());
-    SurfaceGrid offsets = grid;
-    offsets.nx = x.count;
-    offsets.ny = y.count;
-    std::vector<double> flux(offsets.size()), displacement(offsets.size());
-    flux[offsets.index(x.middle, y.middle)] = 1.0;
-    ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration});
-    field.take_up(flux, motion);
-    field.displacement({displacement, {}, {}});
-
-    AlignedVector<double> response(static_cast<std::size_t>(fft.px()) * static_cast<std::size_t>(fft.py()));
-    for (int j = 0; j < y.count; ++j)
-      for (int i = 0; i < x.count; ++i)
-        response[static_cast<std::size_t>(y.wrapped(j, fft.py())) * static_cast<std::size_t>(fft.px()) +
-                 static_cast<std::size_t>(x.wrapped(i, fft.px()))] = displacement[offsets.index(i, j)];
-    fft.forward_padded(response, spectrum.data());
   }
 };
 
@@ -61,8 +59,10 @@ struct ThermalResponse::Buffers
 };
 
 ThermalResponse::ThermalResponse(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
-                                 const HeatMotion& motion)
-    : operator_(make_hidden<Operator>(grid, thermal, elastic, motion))
+                                 const HeatMotion& motion, std::optional<double> reference)
+    : operator_(make_hidden<Operator>(grid, std::isinf(motion.duration)
+                                                ? steady_displacement_of_cell(grid, thermal, elastic, motion, reference)
+                                                : displacement_of_cell(grid, thermal, elastic, motion)))
 {
 }
 

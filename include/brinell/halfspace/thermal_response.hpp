@@ -4,6 +4,8 @@
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/heat_response.hpp"
 
+#include <optional>
+
 namespace brinell::halfspace
 {
 
@@ -15,8 +17,11 @@ namespace brinell::halfspace
 class ThermalResponse
 {
 public:
-  /// @throws InputError if a constant or the duration is not above 0, or the duration has no end
-  ThermalResponse(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatMotion& motion);
+  /// @param motion     without end: `SteadyField::displacement`
+  /// @param reference  SteadyMotion::reference, of a flux without end
+  /// @throws InputError if a constant or the duration is not above 0, or there is no steady displacement
+  ThermalResponse(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatMotion& motion,
+                  std::optional<double> reference = {});
 
   [[nodiscard]] const SurfaceGrid& grid() const;
 
