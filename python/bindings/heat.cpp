@@ -4,9 +4,13 @@
 #include "module.hpp"
 
 #include "brinell/constitutive/material.hpp"
+#include "brinell/halfspace/steady_field.hpp"
 #include "brinell/halfspace/thermal_field.hpp"
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
+
+#include <optional>
 
 using namespace nanobind::literals;
 
@@ -18,8 +22,10 @@ namespace
 
 using halfspace::HeatMotion;
 using halfspace::HeatResponse;
+using halfspace::SteadyField;
 using halfspace::SurfaceTemperature;
 using halfspace::ThermalField;
+using halfspace::ThermalLayer;
 
 Output temperature(const HeatResponse& response, const Input& flux)
 {
@@ -47,7 +53,8 @@ void take_up(SurfaceTemperature& memory, const Input& flux, const HeatMotion& mo
   without_lock([&] { memory.take_up(q, motion); });
 }
 
-Shape layers_of(const ThermalField& field)
+template <typename Field>
+Shape layers_of(const Field& field)
 {
   Shape layers = shape(field.grid());
   layers.insert(layers.begin(), field.depths().size());
@@ -62,7 +69,8 @@ Output displacement(const ThermalField& field, char axis, double later)
   return array(std::move(u), shape(field.grid()));
 }
 
-Output temperature_in_body(const ThermalField& field, double later)
+template <typename Field>
+Output temperature_in_body(const Field& field, const auto& layer)
 {
   const std::size_t cells = field.grid().size(), count = field.depths().size();
   std::vector<double> rise(count * cells);
@@ -70,12 +78,13 @@ Output temperature_in_body(const ThermalField& field, double later)
       [&]
       {
         for (std::size_t n = 0; n < count; ++n)
-          field.layer(n, {.temperature = std::span(rise).subspan(n * cells, cells)}, later);
+          layer(n, {.temperature = std::span(rise).subspan(n * cells, cells)});
       });
   return array(std::move(rise), layers_of(field));
 }
 
-Output stress(const ThermalField& field, double later)
+template <typename Field>
+Output stress(const Field& field, const auto& layer)
 {
   const std::size_t cells = field.grid().size(), count = field.depths().size();
   std::vector<double> all(6 * count * cells);
@@ -85,7 +94,7 @@ Output stress(const ThermalField& field, double later)
         std::vector<double> deviator(Deviator::size * cells), trace(cells);
         for (std::size_t n = 0; n < count; ++n)
         {
-          field.layer(n, {.deviator = deviator, .trace = trace}, later);
+          layer(n, {.deviator = deviator, .trace = trace});
           const std::vector<double> six = six_fields(deviator, trace);
           for (std::size_t c = 0; c < 6; ++c)
             std::copy_n(six.begin() + static_cast<std::ptrdiff_t>(c * cells), cells,
@@ -95,6 +104,46 @@ Output stress(const ThermalField& field, double later)
   Shape six = layers_of(field);
   six.insert(six.begin(), 6);
   return array(std::move(all), six);
+}
+
+void bind_steady_field(nb::module_& m)
+{
+  const auto layer_of = [](const SteadyField& field, std::span<const double> flux) {
+    return [&field, flux](std::size_t n, const ThermalLayer& to) { field.layers(flux, n, {&to, 1}); };
+  };
+  nb::class_<SteadyField>(m, "SteadyField")
+      .def(
+          "__init__",
+          [](SteadyField* self, const SurfaceGrid& grid, const Thermal& thermal, const constitutive::Material& material,
+             double velocity, std::optional<double> reference, std::vector<double> depths)
+          {
+            without_lock(
+                [&] {
+                  return new (self)
+                      SteadyField(grid, thermal, material.elastic, {velocity, reference}, std::move(depths));
+                });
+          },
+          "grid"_a, "thermal"_a, "material"_a, "velocity"_a, "reference"_a, "depths"_a)
+      .def(
+          "displacement",
+          [](const SteadyField& field, const Input& flux)
+          {
+            const auto q = values(flux, shape(field.grid()), "flux");
+            std::vector<double> u(field.grid().size());
+            without_lock([&] { field.displacement(q, u); });
+            return array(std::move(u), shape(field.grid()));
+          },
+          "flux"_a)
+      .def(
+          "temperature",
+          [=](const SteadyField& field, const Input& flux)
+          { return temperature_in_body(field, layer_of(field, values(flux, shape(field.grid()), "flux"))); },
+          "flux"_a)
+      .def(
+          "stress",
+          [=](const SteadyField& field, const Input& flux)
+          { return stress(field, layer_of(field, values(flux, shape(field.grid()), "flux"))); },
+          "flux"_a);
 }
 
 } // namespace
@@ -157,8 +206,19 @@ void bind_heat(nb::module_& m)
           },
           "flux"_a, "motion"_a)
       .def("displacement", &displacement, "axis"_a, "later"_a)
-      .def("temperature", &temperature_in_body, "later"_a)
-      .def("stress", &stress, "later"_a);
+      .def(
+          "temperature",
+          [](const ThermalField& field, double later) {
+            return temperature_in_body(field,
+                                       [&](std::size_t n, const ThermalLayer& to) { field.layer(n, to, later); });
+          },
+          "later"_a)
+      .def(
+          "stress",
+          [](const ThermalField& field, double later)
+          { return stress(field, [&](std::size_t n, const ThermalLayer& to) { field.layer(n, to, later); }); },
+          "later"_a);
+  bind_steady_field(m);
 }
 
 } // namespace brinell::python

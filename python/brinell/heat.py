@@ -14,6 +14,8 @@ What heat does to an elastic body needs its thermal expansion, too:
     field = ThermalField(grid, steel, Material("210 GPa", 0.3), shortest_step=1e-5, duration=1e-3, depths=[0.0, 2e-5])
     field.step(flux, duration=1e-5, velocity=1.0)
     u_z, stress = field.displacement(), field.stress()
+    always = SteadyField(grid, steel, Material("210 GPa", 0.3), velocity=1.0, depths=[0.0, 2e-5])
+    u_z, stress = always.displacement(flux), always.stress(flux)
 """
 
 from __future__ import annotations
@@ -30,10 +32,12 @@ from brinell.errors import InputError
 from brinell.halfspace import SurfaceGrid, require_memory
 from brinell.materials import Material, Thermal
 
-__all__ = ["HeatResponse", "SurfaceTemperature", "ThermalField"]
+__all__ = ["HeatResponse", "SteadyField", "SurfaceTemperature", "ThermalField"]
 
 _BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
 """Per cell: the planned operator; the state of all waves, without most images; the same for fields in the body."""
+_BYTES_OF_STEADY_LAYER = 500
+"""Per cell and depth: seven planned operators, and while they are planned a table each."""
 
 
 class HeatResponse:
@@ -229,6 +233,78 @@ class ThermalField:
     def stress(self, *, later: float = 0.0) -> Array:
         """Stress at the depths, (6, len(depths), ny, nx) [Pa], in the middles of cells; `later`: see `displacement`."""
         return self._engine.stress(number(later, "later"))
+
+
+class SteadyField:
+    """A flux that has always been there and moves along x -> displacement of the surface, temperature and stress.
+
+    The surface is free of traction. There are no images of open axes, to some 1e-5 of the largest value. Of a flux that
+    moves the displacement counts from far away.
+    """
+
+    def __init__(
+        self,
+        grid: SurfaceGrid,
+        thermal: Thermal,
+        material: Material,
+        *,
+        velocity: float = 0.0,
+        reference: float | None = None,
+        depths: Sequence[float] = (),
+    ):
+        """Plans the operator.
+
+        Args:
+            grid: of flux and fields, open along x.
+            thermal: constants of the body.
+            material: of it only the elastic constants count.
+            velocity: of the flux over the body, along x [m/s].
+            reference: distance at which the surface counts as not displaced, of a flux at rest [m].
+            depths: of the layers with temperature and stress [m]; 0 is the surface.
+
+        Raises:
+            InputError: a depth below 0, a rigid body; a steady state that there is not, because heat piles up along a
+                periodic axis.
+        """
+        if material.is_rigid:
+            raise InputError("a rigid body has no thermal stress; allowed: an elastic material")
+        self.depths = tuple(number(depth, "depths") for depth in depths)
+        layers = _BYTES_OF_STEADY_LAYER * (1 + len(self.depths))
+        require_memory(grid.nx * grid.ny, layers, "a heated body")
+        self.grid = grid
+        self._engine = _core.SteadyField(
+            grid._engine,
+            thermal._engine,
+            material._engine,
+            number(velocity, "velocity"),
+            None if reference is None else number(reference, "reference"),
+            list(self.depths),
+        )
+
+    def __repr__(self) -> str:
+        return f"<SteadyField {cells(self.grid.shape)}, {len(self.depths)} layers>"
+
+    def displacement(self, flux: ArrayLike) -> Array:
+        """Displacement of the surface along z, into the body, so that heat makes it negative.
+
+        Args:
+            flux: (ny, nx) into the body [W/m^2].
+
+        Returns:
+            (ny, nx) [m].
+
+        Raises:
+            InputError: the flux is at rest, and there is no `reference`.
+        """
+        return self._engine.displacement(contiguous(flux, "flux"))
+
+    def temperature(self, flux: ArrayLike) -> Array:
+        """Rise of the temperature at the depths under such a flux, (len(depths), ny, nx) [K]."""
+        return self._engine.temperature(contiguous(flux, "flux"))
+
+    def stress(self, flux: ArrayLike) -> Array:
+        """Stress at the depths under such a flux, (6, len(depths), ny, nx) [Pa], in the middles of cells."""
+        return self._engine.stress(contiguous(flux, "flux"))
 
 
 def _motion(duration: float | None, velocity: float | tuple[float, float]) -> _core.HeatMotion:

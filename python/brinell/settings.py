@@ -96,8 +96,9 @@ class Heating(_Table):
     Attributes:
         partition: share of the lower body in it; both surfaces have one temperature where they touch if it is None.
         conductance: of the contact [W/(m² K)]; if it is None nothing resists the heat, or with a partition none passes.
-        regime: all heat since the start, or that of a step as if it had always been there ("steady": surfaces alone,
-            with displacement=False and stress=False).
+        regime: all heat since the start, or that of a step as if it had always been there ("steady": of bodies that
+            yield with heat_of_plastic_work=0).
+        reference: distance at which a body that rests under a steady flux counts as not displaced [m].
         heat_of_plastic_work: share of the plastic work that becomes heat where it is done; 0: none.
         displacement: whether the surfaces swell into the gap.
         stress: whether thermal stress counts when the material yields.
@@ -106,6 +107,7 @@ class Heating(_Table):
     partition: float | None = None
     conductance: Quantity | None = None
     regime: Literal["transient", "steady"] | None = None
+    reference: Quantity | None = None
     heat_of_plastic_work: float | None = None
     displacement: bool | None = None
     stress: bool | None = None

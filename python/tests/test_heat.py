@@ -10,7 +10,7 @@ import pytest
 
 import brinell
 from brinell.halfspace import SurfaceGrid
-from brinell.heat import HeatResponse, SurfaceTemperature, ThermalField
+from brinell.heat import HeatResponse, SteadyField, SurfaceTemperature, ThermalField
 from brinell.materials import Material, Thermal
 
 STEEL = Thermal(conductivity=50.0, density=7850.0, specific_heat=450.0, expansion=12e-6)
@@ -52,6 +52,30 @@ def test_plane_that_is_heated() -> None:
     assert rise[0] == pytest.approx(surface, rel=1e-4)
     assert stress[0] == pytest.approx(-210e9 * 12e-6 / 0.7 * rise, rel=1e-9)
     assert np.abs(stress[2:]).max() < 1e-9 * np.abs(stress[0]).max()
+
+
+def test_a_source_that_has_always_moved() -> None:
+    grid = SurfaceGrid(40, 24, 1e-4, 1e-4)
+    flux = 1e7 * np.exp(-(grid.x**2 + grid.y**2) / (4e-4) ** 2)
+    velocity = 4.0 * STEEL.diffusivity / 4e-4
+    always = SteadyField(grid, STEEL, ELASTIC, velocity=velocity, depths=[0.0, 2e-4])
+    rise, stress = always.temperature(flux), always.stress(flux)
+    assert rise.shape == (2, 24, 40)
+    assert stress.shape == (6, 2, 24, 40)
+    assert rise[0] == pytest.approx(HeatResponse(grid, STEEL, velocity=velocity).temperature(flux), abs=0.01 * rise.max())
+    assert np.abs(stress[2:5, 0]).max() < 1e-9 * np.abs(stress[0]).max()
+    assert always.displacement(flux).max() < 0.0
+
+
+def test_a_source_at_rest_needs_a_reference() -> None:
+    grid = SurfaceGrid(24, 24, 1e-4, 1e-4)
+    flux = 1e7 * np.exp(-(grid.x**2 + grid.y**2) / (3e-4) ** 2)
+    with pytest.raises(InputError, match="allowed: a reference"):
+        SteadyField(grid, STEEL, ELASTIC).displacement(flux)
+    near, far = (SteadyField(grid, STEEL, ELASTIC, reference=r).displacement(flux) for r in (1e-2, 2e-2))
+    # Barber (1971): (1 + nu) alpha Q ln 2/(2 pi K)
+    shift = 1.3 * 12e-6 * flux.sum() * 1e-8 * math.log(2.0) / (2.0 * math.pi * 50.0)
+    assert near - far == pytest.approx(shift, rel=1e-6)
 
 
 def test_later_the_same_heat_is_spread() -> None:

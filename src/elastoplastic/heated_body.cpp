@@ -63,14 +63,19 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
     : grid_(heat_grid(volume.surface)), thermal_(material.thermal.value()), bulk_(material.temperature),
       swells_(run.settings.displacement && thermal_.expansion != 0.0),
       is_stressed_(run.settings.stress && thermal_.expansion != 0.0 && material.is_plastic()),
-      softening_law_(material.is_plastic() ? material.softening : std::nullopt),
-      field_(grid_, thermal_, material.elastic, run.times,
-             material.elastic.is_rigid() ? std::vector<double>{} : depths_of(volume),
-             numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry,
-             heated_layers(volume, material, run.settings))
+      softening_law_(material.is_plastic() ? material.softening : std::nullopt), is_rigid_(material.elastic.is_rigid())
 {
-  if (heated_layers(volume, material, run.settings).count > 0)
-    plastic_.emplace(grid_, run.settings.of_plastic_work);
+  if (run.settings.regime == HeatRegime::steady)
+    steady_.emplace(grid_, thermal_, material.elastic, volume.dz, run.settings.reference);
+  else
+  {
+    const halfspace::HeatedLayers heated = heated_layers(volume, material, run.settings);
+    field_.emplace(grid_, thermal_, material.elastic, run.times, is_rigid_ ? std::vector<double>{} : depths_of(volume),
+                   numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry,
+                   heated);
+    if (heated.count > 0)
+      plastic_.emplace(grid_, run.settings.of_plastic_work);
+  }
   for (std::vector<double>* field :
        {&remaining_temperature_, &remaining_displacement_, &displacement_, &displacement_before_, &pressure_})
     field->assign(grid_.size(), 0.0);
@@ -78,27 +83,34 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
     stress_.assign(Deviator::size * volume.size(), 0.0);
 }
 
-void BodyHeat::begin(std::span<const double> expected, const halfspace::HeatMotion& motion, const VolumeGrid& body)
+void BodyHeat::begin(const std::vector<double>& expected, const halfspace::HeatMotion& motion, const VolumeGrid& body)
 {
   motion_ = motion;
+  if (steady_)
+  {
+    steady_->begin(motion.velocity_x, expected.empty() ? std::vector<double>(grid_.size()) : expected);
+    if (acts_in_layers())
+      find_layers(body);
+    return;
+  }
   if (plastic_)
   {
-    field_.take_up_in_body(plastic_->arising(motion.velocity_x * motion.duration / grid_.dx, motion.duration),
-                           motion.duration);
+    field_->take_up_in_body(plastic_->arising(motion.velocity_x * motion.duration / grid_.dx, motion.duration),
+                            motion.duration);
     is_carried_on_ = true;
   }
-  if (field_.time() > 0.0)
+  if (field_->time() > 0.0)
   {
-    field_.remaining_temperature(motion.duration, remaining_temperature_);
+    field_->remaining_temperature(motion.duration, remaining_temperature_);
     if (swells_)
-      field_.displacement({remaining_displacement_, {}, {}}, motion.duration);
+      field_->displacement({remaining_displacement_, {}, {}}, motion.duration);
   }
   if (plastic_)
-    field_.add_temperature_of_body(remaining_temperature_);
+    field_->add_temperature_of_body(remaining_temperature_);
   if (!acts_in_layers())
     return;
   expected_.assign(expected.begin(), expected.end());
-  field_.take_up(expected_, motion, before_);
+  field_->take_up(expected_, motion, before_);
   is_expected_ = true;
   find_layers(body);
 }
@@ -112,35 +124,42 @@ void BodyHeat::settle_work(std::span<const double> work, const VolumeGrid& body,
 void BodyHeat::settle(std::span<const double> flux)
 {
   is_carried_on_ = false;
-  if (!is_expected_)
-    field_.take_up(flux, motion_);
+  if (steady_)
+    steady_->settle(flux);
+  else if (!is_expected_)
+    field_->take_up(flux, motion_);
   else
   {
     for (std::size_t i = 0; i < flux.size(); ++i)
       expected_[i] = flux[i] - expected_[i];
-    field_.amend(expected_, motion_);
+    field_->amend(expected_, motion_);
     is_expected_ = false;
   }
   if (!swells_)
     return;
   displacement_before_ = displacement_;
-  field_.displacement({displacement_, {}, {}});
+  if (steady_)
+    steady_->displacement(displacement_);
+  else
+    field_->displacement({displacement_, {}, {}});
 }
 
 void BodyHeat::restore()
 {
+  if (steady_)
+    steady_->restore();
   if (is_carried_on_)
-    field_.go_back_in_body();
+    field_->go_back_in_body();
   is_carried_on_ = false;
   if (!is_expected_)
     return;
-  field_.go_back(before_);
+  field_->go_back(before_);
   is_expected_ = false;
 }
 
 void BodyHeat::require_layers(const VolumeGrid& body) const
 {
-  if (static_cast<std::size_t>(body.nz) > field_.depths().size())
+  if (field_ && static_cast<std::size_t>(body.nz) > field_->depths().size())
     throw GridError("the plastic zone has become more than twice as deep as planned, and the heat is not known there; "
                     "allowed: a larger grid.extent");
 }
@@ -166,7 +185,7 @@ void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out) const
 /// @param room  where the fields come to be on the grid of the heat
 void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::vector<double>& room) const
 {
-  if (field_.depths().empty())
+  if (is_rigid_)
     return;
   require_layers(body);
   const auto count = static_cast<std::size_t>(body.nz);
@@ -182,7 +201,10 @@ void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::v
     found.push_back({of_layer.subspan((deviators + traces) * cells), of_layer.first(deviators * cells),
                      of_layer.subspan(deviators * cells, traces * cells)});
   }
-  field_.layers(0, found);
+  if (steady_)
+    steady_->layers(found);
+  else
+    field_->layers(0, found);
   const auto place = [&](std::span<const double> field, std::span<double> all, std::size_t number, std::size_t layer)
   {
     const std::size_t size = body.surface.size();
@@ -211,7 +233,10 @@ double BodyHeat::work_against(std::span<const double> pressure)
 
 void BodyHeat::exchange(Archive& archive)
 {
-  archive("field", field_);
+  if (steady_)
+    archive("steady", *steady_);
+  else
+    archive("field", *field_);
   archive("displacement", displacement_);
   archive("pressure", pressure_);
   if (plastic_)

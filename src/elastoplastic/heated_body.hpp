@@ -5,6 +5,7 @@
 #include "brinell/elastoplastic/heating.hpp"
 #include "brinell/halfspace/thermal_field.hpp"
 #include "plastic_heat.hpp"
+#include "steady_heat.hpp"
 
 #include <optional>
 #include <span>
@@ -23,6 +24,7 @@ public:
 
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] bool swells() const { return swells_; }
+  [[nodiscard]] bool is_steady() const { return steady_.has_value(); }
 
   /// Whether its temperature takes part of its yield stress.
   [[nodiscard]] bool is_softened() const { return softening_law_.has_value(); }
@@ -30,7 +32,7 @@ public:
   [[nodiscard]] bool acts_in_layers() const { return is_stressed_ || is_softened(); }
 
   /// Begins a step with a flux that is expected in it, and finds stress and softening at its end, if they are wanted.
-  void begin(std::span<const double> expected, const halfspace::HeatMotion& motion, const VolumeGrid& body);
+  void begin(const std::vector<double>& expected, const halfspace::HeatMotion& motion, const VolumeGrid& body);
   /// Ends it with the flux that has come in.
   void settle(std::span<const double> flux);
   /// Ends it with the plastic work that has been done [J/m^3]; a step that takes no time, too.
@@ -68,9 +70,11 @@ private:
   double bulk_;               ///< temperature far from the contact [deg C]
   bool swells_, is_stressed_; ///< whether its displacement counts in the gap, its thermal stress when it yields
   std::optional<constitutive::SofteningLaw> softening_law_; ///< none: it does not count
-  std::optional<PlasticHeat> plastic_;                      ///< none: plastic work does not heat
-  bool is_carried_on_ = false; ///< whether the heat in the body is that at the end of the step at hand
-  halfspace::ThermalField field_;
+  bool is_rigid_;
+  std::optional<PlasticHeat> plastic_; ///< none: plastic work does not heat
+  bool is_carried_on_ = false;         ///< whether the heat in the body is that at the end of the step at hand
+  std::optional<halfspace::ThermalField> field_;   ///< of all heat since the start; or
+  std::optional<SteadyHeat> steady_;               ///< of that of a step
   Hidden<halfspace::ThermalField::Heat> before_{}; ///< the step at hand
   bool is_expected_ = false;                       ///< whether the expected flux of the step at hand is taken up
   halfspace::HeatMotion motion_{};

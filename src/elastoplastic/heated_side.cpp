@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brinell::elastoplastic
 {
@@ -28,6 +29,11 @@ double without_rounding(double value)
   return std::round(value / unit) * unit;
 }
 
+bool is_zero(std::span<const double> field)
+{
+  return std::all_of(field.begin(), field.end(), [](double value) { return value == 0.0; });
+}
+
 Place on_heat(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& place)
 {
   return {place.column + (heat.nx - body.nx) / 2, place.fraction};
@@ -36,8 +42,8 @@ Place on_heat(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& pla
 } // namespace
 
 HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material& material,
-                       std::shared_ptr<BodyHeat> heat, bool is_mirrored)
-    : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored)
+                       std::shared_ptr<BodyHeat> heat, bool is_mirrored, std::optional<double> reference)
+    : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored), reference_(reference)
 {
   for (std::vector<double>* field : {&remaining_displacement_, &own_displacement_, &flux_, &last_flux_, &flux_before_})
     field->assign(contact.size(), 0.0);
@@ -76,29 +82,31 @@ std::vector<double> HeatedSide::on_body(std::span<const double> field, const cha
   return out;
 }
 
-void HeatedSide::plan(const halfspace::HeatMotion& motion)
+/// Of the motion of the step at hand; planned when a flux asks for them, as there may be none of a flux that always rests.
+HeatedSide::Responses& HeatedSide::responses()
 {
   const auto known = std::find_if(planned_.begin(), planned_.end(),
-                                  [&](const Responses& responses) { return responses.motion == motion; });
+                                  [&](const Responses& responses) { return responses.motion == motion_; });
   if (known != planned_.end())
   {
     planned_.splice(planned_.begin(), planned_, known);
-    return;
+    return planned_.front();
   }
   constexpr std::size_t most = 6;
   if (planned_.size() == most)
     planned_.pop_back();
-  halfspace::HeatResponse temperature(contact_, *material_.thermal, motion);
+  halfspace::HeatResponse temperature(contact_, *material_.thermal, motion_);
   auto temperature_scratch = temperature.make_scratch();
   std::optional<halfspace::ThermalResponse> displacement;
   halfspace::ThermalResponse::Scratch displacement_scratch;
   if (swells())
   {
-    displacement.emplace(contact_, *material_.thermal, material_.elastic, motion);
+    displacement.emplace(contact_, *material_.thermal, material_.elastic, motion_, reference_);
     displacement_scratch = displacement->make_scratch();
   }
-  planned_.push_front({motion, std::move(temperature), std::move(displacement), std::move(temperature_scratch),
+  planned_.push_front({motion_, std::move(temperature), std::move(displacement), std::move(temperature_scratch),
                        std::move(displacement_scratch)});
+  return planned_.front();
 }
 
 /// Linear in time, of the fluxes of the last two steps as seen from the contact: each is the mean over its step.
@@ -112,35 +120,36 @@ std::vector<double> HeatedSide::expected_flux(double duration) const
   return expected;
 }
 
-void HeatedSide::begin(const VolumeGrid& body, const Place& place, double columns, double duration)
+void HeatedSide::begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool slides)
 {
   if (!conducts())
     return;
   duration_ = without_rounding(duration);
   const double velocity = without_rounding(columns * contact_.dx / duration_);
-  if (!remembers())
-  {
-    plan({.velocity_x = velocity});
-    set_flux(last_flux_);
-    return;
-  }
-  const halfspace::HeatMotion motion{duration_, velocity};
+  constexpr double always = std::numeric_limits<double>::infinity();
+  motion_ = {heat_->is_steady() ? always : duration_, velocity};
   place_ = on_heat(heat_->grid(), body.surface, place);
-  plan(motion);
+  // What was there when the surfaces slid has never been there in the steady state of a step in which they do not.
+  const bool is_new = heat_->is_steady() && !slides;
+  const std::vector<double> none(contact_.size(), 0.0);
   if (!is_mirrored_)
-    heat_->begin(heat_->acts_in_layers() ? on_body(expected_flux(duration), "heat") : std::vector<double>{}, motion,
-                 body);
+    heat_->begin(heat_->acts_in_layers() ? on_body(is_new ? none : expected_flux(duration), "heat")
+                                         : std::vector<double>{},
+                 motion_, body);
   remaining_ = seen(heat_->remaining_temperature(), place_);
   for (double& t : remaining_)
     t += material_.temperature;
   if (swells())
     remaining_displacement_ = seen(heat_->remaining_displacement(), place_);
-  set_flux(last_flux_);
+  set_flux(is_new ? none : last_flux_);
 }
 
 void HeatedSide::warm(std::span<const double> flux, std::span<double> rise)
 {
-  responses().temperature.apply(flux, rise, responses().temperature_scratch);
+  if (is_zero(flux))
+    std::fill(rise.begin(), rise.end(), 0.0);
+  else
+    responses().temperature.apply(flux, rise, responses().temperature_scratch);
 }
 
 double HeatedSide::set_flux(std::span<const double> flux)
@@ -149,7 +158,10 @@ double HeatedSide::set_flux(std::span<const double> flux)
   if (!swells())
     return 0.0;
   const std::vector<double> before = own_displacement_;
-  responses().displacement->apply(flux_, own_displacement_, responses().displacement_scratch);
+  if (is_zero(flux))
+    own_displacement_.assign(flux_.size(), 0.0);
+  else
+    responses().displacement->apply(flux_, own_displacement_, responses().displacement_scratch);
   double change = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i)
     change = larger(change, std::abs(own_displacement_[i] - before[i]));
@@ -175,13 +187,13 @@ void HeatedSide::settle()
   warm(flux_, temperature_);
   for (std::size_t i = 0; i < temperature_.size(); ++i)
     temperature_[i] += remaining_[i];
-  if (remembers() && !is_mirrored_)
+  if (conducts() && !is_mirrored_)
     heat_->settle(on_body(flux_, "heat"));
 }
 
 void HeatedSide::restore()
 {
-  if (remembers() && !is_mirrored_)
+  if (conducts() && !is_mirrored_)
     heat_->restore();
 }
 
@@ -202,7 +214,7 @@ void HeatedSide::exchange(Archive& archive)
   archive("duration", last_duration_);
   archive("total", total_);
   flux_ = last_flux_;
-  if (remembers() && !is_mirrored_)
+  if (conducts() && !is_mirrored_)
     archive("heat", *heat_);
 }
 

@@ -34,6 +34,7 @@ struct Heating::State
   // Since the start [J]
   double heat_of_friction = 0.0, work_on_pressure = 0.0;
 
+  void count_apart(double heat);
   [[nodiscard]] BothResponses& of_both();
   [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
   [[nodiscard]] std::vector<double> exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
@@ -56,15 +57,12 @@ std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const std::array<
                                    const HeatedRun& run, Twin twin, const HeatNumerics& numerics)
 {
   const auto heat_of = [&](const Heating::Partner& body)
-  {
-    return body.material.thermal && run.settings.regime == HeatRegime::transient
-               ? std::make_shared<BodyHeat>(body.grid, body.material, run, numerics)
-               : nullptr;
-  };
+  { return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, run, numerics) : nullptr; };
   const std::shared_ptr<BodyHeat> lower = heat_of(bodies[0]);
   const bool is_twin = twin != Twin::none;
-  return {HeatedSide(contact, bodies[0].material, lower, false),
-          HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1]), is_twin)};
+  const std::optional<double>& reference = run.settings.reference;
+  return {HeatedSide(contact, bodies[0].material, lower, false, reference),
+          HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1]), is_twin, reference)};
 }
 
 } // namespace
@@ -75,9 +73,6 @@ Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodie
   require_conductors(bodies);
   if (twin == Twin::alike)
     throw InternalError("Heating: bodies that are alike do not slide on each other");
-  if (run.settings.regime == HeatRegime::steady && (run.settings.displacement || run.settings.stress))
-    throw InputError(
-        "Heating: the steady regime has surface temperatures alone; allowed: without displacement and stress");
   if (twin != Twin::none && run.settings.share() != 0.5)
     throw InternalError("Heating: twins have equal shares in the heat");
   state_ = make_hidden<State>(contact, run.settings, sides_of(contact, bodies, run, twin, numerics),
@@ -91,7 +86,7 @@ void Heating::begin(const Start& start)
   s.slid = start.slid;
   s.shear_before.assign(start.shear_before.begin(), start.shear_before.end());
   for (std::size_t side = 0; side < 2 && s.duration > 0.0; ++side)
-    s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration);
+    s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration, start.slid > 0.0);
 }
 
 Heating::State::BothResponses& Heating::State::of_both()
@@ -134,6 +129,8 @@ std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& he
     if (pressed[i])
       largest = std::max(largest, std::abs(rhs[i]));
   }
+  if (largest == 0.0)
+    return std::vector<double>(heat.size(), 0.0);
   BothResponses& both = of_both();
   const FieldOperator warm_both = [&](std::span<const double> in, std::span<double> out)
   {
@@ -165,6 +162,14 @@ double Heating::State::share_flux(const std::vector<double>& heat, std::span<con
   return lower.set_flux(into_lower) + upper.set_flux(into_upper);
 }
 
+/// Heat that warms nothing, in the shares that are given [J].
+void Heating::State::count_apart(double heat)
+{
+  const double lower = !sides[1].conducts() ? 1.0 : sides[0].conducts() ? settings.share() : 0.0;
+  sides[0].count_apart(lower * heat);
+  sides[1].count_apart((1.0 - lower) * heat);
+}
+
 double Heating::follow(std::span<const double> pressure, std::span<const double> shear, Sharing sharing)
 {
   State& s = *state_;
@@ -192,19 +197,26 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
   std::vector<double> heat(heat_per_area.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
     heat[i] = s.settings.fraction * heat_per_area[i] / s.duration;
+  const double all = sum(heat) * s.duration * s.contact.cell_area();
+  s.heat_of_friction += all;
+  if (s.settings.regime == HeatRegime::steady && s.slid == 0.0)
+  {
+    // What the shear gives back where nothing slides is heat, but no source that could have been there always.
+    s.count_apart(all);
+    std::fill(heat.begin(), heat.end(), 0.0);
+  }
   static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
-  s.heat_of_friction += sum(heat) * s.duration * s.contact.cell_area();
   for (HeatedSide& side : s.sides)
     side.settle();
   for (HeatedSide& side : s.sides)
-    if (side.remembers() && !side.is_mirrored())
+    if (side.conducts() && !side.is_mirrored())
       s.work_on_pressure += s.twins * side.heat().work_against(side.on_body(pressure, "pressure"));
 }
 
 bool Heating::takes_work(std::size_t side) const
 {
   const HeatedSide& s = state_->sides.at(side);
-  return s.remembers() && !s.is_mirrored() && state_->settings.of_plastic_work > 0.0;
+  return s.conducts() && !s.is_mirrored() && state_->settings.of_plastic_work > 0.0;
 }
 
 void Heating::settle_work(std::size_t side, std::span<const double> work, const VolumeGrid& body)
@@ -222,7 +234,7 @@ void Heating::restore()
 std::span<const double> Heating::stress(std::size_t side) const
 {
   const HeatedSide& s = state_->sides.at(side);
-  if (!s.remembers() || s.is_mirrored())
+  if (!s.conducts() || s.is_mirrored())
     return {};
   return s.heat().stress();
 }
@@ -230,7 +242,7 @@ std::span<const double> Heating::stress(std::size_t side) const
 std::span<const double> Heating::softening(std::size_t side) const
 {
   const HeatedSide& s = state_->sides.at(side);
-  if (!s.remembers() || s.is_mirrored())
+  if (!s.conducts() || s.is_mirrored())
     return {};
   return s.heat().softening();
 }
@@ -259,7 +271,7 @@ double Heating::heat_of_plastic_work() const
 {
   double heat = 0.0;
   for (const HeatedSide& side : state_->sides)
-    if (side.remembers() && !side.is_mirrored())
+    if (side.conducts() && !side.is_mirrored())
       heat += state_->twins * side.heat().heat_of_plastic_work();
   return heat;
 }
@@ -277,13 +289,8 @@ void Heating::add_depth(std::size_t side, const SurfaceGrid& body, const Place& 
 void Heating::layers(std::size_t side, const VolumeGrid& body, const Layers& out) const
 {
   const HeatedSide& s = state_->sides.at(side);
-  if (s.remembers())
+  if (s.conducts())
     s.heat().layers(body, out);
-}
-
-bool Heating::knows_depth() const
-{
-  return state_->settings.regime == HeatRegime::transient;
 }
 
 void Heating::exchange(Archive& archive)

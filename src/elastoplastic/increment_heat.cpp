@@ -67,7 +67,7 @@ void CoupledContact::add_thermal_stress(std::size_t side, const BodyView& view, 
 
 std::vector<double> CoupledContact::temperature(std::size_t side, const BodyView& view) const
 {
-  if (!heating_ || !heating_->knows_depth() || view.material().elastic.is_rigid())
+  if (!heating_ || view.material().elastic.is_rigid())
     return {};
   std::vector<double> result(view.grid().size()), none;
   heating_->layers(side, view.grid(), {.temperature = result, .deviator = {}, .trace = {}});

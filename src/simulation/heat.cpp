@@ -28,26 +28,29 @@ void require_solid(const char* name, const constitutive::Material& material)
                                name, material.temperature, *melting));
 }
 
-/// The steady regime knows the temperatures of surfaces alone. Along a periodic axis heat would pile up for ever.
-void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper)
+/// That there is a steady state, and a displacement in it.
+void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper, bool upper_rests)
 {
   const auto refuse = [](const std::string& reason, const std::string& allowed)
   {
     throw KeyError("thermal.regime",
                    fmt::format("thermal.regime = \"steady\", but {}; allowed: {}, or \"transient\"", reason, allowed));
   };
-  if (numerics.heat.displacement || numerics.heat.stress)
-    refuse("it gives the temperatures of the surfaces alone: what a flux that rests swells by has no limit",
-           "thermal.displacement = false and thermal.stress = false");
-  if (numerics.domain.x.is_periodic() || numerics.domain.y.is_periodic())
-    refuse("along a periodic axis heat piles up", "a grid without periodic axes");
+  if (numerics.domain.x.is_periodic())
+    refuse("along a periodic axis of the motion heat piles up", "an open axis along x");
+  if (numerics.domain.y.is_periodic() && upper_rests && upper.material.thermal)
+    refuse("in the upper body, which rests under its heat along a periodic axis, heat piles up", "open axes");
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (body->material.is_plastic() && numerics.heat.of_plastic_work > 0.0)
       refuse(fmt::format("the heat of the plastic work of the {} body is not known in it", name),
              "thermal.heat_of_plastic_work = 0");
-  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
-    if (body->material.softening)
-      refuse(fmt::format("the {} body softens with the temperature in it, which is not known", name), "no softening");
+  const bool swells = upper.material.thermal && upper.material.thermal->expansion != 0.0 && numerics.heat.displacement;
+  if (upper_rests && swells && !numerics.heat.reference)
+    throw KeyError(
+        "thermal.reference",
+        "thermal.reference is missing: the upper body rests under its heat, and what a steady flux that rests "
+        "swells by grows with the logarithm of the distance without end; allowed: the distance from the "
+        "contact at which it counts as nothing, as the radius of the body; or thermal.displacement = false");
 }
 
 } // namespace
@@ -58,8 +61,9 @@ bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
 }
 
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                  const std::optional<double>& speed, const std::string& speed_key)
+                  const HeatedMotion& motion)
 {
+  const auto& [speed, speed_key, upper_rests] = motion;
   require_share("interface.heat_fraction", numerics.heat.fraction);
   require_share("thermal.heat_of_plastic_work", numerics.heat.of_plastic_work);
   if (numerics.heat.partition)
@@ -67,6 +71,9 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
   if (numerics.heat.conductance && !(*numerics.heat.conductance >= 0.0 && std::isfinite(*numerics.heat.conductance)))
     throw KeyError("thermal.conductance", fmt::format("thermal.conductance = {:g} W/(m^2 K); allowed: >= 0, or none",
                                                       *numerics.heat.conductance));
+  if (numerics.heat.reference && !(*numerics.heat.reference > 0.0 && std::isfinite(*numerics.heat.reference)))
+    throw KeyError("thermal.reference",
+                   fmt::format("thermal.reference = {:g} m; allowed: > 0, or none", *numerics.heat.reference));
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     require_solid(name, body->material);
   if (speed && !(*speed > 0.0 && std::isfinite(*speed)))
@@ -78,7 +85,7 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
                                           "depends on it; allowed: a speed > 0, as \"1 m/s\"; or no thermal constants",
                                           speed_key));
   if (numerics.heat.regime == elastoplastic::HeatRegime::steady)
-    require_steady(numerics, lower, upper);
+    require_steady(numerics, lower, upper, upper_rests);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!body->material.thermal && !body->material.elastic.is_rigid())
       throw KeyError(fmt::format("{}.material.thermal.conductivity", name),

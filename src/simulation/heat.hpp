@@ -12,11 +12,18 @@ namespace brinell::simulation
 /// Whether the heat of friction warms the bodies: there is friction, and one of them at least has thermal constants.
 [[nodiscard]] bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
 
+/// How heated bodies move.
+struct HeatedMotion
+{
+  std::optional<double> speed; ///< [m/s]
+  std::string speed_key;
+  bool upper_rests = false; ///< under the contact, so that its heat always comes in at one place
+};
+
 /// Heat needs a speed, and both bodies that deform their constants.
-/// @param speed_key  of the speed, which is [m/s]
 /// @throws KeyError
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                  const std::optional<double>& speed, const std::string& speed_key);
+                  const HeatedMotion& motion);
 
 /// Whether bodies that are alike also share the heat alike.
 [[nodiscard]] bool shares_alike(const Numerics& numerics);

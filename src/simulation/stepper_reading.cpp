@@ -164,7 +164,7 @@ StepFields Stepper::fields(const Centre& centre) const
   set_heat(*pair_, s);
   set_surfaces(*pair_, s);
   std::function<std::vector<double>()> lower_temperature, upper_temperature;
-  if (pair_->heating() != nullptr && pair_->heating()->knows_depth())
+  if (pair_->heating() != nullptr)
   {
     lower_temperature = [this] { return pair_->lower_temperature(); };
     upper_temperature = [this] { return pair_->upper_temperature(); };

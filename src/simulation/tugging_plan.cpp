@@ -238,7 +238,7 @@ Passing passing(const TuggingCase& tugging, double dx)
 TuggingPlan plan(const TuggingCase& tugging)
 {
   require_friction(tugging, tugging.lower, tugging.upper, "");
-  require_heat(tugging, tugging.lower, tugging.upper, tugging.speed, "tugging.speed");
+  require_heat(tugging, tugging.lower, tugging.upper, {tugging.speed, "tugging.speed"});
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));
   const Pair pair = pair_of(tugging);

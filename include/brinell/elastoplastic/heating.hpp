@@ -35,9 +35,11 @@ struct HeatSettings
   /// Between the surfaces where they touch [W/(m^2 K)], >= 0. None: nothing passes with a given partition; without one nothing
   /// resists, and both have one temperature.
   std::optional<double> conductance{};
-  HeatRegime regime = HeatRegime::transient; ///< steady: of the surfaces alone, without displacement and stress
-  bool displacement = true;                  ///< whether what the surfaces swell by moves the gap
-  bool stress = true;                        ///< whether thermal stress counts when the material yields
+  HeatRegime regime = HeatRegime::transient;
+  /// Distance from a steady flux that rests on a body at which its surface counts as not displaced [m], > 0.
+  std::optional<double> reference{};
+  bool displacement = true; ///< whether what the surfaces swell by moves the gap
+  bool stress = true;       ///< whether thermal stress counts when the material yields
 
   [[nodiscard]] double share() const { return partition.value_or(0.5); }
   /// Whether heat passes between the surfaces.
@@ -137,8 +139,6 @@ public:
     std::span<double> temperature, deviator, trace;
   };
   void layers(std::size_t side, const VolumeGrid& body, const Layers& out) const;
-  /// Whether there is anything to tell of the layers: not in the steady regime.
-  [[nodiscard]] bool knows_depth() const;
 
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);

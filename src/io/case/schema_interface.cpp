@@ -136,9 +136,18 @@ std::vector<Entry> heat_entries()
       of_heat({.key = "thermal.regime",
                .choices = {"transient", "steady"},
                .text = "What makes a surface warm. transient: all heat since the start. steady: the heat of a step as "
-                       "if it had always been there and moved as it does now, at any speed; temperatures of the "
-                       "surfaces alone, without displacement, stress and softening, on grids without periodic axes."},
+                       "if it had always been there and moved as it does now, at any speed; on grids that are open "
+                       "along x, and of bodies that yield without heat_of_plastic_work."},
               &HeatSettings::regime),
+      of_heat({.key = "thermal.reference",
+               .dimension = dimension::length,
+               .range = above(0.0),
+               .unset = "a steady flux that rests on a body, which swells, is refused",
+               .text = "Distance from the contact at which the surface of a body that rests under a steady flux counts "
+                       "as not displaced: what it swells by grows with the logarithm of the distance. An imposed "
+                       "approach counts from there; under a given load it changes the approach alone.",
+               .hint = "the size of the body: some radius of its surface"},
+              &HeatSettings::reference),
       of_heat({.key = "thermal.heat_of_plastic_work",
                .range = between(0.0, 1.0),
                .text =

@@ -121,13 +121,10 @@ TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
                                         "thermal.conductance=\"3 W/(cm^2 K)\"",
                                         "thermal.regime=\"steady\"",
                                         "thermal.heat_of_plastic_work=0",
-                                        "thermal.displacement=false",
-                                        "thermal.stress=false"};
-  expected = {.of_plastic_work = 0.0,
-              .conductance = 3e4,
-              .regime = elastoplastic::HeatRegime::steady,
-              .displacement = false,
-              .stress = false};
+                                        "thermal.reference=\"20 mm\"",
+                                        "lower.material.softening={law=\"linear\",melting_temperature=1500}"};
+  expected = {
+      .of_plastic_work = 0.0, .conductance = 3e4, .regime = elastoplastic::HeatRegime::steady, .reference = 0.02};
   EXPECT_EQ(sample::tugging(sample::parsed(steady)).heat, expected);
 
   const auto refused = [](const std::vector<std::string>& overrides, const std::string& part)
@@ -148,16 +145,11 @@ TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
   refused({lower, upper, friction, "tugging.speed=0"}, "tugging.speed = 0 is out of range");
   refused({lower, upper, friction, speed, "thermal.partition=1.5"}, "thermal.partition = 1.5 is out of range");
   refused({lower, upper, friction, speed, "thermal.conductance=-1"}, "thermal.conductance = -1 is out of range");
-  refused({lower, upper, friction, speed, "thermal.regime=\"steady\"", "thermal.stress=false"},
-          "allowed: thermal.displacement = false and thermal.stress = false, or \"transient\"");
-  refused({lower, upper, friction, speed, "thermal.regime=\"steady\"", "thermal.displacement=false",
-           "thermal.stress=false"},
+  refused({lower, upper, friction, speed, "thermal.regime=\"steady\""},
           "allowed: thermal.heat_of_plastic_work = 0, or \"transient\"");
+  refused({lower, upper, friction, speed, "thermal.reference=0"}, "thermal.reference = 0 is out of range");
   refused({lower, upper, friction, speed, "thermal.heat_of_plastic_work=1.5"},
           "thermal.heat_of_plastic_work = 1.5 is out of range");
-  std::vector<std::string> softer = steady;
-  softer.emplace_back("lower.material.softening={law=\"linear\",melting_temperature=1500}");
-  refused(softer, "the lower body softens with the temperature in it");
   refused({lower, upper, friction, speed, "lower.material.softening={law=\"linear\",melting_temperature=60}",
            "lower.material.thermal.temperature=80"},
           "lower.material.thermal.temperature = 80 degC, but its softening says that it melts at 60 degC");

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record.hpp"
+#include "scenario_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// The steady regime: bodies that swell, yield and soften under a source that has always moved as it does.
+namespace brinell::verification
+{
+namespace
+{
+
+using elastoplastic::HeatRegime;
+using simulation::RollingCase;
+using simulation::RollingRecord;
+
+/// The skidding ball of cases/rolling-heat on coarser cells, that softens; over so many half-lengths of its contact.
+RollingCase skidding_ball(HeatRegime regime, double half_widths)
+{
+  RollingCase c = ball_on_flat(elastic_material(), 3.4e9, 1e-3);
+  for (simulation::ShapedBody* body : {&c.lower, &c.upper})
+  {
+    body->material.elastic = {210e9, 0.3};
+    body->material.hardening = constitutive::LinearHardening{1.6e9, 20e9};
+    body->material.thermal = Thermal{45.0, 7800.0, 470.0, 12e-6};
+    body->material.temperature = 80.0;
+    body->material.softening = constitutive::LinearSoftening{80.0, 1500.0};
+  }
+  c.slide_to_roll = 0.1;
+  c.speed = 2.0;
+  c.friction.coefficient = 0.15;
+  c.resolution = slow_build ? 3.0 : 4.0;
+  c.heat.regime = regime;
+  c.heat.of_plastic_work = 0.0;
+  c.distance = half_widths * simulation::plan(c).half_width_x;
+  return c;
+}
+
+/// In the middle of the last quarter of the track, under full load.
+const RollingRecord& late(const RollingRun& run, double distance)
+{
+  return *std::min_element(run.history.begin(), run.history.end(),
+                           [&](const RollingRecord& a, const RollingRecord& b)
+                           { return std::abs(a.x - 0.375 * distance) < std::abs(b.x - 0.375 * distance); });
+}
+
+TEST(SteadyHeat, ASkiddingBallAfterALongWay)
+{
+  const RollingCase transient = skidding_ball(HeatRegime::transient, 8.0);
+  RollingCase steady = transient;
+  steady.heat.regime = HeatRegime::steady;
+  const RollingRun long_way = computed(transient), always = computed(steady);
+  const RollingRecord &a = late(long_way, transient.distance), &b = late(always, transient.distance);
+  const std::string origin = "where transient heat ends: V^2 t/4 kappa = 250";
+  const double rise = a.max_temperature_lower - 80.0;
+  EXPECT_GT(rise, 30.0);
+  test::expect_close("largest rise of the lower surface, steady / transient", (b.max_temperature_lower - 80.0) / rise,
+                     1.0, 5e-3, origin);
+  test::expect_close("largest rise of the upper surface, steady / transient",
+                     (b.max_temperature_upper - 80.0) / (a.max_temperature_upper - 80.0), 1.0, 5e-3, origin);
+  test::expect_close("approach, steady / transient", b.approach / a.approach, 1.0, 2e-3, origin);
+  test::expect_close("resistance, steady / transient", b.F_X / a.F_X, 1.0, 2e-2, origin);
+  const auto& pass = long_way.summary.passes.front();
+  const auto& other = always.summary.passes.front();
+  test::expect_close("rut, steady / transient", other.rut_depth / pass.rut_depth, 1.0, 1e-2, origin);
+  test::expect_close("plastic strain of the track, steady / transient",
+                     other.track_plastic_strain / pass.track_plastic_strain, 1.0, 1e-2, origin);
+
+  // What heat does at all is far more than what both differ by.
+  RollingCase cold = steady;
+  cold.heat.fraction = 0.0;
+  const RollingRun without = computed(cold);
+  const double effect = late(without, cold.distance).approach - b.approach;
+  EXPECT_GT(std::abs(effect), 3.0 * std::abs(a.approach - b.approach));
+  std::printf("approach: without heat %.6g, steady %.6g, transient %.6g m\n", late(without, cold.distance).approach,
+              b.approach, a.approach);
+}
+
+TEST(SteadyHeat, Energy)
+{
+  const RollingRun run = computed(skidding_ball(HeatRegime::steady, 3.0));
+  EXPECT_LT(std::abs(run.summary.energy_balance_error), 5e-3);
+}
+
+} // namespace
+} // namespace brinell::verification
