@@ -2,10 +2,14 @@
 #include "record.hpp"
 #include "scenario_runs.hpp"
 
+#include "brinell/foundation/error.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 /// The steady regime: bodies that swell, yield and soften under a source that has always moved as it does.
 namespace brinell::verification
@@ -77,6 +81,81 @@ TEST(SteadyHeat, ASkiddingBallAfterALongWay)
   EXPECT_GT(std::abs(effect), 3.0 * std::abs(a.approach - b.approach));
   std::printf("approach: without heat %.6g, steady %.6g, transient %.6g m\n", late(without, cold.distance).approach,
               b.approach, a.approach);
+}
+
+/// An elastic ball that does not turn and keeps all of the heat that is given to it.
+RollingCase resting_ball(double reference)
+{
+  RollingCase c = skidding_ball(HeatRegime::steady, 2.0);
+  for (simulation::ShapedBody* body : {&c.lower, &c.upper})
+  {
+    body->material.hardening = {};
+    body->material.softening = {};
+  }
+  c.drive = load(100.0);
+  c.slide_to_roll = 2.0;
+  c.speed = 0.1;
+  c.heat.partition = 0.0;
+  c.heat.reference = reference;
+  return c;
+}
+
+TEST(SteadyHeat, TheReferenceOfABodyThatRests)
+{
+  // Under a load the distance at which its surface counts as not displaced moves the approach alone.
+  const RollingCase near = resting_ball(10e-3), far = resting_ball(20e-3);
+  const RollingRun one = computed(near), other = computed(far);
+  const RollingRecord &a = late(one, near.distance), &b = late(other, far.distance);
+  const double flow = near.friction.coefficient * 100.0 * *near.speed; // all of it into the ball
+  const double shift = 1.3 * 12e-6 * flow * std::log(2.0) / (2.0 * 3.14159265358979323846 * 45.0);
+  test::expect_close("approach by the reference of a ball at rest, 20 mm less 10 mm",
+                     (b.approach - a.approach) / -shift, 1.0, 1e-3,
+                     "exact: Barber (1971), (1 + nu) alpha Q ln 2/(2 pi K)");
+  EXPECT_NEAR(b.max_pressure / a.max_pressure, 1.0, 1e-5);
+  EXPECT_NEAR(b.max_temperature_upper, a.max_temperature_upper, 1e-6 * a.max_temperature_upper);
+}
+
+TEST(SteadyHeat, WhatThereIsNotIsRefused)
+{
+  const auto refused = [](const RollingCase& c, const std::string& part)
+  {
+    try
+    {
+      static_cast<void>(simulation::plan(c));
+      ADD_FAILURE() << "not refused: " << part;
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  RollingCase c = resting_ball(10e-3);
+  c.heat.reference.reset();
+  refused(c, "thermal.reference is missing");
+  c.heat.displacement = false;
+  static_cast<void>(simulation::plan(c));
+  c = resting_ball(0.0);
+  refused(c, "thermal.reference = 0 m; allowed: > 0, or none");
+  c = skidding_ball(HeatRegime::steady, 2.0);
+  c.heat.of_plastic_work = 0.9;
+  refused(c, "allowed: thermal.heat_of_plastic_work = 0, or \"transient\"");
+}
+
+TEST(SteadyHeat, GoesOnFromACheckpointToTheLastDigit)
+{
+  const RollingCase c = skidding_ball(HeatRegime::steady, 1.5);
+  simulation::Run<RollingCase> whole(c);
+  std::vector<Archive::Fields> checkpoints;
+  while (!whole.is_done())
+  {
+    whole.step();
+    checkpoints.push_back(whole.checkpoint());
+  }
+  simulation::Run<RollingCase> later(c, {}, &checkpoints[checkpoints.size() / 2]);
+  while (!later.is_done())
+    later.step();
+  EXPECT_EQ(later.snapshot().lower.residual_displacement, whole.snapshot().lower.residual_displacement);
+  EXPECT_EQ(later.summary().last.heat_upper, whole.summary().last.heat_upper);
 }
 
 TEST(SteadyHeat, Energy)
