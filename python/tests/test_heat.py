@@ -62,7 +62,9 @@ def test_a_source_that_has_always_moved() -> None:
     rise, stress = always.temperature(flux), always.stress(flux)
     assert rise.shape == (2, 24, 40)
     assert stress.shape == (6, 2, 24, 40)
-    assert rise[0] == pytest.approx(HeatResponse(grid, STEEL, velocity=velocity).temperature(flux), abs=0.01 * rise.max())
+    assert rise[0] == pytest.approx(
+        HeatResponse(grid, STEEL, velocity=velocity).temperature(flux), abs=0.01 * rise.max()
+    )
     assert np.abs(stress[2:5, 0]).max() < 1e-9 * np.abs(stress[0]).max()
     assert always.displacement(flux).max() < 0.0
 
@@ -70,7 +72,7 @@ def test_a_source_that_has_always_moved() -> None:
 def test_a_source_at_rest_needs_a_reference() -> None:
     grid = SurfaceGrid(24, 24, 1e-4, 1e-4)
     flux = 1e7 * np.exp(-(grid.x**2 + grid.y**2) / (3e-4) ** 2)
-    with pytest.raises(InputError, match="allowed: a reference"):
+    with pytest.raises(brinell.InputError, match="allowed: a reference"):
         SteadyField(grid, STEEL, ELASTIC).displacement(flux)
     near, far = (SteadyField(grid, STEEL, ELASTIC, reference=r).displacement(flux) for r in (1e-2, 2e-2))
     # Barber (1971): (1 + nu) alpha Q ln 2/(2 pi K)

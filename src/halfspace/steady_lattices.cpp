@@ -191,16 +191,19 @@ void SteadyLattices::add_far(int level, double factor, std::span<const double> d
   WaveFields twice(fields, depths), once(fields, depths);
   std::vector<Complex> rows(out.size() * along_y.size());
   const std::size_t count = fields.is_odd.size();
+  const int last_b = waves(y_);
+  std::vector<Complex> across; // e^{i ky y} [wave][node]
+  for (int b = 0; b <= last_b; ++b)
+    for (const double y : along_y.places)
+      across.push_back(std::polar(1.0, 2.0 * pi * b / y_.period(level + 1) * y));
   for (int a = 0; a <= waves(x_); ++a)
   {
     std::fill(rows.begin(), rows.end(), Complex{});
-    double kx = 0.0;
-    bool is_paired = false;
-    for (int b = 0; b <= waves(y_); ++b)
+    const double kx = wave(a, 0, level + 1).kx;
+    const bool is_paired = wave(a, 0, level + 1).odd_x != 0.0;
+    for (int b = 0; b <= last_b; ++b)
     {
       const SurfaceWave along = wave(a, b, level + 1);
-      kx = along.kx;
-      is_paired = along.odd_x != 0.0;
       if (along.k > last)
         break;
       twice.set(more, along);
@@ -208,17 +211,19 @@ void SteadyLattices::add_far(int level, double factor, std::span<const double> d
       if (is_on_both)
         once.set(less, along);
       const double weight = kept(along.k, clear) * (along.odd_y != 0.0 ? 2.0 : 1.0);
+      const Complex* turn = across.data() + static_cast<std::size_t>(b) * along_y.size();
       for (std::size_t f = 0; f < out.size(); ++f)
       {
         Complex value = weight * of_twice * twice.values[f];
         if (is_on_both)
           value -= weight * of_once * once.values[f];
-        const bool is_odd = fields.is_odd[f % count];
-        for (std::size_t y = 0; y < along_y.size(); ++y)
-        {
-          const double phase = along.ky * along_y.places[y];
-          rows[f * along_y.size() + y] += is_odd ? Complex{0.0, std::sin(phase)} * value : std::cos(phase) * value;
-        }
+        Complex* row = rows.data() + f * along_y.size();
+        if (fields.is_odd[f % count])
+          for (std::size_t y = 0; y < along_y.size(); ++y)
+            row[y] += Complex{-turn[y].imag() * value.imag(), turn[y].imag() * value.real()};
+        else
+          for (std::size_t y = 0; y < along_y.size(); ++y)
+            row[y] += turn[y].real() * value;
       }
     }
     std::vector<Complex> turns;
