@@ -98,11 +98,22 @@ inline void store_lanes(const ComplexLanes& value, Complex* to)
   std::memcpy(lanes + lane_count, &high, sizeof high);
 }
 
-/// Starts to load a value into the cache.
+/// Starts to load a value into the cache: for memory that is read in many short pieces, which the processor does not expect.
+inline void fetch_soon(const Lanes* value)
+{
+  __builtin_prefetch(value);
+}
 inline void fetch_soon(const ComplexLanes* value)
 {
-  __builtin_prefetch(&value->re);
-  __builtin_prefetch(&value->im);
+  fetch_soon(&value->re);
+  fetch_soon(&value->im);
+}
+
+/// The same, to be written.
+inline void write_soon(ComplexLanes* value)
+{
+  __builtin_prefetch(&value->re, 1);
+  __builtin_prefetch(&value->im, 1);
 }
 
 inline void store_lanes(const ComplexLanes& value, ComplexLanes* to, bool past_caches)

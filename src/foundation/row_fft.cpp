@@ -194,6 +194,9 @@ void RowFft::forward_together(const double* field, int count, ComplexLanes* spec
     for (int i = 0; i < lane_count; ++i)
       work.series[static_cast<std::size_t>(x + i)] = {re[static_cast<std::size_t>(i)], im[static_cast<std::size_t>(i)]};
   }
+  for (std::ptrdiff_t block = 0; !layout.past_caches && block < blocks(); ++block)
+    for (std::ptrdiff_t row = 0; row < count; ++row)
+      write_soon(spectra + block * layout.apart + row);
   lanes_.forward(work.series.data(), given_, work.spectrum.data(), work.lanes.data());
   std::fill(work.spectrum.begin() + length(), work.spectrum.end(), ComplexLanes{}); // of blocks beyond the length
   work.spectrum[static_cast<std::size_t>(length())] = work.spectrum.front();

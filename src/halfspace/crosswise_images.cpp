@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspace/crosswise_images.hpp"
 
+#include "foundation/lane_functions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -61,6 +63,10 @@ CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic,
       along_(i, 2 * wave) = std::cos(phase);
       along_(i, 2 * wave + 1) = std::sin(phase);
     }
+  along_of_cell_.resize(static_cast<std::size_t>(cells_along * lanes()));
+  for (int i = 0; i < cells_along; ++i)
+    for (int wave = 0; wave < 2 * waves_; ++wave)
+      along_of_cell_[static_cast<std::size_t>(i * lanes() + wave / lane_count)][wave % lane_count] = along_(i, wave);
   coupling_.assign(static_cast<std::size_t>(waves_), empty_coupling());
 #pragma omp parallel for schedule(dynamic)
   for (int wave = 0; wave < waves_; ++wave)
@@ -170,14 +176,27 @@ std::size_t CrosswiseImages::sorted_size() const
   return coupling_.front().columns().size() + coupling_.front().rows().size();
 }
 
-void CrosswiseImages::take(const Columns& strain, int component, int layer, Response& response) const
+void CrosswiseImages::take(const Columns& strain, int first, int end, int component, int layer,
+                           Response& response) const
 {
-  Plane(response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * block()), 2 * waves_,
-        powers)
-      .noalias() = along_.transpose() * strain;
+  double* moments = response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * block());
+  for (int part = 0; part < lanes(); ++part)
+  {
+    std::array<Lanes, powers> sum{};
+    for (int i = first; i < end; ++i)
+    {
+      const Lanes& along = along_of_cell_[static_cast<std::size_t>(i * lanes() + part)];
+      for (int b = 0; b < powers; ++b)
+        sum[static_cast<std::size_t>(b)] += strain(i, b) * along;
+    }
+    const int used = std::min(lane_count, 2 * waves_ - part * lane_count);
+    for (int b = 0; b < powers; ++b)
+      store_lanes(sum[static_cast<std::size_t>(b)], static_cast<std::size_t>(used),
+                  moments + b * 2 * waves_ + part * lane_count);
+  }
 }
 
-void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry) const
+void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const
 {
   const int parities = along_x_ && symmetry != Symmetry::none ? 1 : 2; // across the grid
   for (int e = 0; e < strains; ++e)
@@ -189,17 +208,19 @@ void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry)
   }
 #pragma omp parallel for schedule(static)
   for (int wave = 0; wave < waves_; ++wave)
-    multiply(wave, response, parities);
+    multiply(wave, response, parities, with_trace);
 }
 
 /// Moments of the strain for one wave -> coefficients of the stress, for u and v (see `couple`).
-void CrosswiseImages::multiply(int wave, Response& response, int parities) const
+void CrosswiseImages::multiply(int wave, Response& response, int parities, bool with_trace) const
 {
   const MomentCoupling& coupling = coupling_[static_cast<std::size_t>(wave)];
   const std::span<double> sorted =
       std::span(response.sorted).subspan(static_cast<std::size_t>(wave) * sorted_size(), sorted_size());
   const std::span<double> in = sorted.first(coupling.columns().size());
-  const std::span<double> out = sorted.last(coupling.rows().size());
+  const std::span<double> all = sorted.last(coupling.rows().size());
+  const std::span<double> out =
+      all.first(with_trace ? all.size() : static_cast<std::size_t>(strains * depth_.count * powers));
   for (const bool is_v : {false, true})
   {
     const auto place = [&](int moment) // [component][depth][power] -> [component][depth][power][wave]
@@ -211,17 +232,30 @@ void CrosswiseImages::multiply(int wave, Response& response, int parities) const
     { return is_v && odd_along()[static_cast<std::size_t>(moment / (depth_.count * powers))] != 0 ? -1.0 : 1.0; };
     for (std::size_t i = 0; i < in.size(); ++i)
       in[i] = sign(coupling.columns()[i]) * response.moments[place(coupling.columns()[i])];
-    coupling.multiply(in.data(), out.data(), parities);
+    coupling.multiply(in.data(), out.data(), parities, out.size());
     for (std::size_t i = 0; i < out.size(); ++i)
       response.stress[place(coupling.rows()[i])] = sign(coupling.rows()[i]) * out[i];
   }
 }
 
-CrosswiseImages::Columns CrosswiseImages::stress(const Response& response, int component, int layer) const
+Eigen::VectorXd CrosswiseImages::amplitudes(const Response& response, int component, int layer) const
 {
   const ConstPlane of_depths(response.stress.data() + static_cast<std::ptrdiff_t>(component * depth_.count * block()),
                              block(), depth_.count);
-  const Eigen::VectorXd in_layer = of_depths * depth_.means.row(layer).transpose();
+  return of_depths * depth_.means.row(layer).transpose();
+}
+
+Lanes CrosswiseImages::sum_of_waves(const double* amplitudes, int first, std::size_t cells) const
+{
+  Lanes sum{};
+  for (int wave = 0; wave < 2 * waves_; ++wave)
+    sum += amplitudes[wave] * load_lanes(along_.col(wave).data() + first, cells);
+  return sum;
+}
+
+CrosswiseImages::Columns CrosswiseImages::stress(const Response& response, int component, int layer) const
+{
+  const Eigen::VectorXd in_layer = amplitudes(response, component, layer);
   return along_ * ConstPlane(in_layer.data(), 2 * waves_, powers);
 }
 

@@ -3,6 +3,8 @@
 
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
+#include "foundation/aligned.hpp"
+#include "foundation/lanes.hpp"
 #include "halfspace/image_samples.hpp"
 #include "halfspace/moment_coupling.hpp"
 
@@ -42,21 +44,28 @@ public:
   static constexpr int degree = 6; ///< largest power of the distance across the grid
   static constexpr int powers = degree + 1;
   [[nodiscard]] bool is_along_x() const { return along_x_; }
+  [[nodiscard]] int waves() const { return 2 * waves_; } ///< of one power
 
   /// As in ImageCorrection.
-  void take(const Columns& strain, int component, int layer, Response& response) const;
-  void respond(int layers, Response& response, Symmetry symmetry) const;
+  /// @param first, end  cells along the grid that are read; the strain is zero in the others
+  void take(const Columns& strain, int first, int end, int component, int layer, Response& response) const;
+  void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
+  /// Amplitudes of the waves that the stress of the images has in one layer, [power][wave].
+  [[nodiscard]] Eigen::VectorXd amplitudes(const Response& response, int component, int layer) const;
+  /// The sum of the waves of one power at neighbouring cells along the grid.
+  [[nodiscard]] Lanes sum_of_waves(const double* amplitudes, int first, std::size_t cells) const;
   /// The stress of the images as a polynomial across the grid.
   [[nodiscard]] Columns stress(const Response& response, int component, int layer) const;
 
 private:
   [[nodiscard]] int block() const { return 2 * waves_ * powers; } ///< values for one component and one depth
+  [[nodiscard]] int lanes() const { return (2 * waves_ + lane_count - 1) / lane_count; } ///< of all waves of a cell
   [[nodiscard]] MomentCoupling empty_coupling() const;
   void fit(int wave, const Elastic& elastic, double period_along, double period_across);
   [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
   void couple(int c, int e, const std::vector<images::Powers>& terms, const std::vector<Eigen::MatrixXd>& values,
               MomentCoupling& coupling) const;
-  void multiply(int wave, Response& response, int parities) const;
+  void multiply(int wave, Response& response, int parities, bool with_trace) const;
   [[nodiscard]] std::size_t sorted_size() const; ///< of one wave
   [[nodiscard]] const std::array<int, images::stresses>& odd_along() const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_across() const;
@@ -67,6 +76,7 @@ private:
   int waves_; ///< wavenumbers 2 pi i / period, i < waves, of cos and sin
   images::DepthBasis depth_;
   Eigen::MatrixXd along_;                ///< [cell][2 i: cos, 2 i + 1: sin]
+  AlignedVector<Lanes> along_of_cell_;   ///< the same cell by cell, [cell][wave], zero beyond the last wave
   std::vector<MomentCoupling> coupling_; ///< of each wave
 };
 

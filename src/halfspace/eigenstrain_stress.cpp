@@ -257,6 +257,8 @@ void EigenstrainStress::go_down(const SpectrumRows& rows, const Spectra& spectra
       }
       const auto axes = green::in_axes<Lanes>(f, nu_, s.ll, s.zz, s.lz, s.lt, tz);
       ComplexLanes* stress = spectra.stress + i * Deviator::size * pitch + rows.first + r;
+      for (int c = 0; !past_caches && i + 1 < spectra.layers && c < Deviator::size; ++c)
+        write_soon(stress + (Deviator::size + c) * pitch); // of the next layer
       for (const ComplexLanes& component : {axes.xx, axes.yy, axes.yz, axes.xz, axes.xy})
       {
         store_lanes(component, stress, past_caches);

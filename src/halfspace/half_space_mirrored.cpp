@@ -9,6 +9,24 @@
 namespace brinell::halfspace
 {
 
+/// Finds the cells in which a part of a plane is not zero, and takes its moments.
+/// @param next  the part that comes after it, which is fetched meanwhile
+/// @returns the first told row that is not zero; behind the last if there is none
+int HalfSpace::Operators::take_part(const MirroredFft::Part& part, const MirroredFft::Part& next,
+                                    std::span<const double> plastic_strain, Work::Buffers& work) const
+{
+  const int told = mirrored_fft.told_rows();
+  if (next.is_there())
+    fetch_soon(plastic_strain.subspan(field_at(next.component, next.layer), grid.surface.index(0, told)));
+  if (!part.is_there())
+    return told;
+  const double* strain = plastic_strain.data() + field_at(part.component, part.layer);
+  const CellRectangle used = used_cells(strain, grid.surface.nx, told);
+  work.used[static_cast<std::size_t>(Deviator::size * part.layer + part.component)] = used;
+  image_correction.take(strain, used, part.component, part.layer, work.symmetry, work.images);
+  return used.is_empty() ? told : used.first_y;
+}
+
 /// Along x, and what else is to be taken from each plane. To be called by all threads.
 void HalfSpace::Operators::transform_strain_mirrored(std::span<const double> plastic_strain, int layers,
                                                      Work::Buffers& work, MirroredFft::Scratch& scratch) const
@@ -18,12 +36,12 @@ void HalfSpace::Operators::transform_strain_mirrored(std::span<const double> pla
   for (int number = 0; number < planes; ++number)
   {
     const MirroredFft::Plane plane = MirroredFft::plane(number, layers);
-    for (const MirroredFft::Part& part : {plane.first, plane.second})
-      if (part.is_there())
-        image_correction.take(plastic_strain.data() + field_at(part.component, part.layer), part.component, part.layer,
-                              work.symmetry, work.images);
+    const MirroredFft::Plane next = MirroredFft::plane(number + 1, layers);
+    const std::array<int, 2> first_rows{take_part(plane.first, next.first, plastic_strain, work),
+                                        take_part(plane.second, next.second, plastic_strain, work)};
     if (!plane.is_empty())
-      mirrored_fft.rows_forward(plastic_strain.data(), number, layers, work.rows(mirrored_fft.rows_size()), scratch);
+      mirrored_fft.rows_forward(plastic_strain.data(), number, layers, first_rows, work.rows(mirrored_fft.rows_size()),
+                                scratch);
   }
 }
 
@@ -38,7 +56,7 @@ const ComplexLanes* HalfSpace::Operators::loaded(int block, const MirroredFft::P
   if (std::all_of(kernels.begin(), kernels.end(), [](const auto* kernel) { return kernel == nullptr; }))
     return column;
   TractionStress::add(kernels, block, part.component, part.layer, spectrum_rows(work.symmetry),
-                      surface_spectra(block, work), column, sum);
+                      surface_spectra(block, work), column, next_block(volume_fft, block, column), sum);
   return sum;
 }
 

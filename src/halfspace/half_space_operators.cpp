@@ -62,21 +62,20 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   work->displacement_parts.resize(static_cast<std::size_t>(part_at(parts_for(grid.nz), 0)));
   work->displacement_rows.front().resize(surface_fft.rows_size());
   work->surface.front().resize(surface_fft.block_size() * blocks);
+  work->used.resize(static_cast<std::size_t>(Deviator::size * grid.nz));
   work->images = image_correction.make_response();
   return work;
 }
 
 int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const
 {
-  const auto told = static_cast<std::size_t>(grid.surface.nx * told_rows(grid.surface, symmetry));
+  const int told = told_rows(grid.surface, symmetry);
   const auto has_strain = [&](int layer)
   {
-    for (int c = 0; c < Deviator::size; ++c)
-    {
-      const auto field = plastic_strain.subspan(field_at(c, layer), told);
-      if (std::any_of(field.begin(), field.end(), [](double e) { return e != 0.0; }))
-        return true;
-    }
+    for (int j = told - 1; j >= 0; --j)
+      for (int c = 0; c < Deviator::size; ++c)
+        if (has_nonzero(plastic_strain.data() + field_at(c, layer) + grid.surface.index(0, j), grid.surface.nx))
+          return true;
     return false;
   };
   int strained = grid.nz;
@@ -98,6 +97,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     work.displacement_rows[t].resize(work.displacement_rows.front().size());
   }
   ++work.number;
+  std::fill(work.used.begin() + static_cast<std::ptrdiff_t>(Deviator::size) * strained, work.used.end(),
+            CellRectangle{});
   const auto threads = static_cast<int>(work.threads.size());
   const int rows = volume_fft.py() / 2 + 1;
   const int parts = parts_for(strained);
@@ -137,7 +138,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
       }
   }
   if (layers > 0)
-    image_correction.respond(strained, work.images, work.symmetry);
+    image_correction.respond(strained, work.images, work.symmetry, trace != nullptr);
 }
 
 /// Along x, and what else is to be taken from each plane. To be called by all threads.
@@ -152,7 +153,12 @@ void HalfSpace::Operators::transform_strain(std::span<const double> plastic_stra
     const int component = plane % Deviator::size;
     const int layer = plane / Deviator::size;
     const double* strain = plastic_strain.data() + field_at(component, layer);
-    image_correction.take(strain, component, layer, Symmetry::none, work.images);
+    if (plane + 1 < Deviator::size * layers)
+      fetch_soon(plastic_strain.subspan(field_at((plane + 1) % Deviator::size, (plane + 1) / Deviator::size),
+                                        grid.surface.size()));
+    const CellRectangle used = used_cells(strain, grid.surface.nx, grid.surface.ny);
+    work.used[static_cast<std::size_t>(plane)] = used;
+    image_correction.take(strain, used, component, layer, Symmetry::none, work.images);
     volume_fft.rows_forward(strain, plane, work.rows(volume_fft.rows_size()), scratch.fft);
   }
 }
@@ -257,7 +263,8 @@ void HalfSpace::Operators::invert_plane(int component, int layer, const OfTracti
     const ComplexLanes* column = spectra + fft.plane_at(block, plane);
     if (ComplexLanes* sum = scratch.fft.column.data(); is_loaded)
     {
-      TractionStress::add(kernels, block, component, layer, fft.py(), surface_spectra(block, work), column, sum);
+      TractionStress::add(kernels, block, component, layer, fft.py(), surface_spectra(block, work), column,
+                          next_block(fft, block, column), sum);
       column = sum;
     }
     surface_fft.columns_inverse(column, block, 0, scratch.rows.data(), scratch.fft);
@@ -265,15 +272,31 @@ void HalfSpace::Operators::invert_plane(int component, int layer, const OfTracti
   surface_fft.rows_inverse(scratch.rows.data(), 0, field, scratch.fft);
 }
 
+/// The rows of a layer that hold strain, in all their columns.
+CellRectangle HalfSpace::Operators::strained_rows(int layer, const Work::Buffers& work) const
+{
+  CellRectangle rows;
+  for (int c = 0; c < Deviator::size; ++c)
+  {
+    const CellRectangle& used = work.used[static_cast<std::size_t>(Deviator::size * layer + c)];
+    if (used.is_empty())
+      continue;
+    rows = {0, grid.surface.nx, rows.is_empty() ? used.first_y : std::min(rows.first_y, used.first_y),
+            std::max(rows.end_y, used.end_y)};
+  }
+  return rows;
+}
+
 /// Adds the local part of the residual stress and takes off the stress of the periodic images.
 void HalfSpace::Operators::finish(int component, int layer, std::span<const double> plastic_strain,
                                   const Work::Buffers& work, double* field) const
 {
   std::array<const double*, Deviator::size> strain{};
+  const CellRectangle rows = strained_rows(layer, work);
+  const std::size_t begin = grid.surface.index(0, rows.first_y);
   for (int c = 0; c < Deviator::size; ++c)
-    strain[static_cast<std::size_t>(c)] = plastic_strain.data() + field_at(c, layer);
-  const int told = told_rows(grid.surface, work.symmetry);
-  eigenstrain_stress.add_local(component, strain, static_cast<std::size_t>(told * grid.surface.nx), field);
+    strain[static_cast<std::size_t>(c)] = plastic_strain.data() + field_at(c, layer) + begin;
+  eigenstrain_stress.add_local(component, strain, grid.surface.index(0, rows.end_y) - begin, field + begin);
   image_correction.subtract(work.images, component, layer, work.symmetry, field);
 }
 

@@ -50,6 +50,7 @@ struct HalfSpace::Work::Buffers
   OfTraction<AlignedVector<ComplexLanes>> displacement_rows; ///< of the strain loaded
   OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
   ImageCorrection::Response images;
+  std::vector<CellRectangle> used;                     ///< of the strain loaded, [layer][component]
   Symmetry symmetry = Symmetry::none;                  ///< of the strain loaded
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
@@ -109,6 +110,14 @@ private:
                         Work::Buffers::Scratch& scratch) const;
   void transform_strain_mirrored(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                  MirroredFft::Scratch& scratch) const;
+  int take_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
+                Work::Buffers& work) const;
+  [[nodiscard]] CellRectangle strained_rows(int layer, const Work::Buffers& work) const;
+  /// The same plane of the spectra in the next block; in the last one where it is.
+  [[nodiscard]] static const ComplexLanes* next_block(const BlockedFft& fft, int block, const ComplexLanes* plane)
+  {
+    return block + 1 < fft.blocks() ? plane + fft.plane_at(1, 0) : plane;
+  }
   [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
   /// Place of a part in `displacement_parts`.
   [[nodiscard]] std::ptrdiff_t part_at(int part, std::size_t traction) const

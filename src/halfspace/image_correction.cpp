@@ -218,19 +218,21 @@ ImageCorrection::Response ImageCorrection::make_response() const
           crosswise_ ? crosswise_->make_response() : CrosswiseImages::Response{}};
 }
 
-void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry) const
+void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const
 {
   if (!has_images_)
     return;
   if (crosswise_)
-    crosswise_->respond(layers, response.crosswise, symmetry);
+    crosswise_->respond(layers, response.crosswise, symmetry, with_trace);
   find_moments(layers, response);
   const std::size_t columns = coupling_.columns().size();
+  const std::size_t rows =
+      with_trace ? coupling_.rows().size() : static_cast<std::size_t>(strains * depth_.count * powers);
   for (std::size_t i = 0; i < columns; ++i)
     response.sorted[i] = response.moments[static_cast<std::size_t>(coupling_.columns()[i])];
   coupling_.multiply(response.sorted.data(), response.sorted.data() + columns,
-                     symmetry == Symmetry::none ? odd_in_both + 1 : odd_in_x_alone + 1);
-  for (std::size_t i = 0; i < coupling_.rows().size(); ++i)
+                     symmetry == Symmetry::none ? odd_in_both + 1 : odd_in_x_alone + 1, rows);
+  for (std::size_t i = 0; i < rows; ++i)
     response.stress[static_cast<std::size_t>(coupling_.rows()[i])] = response.sorted[columns + i];
 }
 
@@ -254,35 +256,39 @@ ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component, Symmetry 
   return is_odd_in_y(component) ? PowersOfY::odd : PowersOfY::even;
 }
 
-void ImageCorrection::take(const double* strain, int component, int layer, Symmetry symmetry, Response& response) const
+void ImageCorrection::take(const double* strain, const CellRectangle& used, int component, int layer, Symmetry symmetry,
+                           Response& response) const
 {
   if (!has_images_)
     return;
   switch (powers_of_y(component, symmetry))
   {
   case PowersOfY::all:
-    return take_powers<PowersOfY::all>(strain, component, layer, response);
+    return take_powers<PowersOfY::all>(strain, used, component, layer, response);
   case PowersOfY::even:
-    return take_powers<PowersOfY::even>(strain, component, layer, response);
+    return take_powers<PowersOfY::even>(strain, used, component, layer, response);
   case PowersOfY::odd:
-    return take_powers<PowersOfY::odd>(strain, component, layer, response);
+    return take_powers<PowersOfY::odd>(strain, used, component, layer, response);
   }
 }
 
 /// Rows at the same distance from the middle are taken together: their sum has even powers of y, their difference odd ones.
 template <ImageCorrection::PowersOfY has>
-void ImageCorrection::take_powers(const double* strain, int component, int layer, Response& response) const
+void ImageCorrection::take_powers(const double* strain, const CellRectangle& cells, int component, int layer,
+                                  Response& response) const
 {
   constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
   constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
   CrosswiseImages::Columns columns = CrosswiseImages::Columns::Zero(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
   std::array<Lanes, powers> sum{};
-  for (int first = 0; first < s.nx; first += lane_count)
+  const int begin = cells.first_x / lane_count * lane_count; // lanes as without a rectangle: the same sums
+  const int first_row = has == PowersOfY::all ? std::min(cells.first_y, s.ny - cells.end_y) : cells.first_y;
+  for (int first = begin; first < cells.end_x; first += lane_count)
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
     std::array<Lanes, degree + 1> of_columns{};
-    for (int j = 0; 2 * j < s.ny; ++j)
+    for (int j = first_row; 2 * j < s.ny; ++j)
     {
       const int mirrored = s.ny - 1 - j;
       const Lanes here = load_lanes(strain + s.nx * j + first, used);
@@ -310,8 +316,10 @@ void ImageCorrection::take_powers(const double* strain, int component, int layer
     for (int b = first_power; a + b <= degree; b += next)
       for (std::size_t lane = 0; lane < lane_count; ++lane)
         moment[monomial(a, b)] += sum[static_cast<std::size_t>(monomial(a, b))][lane];
-  if (crosswise_)
-    crosswise_->take(crosswise_->is_along_x() ? columns : along_y(strain, has), component, layer, response.crosswise);
+  if (crosswise_ && crosswise_->is_along_x())
+    crosswise_->take(columns, cells.first_x, cells.end_x, component, layer, response.crosswise);
+  else if (crosswise_)
+    crosswise_->take(along_y(strain, has), 0, s.ny, component, layer, response.crosswise);
 }
 
 /// Of a grid that is long in y: sums over x, times powers of x.
@@ -349,9 +357,9 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
   constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
   constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
-  CrosswiseImages::Columns along_x = CrosswiseImages::Columns::Zero(s.nx, CrosswiseImages::powers);
+  Eigen::VectorXd along_x;
   if (crosswise_ && crosswise_->is_along_x())
-    along_x = crosswise_->stress(response.crosswise, component, layer);
+    along_x = crosswise_->amplitudes(response.crosswise, component, layer);
   else if (crosswise_)
   {
     const int told = told_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
@@ -369,8 +377,9 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
     std::array<Lanes, degree + 1> of_columns{}; // coefficients of the powers of y
-    for (int b = first_power; b < CrosswiseImages::powers; b += next)
-      of_columns[static_cast<std::size_t>(b)] = load_lanes(along_x.col(b).data() + first, used);
+    for (int b = first_power; along_x.size() > 0 && b < CrosswiseImages::powers; b += next)
+      of_columns[static_cast<std::size_t>(b)] =
+          crosswise_->sum_of_waves(along_x.data() + static_cast<std::ptrdiff_t>(b) * crosswise_->waves(), first, used);
     for (int a = 0; a <= degree; ++a)
     {
       const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);

@@ -8,6 +8,7 @@
 #include "halfspace/crosswise_images.hpp"
 #include "halfspace/image_samples.hpp"
 #include "halfspace/moment_coupling.hpp"
+#include "halfspace/used_cells.hpp"
 
 #include <array>
 #include <optional>
@@ -44,10 +45,13 @@ public:
   [[nodiscard]] Response make_response() const;
 
   /// Takes the moments of one component of the strain in one layer, given on the grid: while other work has it in the cache.
+  /// @param used      the cells that are read; the strain is zero in the others
   /// @param symmetry  here and below: with one, the told rows are read and written
-  void take(const double* strain, int component, int layer, Symmetry symmetry, Response& response) const;
+  void take(const double* strain, const CellRectangle& used, int component, int layer, Symmetry symmetry,
+            Response& response) const;
   /// Response to the strain, traceless, whose components in the layers [0, layers) have been taken; beneath there is none.
-  void respond(int layers, Response& response, Symmetry symmetry) const;
+  /// @param with_trace  whether `subtract` shall know the trace, too: a sixth of the products
+  void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
   static constexpr int trace = Deviator::size; ///< component index of the trace of the stress, after those of Deviator
   /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
   void subtract(const Response& response, int component, int layer, Symmetry symmetry, double* stress) const;
@@ -69,7 +73,8 @@ private:
   };
   [[nodiscard]] static PowersOfY powers_of_y(int component, Symmetry symmetry);
   template <PowersOfY has>
-  void take_powers(const double* strain, int component, int layer, Response& response) const;
+  void take_powers(const double* strain, const CellRectangle& cells, int component, int layer,
+                   Response& response) const;
   template <PowersOfY has>
   void subtract_powers(const Response& response, int component, int layer, double* stress) const;
   [[nodiscard]] CrosswiseImages::Columns along_y(const double* field, PowersOfY has) const;

@@ -74,19 +74,19 @@ std::ptrdiff_t MirroredFft::field_at(const Part& part) const
          static_cast<std::ptrdiff_t>(grid_.surface.size());
 }
 
-/// The sum of an even and an odd field in all rows, from the told ones. On the plane y = 0 the odd one is zero.
-void MirroredFft::pack(const double* even, const double* odd, double* plane) const
+/// The sum of an even and an odd field in all rows, from the told ones from `first_row` on. On the plane y = 0 the odd one is
+/// zero.
+void MirroredFft::pack(const double* even, const double* odd, int first_row, double* plane) const
 {
   const std::ptrdiff_t nx = grid_.surface.nx;
   const std::ptrdiff_t ny = grid_.surface.ny;
-  for (std::ptrdiff_t j = 0; j < half_; ++j)
+  for (std::ptrdiff_t j = first_row; j < half_; ++j)
   {
     const double *e = even + j * nx, *o = odd + j * nx;
     double *here = plane + j * nx, *there = plane + (ny - 1 - j) * nx;
     if (2 * j == ny - 1)
     {
       std::copy_n(e, nx, here);
-      std::fill_n(plane + ny * nx, nx, 0.0); // one row more than the grid has
       continue;
     }
 #pragma omp simd
@@ -96,6 +96,20 @@ void MirroredFft::pack(const double* even, const double* odd, double* plane) con
       there[i] = e[i] - o[i];
     }
   }
+}
+
+/// The told rows of two even fields, those of the second one from the last to the first.
+void MirroredFft::pack_shared(const Plane& parts, const double* deviators, const std::array<int, 2>& first_rows,
+                              double* plane) const
+{
+  const std::ptrdiff_t nx = grid_.surface.nx;
+  const double* first = deviators + field_at(parts.first);
+  std::copy(first + first_rows[0] * nx, first + half_ * nx, plane + first_rows[0] * nx);
+  if (!parts.second.is_there())
+    return;
+  const double* second = deviators + field_at(parts.second);
+  for (std::ptrdiff_t j = first_rows[1]; j < half_; ++j)
+    std::copy_n(second + j * nx, nx, plane + (rows() - 1 - j) * nx);
 }
 
 void MirroredFft::unpack(const double* plane, double* even, double* odd) const
@@ -146,25 +160,30 @@ void MirroredFft::complete(bool is_odd, ComplexLanes* spectrum) const
   }
 }
 
-void MirroredFft::rows_forward(const double* deviators, int number, int layers, ComplexLanes* out,
-                               Scratch& scratch) const
+void MirroredFft::rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
+                               ComplexLanes* out, Scratch& scratch) const
 {
   const Plane parts = plane(number, layers);
   const std::ptrdiff_t nx = grid_.surface.nx;
   double* field = scratch.field.data();
+  int begin = first_rows[0], end = rows() - first_rows[1]; // all that is not zero, if there is anything
   if (parts.is_shared)
-  {
-    std::copy_n(deviators + field_at(parts.first), half_ * nx, field);
-    if (parts.second.is_there())
-      std::copy_n(deviators + field_at(parts.second), half_ * nx, field + half_ * nx);
-  }
+    pack_shared(parts, deviators, first_rows, field);
   else
-    pack(deviators + field_at(parts.first), deviators + field_at(parts.second), field);
-  const int used = parts.is_shared && !parts.second.is_there() ? half_ : rows();
+  {
+    begin = std::min(first_rows[0], first_rows[1]);
+    end = std::max(begin, grid_.surface.ny - begin);
+    pack(deviators + field_at(parts.first), deviators + field_at(parts.second), begin, field);
+  }
   out += static_cast<std::ptrdiff_t>(number) * rows();
-  for (int first = 0; first < used; first += RowFft::most_rows)
-    rows_.forward(field + first * nx, std::min(RowFft::most_rows, used - first), out + first,
-                  layout(planes_of_group * groups(grid_.nz)), scratch.row_work);
+  const RowFft::Spectra apart = layout(planes_of_group * groups(grid_.nz));
+  for (int first = begin; first < end; first += RowFft::most_rows)
+    rows_.forward(field + first * nx, std::min(RowFft::most_rows, end - first), out + first, apart, scratch.row_work);
+  for (int block = 0; block < rows_.blocks(); ++block, out += apart.apart)
+  {
+    std::fill(out, out + begin, ComplexLanes{});
+    std::fill(out + end, out + rows(), ComplexLanes{});
+  }
 }
 
 void MirroredFft::columns_forward(const ComplexLanes* in, int block, int group, int layers, ComplexLanes* spectrum,
@@ -181,19 +200,23 @@ void MirroredFft::columns_forward(const ComplexLanes* in, int block, int group, 
     const ComplexLanes* series = in + (block * planes + number) * rows();
     if (parts.is_empty())
       continue;
+    if (number + 1 < planes)
+      for (std::ptrdiff_t j = 0; j < rows(); ++j)
+        fetch_soon(series + rows() + j); // of the next plane
     if (!parts.is_shared)
     {
       columns_.forward(series, ny, scratch.spectrum.data(), scratch.column_work.data());
       split(scratch.spectrum.data(), spectrum_of(parts.first), spectrum_of(parts.second));
       continue;
     }
-    for (const auto& part : {parts.first, parts.second})
+    for (const bool is_second : {false, true})
     {
+      const Part& part = is_second ? parts.second : parts.first;
       for (std::ptrdiff_t j = 0; part.is_there() && j < half_; ++j)
-        scratch.series[static_cast<std::size_t>(j)] = scratch.series[static_cast<std::size_t>(ny - 1 - j)] = series[j];
+        scratch.series[static_cast<std::size_t>(j)] = scratch.series[static_cast<std::size_t>(ny - 1 - j)] =
+            series[is_second ? rows() - 1 - j : j];
       if (part.is_there())
         columns_.forward(scratch.series.data(), ny, spectrum_of(part), scratch.column_work.data());
-      series += half_;
     }
   }
 }

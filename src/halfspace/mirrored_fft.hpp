@@ -62,8 +62,11 @@ public:
   [[nodiscard]] Scratch make_scratch() const;
 
   /// Along x: one plane of a field of deviators.
-  /// @param out  rows of all planes
-  void rows_forward(const double* deviators, int number, int layers, ComplexLanes* out, Scratch& scratch) const;
+  /// @param first_rows  of the parts of the plane, the first told row that is not zero; those before are not read
+  /// @param out         rows of all planes; those of the second of two parts that share a plane are in reverse order, so that
+  ///                    the rows that are not zero are neighbours
+  void rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
+                    ComplexLanes* out, Scratch& scratch) const;
   /// Along y: the planes of one group in one block to the spectrum of the block at the wavenumbers >= 0,
   /// [layer][component][pitch].
   void columns_forward(const ComplexLanes* in, int block, int group, int layers, ComplexLanes* spectrum, int pitch,
@@ -83,7 +86,9 @@ private:
   [[nodiscard]] int rows() const { return 2 * half_; } ///< of a plane: even, so that half of them are the told ones
   [[nodiscard]] RowFft::Spectra layout(int planes) const;
   [[nodiscard]] std::ptrdiff_t field_at(const Part& part) const;
-  void pack(const double* even, const double* odd, double* plane) const;
+  void pack(const double* even, const double* odd, int first_row, double* plane) const;
+  void pack_shared(const Plane& parts, const double* deviators, const std::array<int, 2>& first_rows,
+                   double* plane) const;
   void unpack(const double* plane, double* even, double* odd) const;
   void split(const ComplexLanes* both, ComplexLanes* even, ComplexLanes* odd) const;
   void join(const ComplexLanes* even, const ComplexLanes* odd, ComplexLanes* both) const;

@@ -46,9 +46,9 @@ void MomentCoupling::add(int stress, int strain, double value)
   value_[row.value + column - row.first_column] += value;
 }
 
-void MomentCoupling::multiply(const double* strain, double* stress, int parities) const
+void MomentCoupling::multiply(const double* strain, double* stress, int parities, std::size_t rows) const
 {
-  for (std::size_t i = 0; i < row_.size(); ++i)
+  for (std::size_t i = 0; i < rows; ++i)
   {
     const Row& row = row_[i];
     if (row.parity >= parities)

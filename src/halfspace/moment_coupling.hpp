@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace brinell::halfspace
@@ -26,7 +27,8 @@ public:
   void add(int stress, int strain, double value);
   /// Multiplies moments of strain in the order of `columns()` into those of stress in the order of `rows()`.
   /// @param parities  the moments of this parity and of larger ones are zero
-  void multiply(const double* strain, double* stress, int parities) const;
+  /// @param rows      moments of stress that are wanted, the first ones
+  void multiply(const double* strain, double* stress, int parities, std::size_t rows) const;
 
   [[nodiscard]] const std::vector<int>& rows() const { return rows_; }       ///< indices of moments of stress
   [[nodiscard]] const std::vector<int>& columns() const { return columns_; } ///< of strain

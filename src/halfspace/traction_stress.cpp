@@ -2,6 +2,7 @@
 #include "halfspace/traction_stress.hpp"
 
 #include "brinell/foundation/sym_tensor.hpp"
+#include "foundation/lane_functions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -196,12 +197,15 @@ void for_rows(int rows, const BlockedFft& fft, const Work& work)
 struct Source
 {
   const Lanes* kernel = nullptr;
+  const Lanes* next_kernel = nullptr; ///< to be fetched
   const ComplexLanes* values = nullptr;
   bool odd_y = false;
 
   template <bool is_below>
   [[nodiscard]] ComplexLanes at(int row, int stored, std::bool_constant<is_below> /*below*/) const
   {
+    if (!is_below)
+      fetch_soon(next_kernel + stored);
     const Lanes number = is_below && odd_y ? -kernel[stored] : kernel[stored];
     return number * values[row];
   }
@@ -210,13 +214,14 @@ struct Source
 /// @tparam parts  of the traction that act, a bit each
 template <unsigned parts>
 void add_parts(const OfTraction<Source> sources, bool pressure_is_imaginary, int rows, const BlockedFft& fft,
-               const ComplexLanes* stress, ComplexLanes* total)
+               const ComplexLanes* stress, const ComplexLanes* next, ComplexLanes* total)
 {
   const auto add_as = [&](auto is_imaginary)
   {
     for_rows(rows, fft,
              [&](int row, int stored, auto below)
              {
+               fetch_soon(next + row);
                ComplexLanes sum = stress[row];
                const auto add_source = [&](std::size_t t, bool is_turned)
                {
@@ -240,8 +245,9 @@ void add_parts(const OfTraction<Source> sources, bool pressure_is_imaginary, int
 /// Of one component the kernels of both shears are imaginary where that of the pressure is real, and the other way round.
 void TractionStress::add(const OfTraction<const TractionStress*>& kernels, int block, int component, int layer,
                          int rows, const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress,
-                         ComplexLanes* total)
+                         const ComplexLanes* next, ComplexLanes* total)
 {
+  const int next_block = next == stress ? block : block + 1;
   OfTraction<Source> sources;
   unsigned parts = 0;
   bool pressure_is_imaginary = false;
@@ -250,7 +256,8 @@ void TractionStress::add(const OfTraction<const TractionStress*>& kernels, int b
     if (kernels[t] != nullptr)
     {
       const Parity parity = kernels[t]->parity(component);
-      sources[t] = {kernels[t]->kernel(block, layer, component), traction[t], parity.odd_y};
+      sources[t] = {kernels[t]->kernel(block, layer, component), kernels[t]->kernel(next_block, layer, component),
+                    traction[t], parity.odd_y};
       parts |= 1U << t;
       pressure_is_imaginary = parity.is_imaginary() == (t == 0);
       fft = &kernels[t]->fft_;
@@ -258,7 +265,7 @@ void TractionStress::add(const OfTraction<const TractionStress*>& kernels, int b
   const auto add_if = [&](auto which)
   {
     if (parts == which)
-      add_parts<which>(sources, pressure_is_imaginary, rows, *fft, stress, total);
+      add_parts<which>(sources, pressure_is_imaginary, rows, *fft, stress, next, total);
   };
   [&]<unsigned... which>(std::integer_sequence<unsigned, 0, which...> /*all*/)
   {
@@ -273,6 +280,7 @@ void TractionStress::add_displacement(int block, int layer, int rows, const Comp
   const double thickness = grid_.dz;
   const std::ptrdiff_t pitch = fft_.pitch();
   const Lanes* const k = kernel(block, layer, 0);
+  const Lanes* const next = kernel(block, std::min(layer + 1, grid_.nz - 1), 0);
   std::array<double, Deviator::size> sign_below{};
   for (int c = 0; c < Deviator::size; ++c)
     sign_below[static_cast<std::size_t>(c)] = parity(c).odd_y ? -1.0 : 1.0;
@@ -281,6 +289,8 @@ void TractionStress::add_displacement(int block, int layer, int rows, const Comp
     for_rows(rows, fft_,
              [=, this](int row, int stored, auto below)
              {
+               for (int c = 0; !below && c < Deviator::size; ++c)
+                 fetch_soon(next + c * rows_ + stored);
                const auto times = [&](int c, const ComplexLanes& strain_of)
                {
                  const Lanes number = k[c * rows_ + stored];

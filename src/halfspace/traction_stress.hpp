@@ -38,8 +38,11 @@ public:
   /// @param rows           of the spectra that are worked on, from the first one
   /// @param traction       [row]
   /// @param stress, total  [row] [Pa]; may be the same
+  /// @param next           the stress of the same plane in the next block, which is fetched meanwhile, with its kernels; `stress`
+  ///                       itself in the last block
   static void add(const OfTraction<const TractionStress*>& kernels, int block, int component, int layer, int rows,
-                  const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress, ComplexLanes* total);
+                  const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress, const ComplexLanes* next,
+                  ComplexLanes* total);
   /// Adds the displacement of the surface [m] of the plastic strain in one layer: that which the traction works on.
   /// @param strain        [component][pitch], traceless
   /// @param displacement  [row]
