@@ -2,6 +2,7 @@
 #include "foundation/blocked_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/lane_functions.hpp"
 
 #include <algorithm>
 
@@ -77,7 +78,10 @@ void BlockedFft::rows_forward(const double* field, int plane, int batch, Complex
 void BlockedFft::columns_forward(const ComplexLanes* rows, int block, int plane, ComplexLanes* column,
                                  Scratch& scratch) const
 {
-  columns_.forward(rows + rows_at(block, plane), grid_.ny, column, scratch.work.data());
+  const ComplexLanes* series = rows + rows_at(block, plane);
+  for (int j = 0; plane + 1 < planes_ && j < grid_.ny; ++j)
+    fetch_soon(series + grid_.ny + j); // of the next plane
+  columns_.forward(series, grid_.ny, column, scratch.work.data());
 }
 
 void BlockedFft::columns_inverse(const ComplexLanes* column, int block, int plane, ComplexLanes* rows,
