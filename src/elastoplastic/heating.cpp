@@ -14,6 +14,42 @@
 namespace brinell::elastoplastic
 {
 
+namespace
+{
+
+/// Where heat passes between the surfaces in one increment: where they touch, and on cells that cannot tell. A cell at the edge that
+/// opens by the heat that it gets when it touches, and closes without, has no state in which it does the one or the other for good.
+/// Once it has parted so often that this is clear, it is taken as touching until the increment ends: it is open by less than the heat
+/// displaces it.
+class TouchingCells
+{
+public:
+  void begin(std::size_t cells)
+  {
+    was_touching_.assign(cells, false);
+    partings_.assign(cells, 0);
+  }
+  [[nodiscard]] std::vector<bool> find(std::span<const double> heat, std::span<const double> pressure)
+  {
+    std::vector<bool> touching(heat.size());
+    for (std::size_t i = 0; i < touching.size(); ++i)
+    {
+      const bool touches = pressure[i] > 0.0 || heat[i] != 0.0; // or has touched at the beginning of the increment
+      partings_[i] += was_touching_[i] && !touches ? 1 : 0;
+      was_touching_[i] = touches;
+      touching[i] = touches || partings_[i] >= most_partings;
+    }
+    return touching;
+  }
+
+private:
+  static constexpr int most_partings = 3;
+  std::vector<bool> was_touching_;
+  std::vector<int> partings_; ///< in the increment
+};
+
+} // namespace
+
 struct Heating::State
 {
   SurfaceGrid contact;
@@ -31,6 +67,7 @@ struct Heating::State
   // Of the increment at hand
   double duration = 0.0, slid = 0.0;
   std::vector<double> shear_before{};
+  TouchingCells touching{};
   // Since the start [J]
   double heat_of_friction = 0.0, work_on_pressure = 0.0;
 
@@ -85,6 +122,7 @@ void Heating::begin(const Start& start)
   s.duration = start.duration;
   s.slid = start.slid;
   s.shear_before.assign(start.shear_before.begin(), start.shear_before.end());
+  s.touching.begin(s.contact.size());
   for (std::size_t side = 0; side < 2 && s.duration > 0.0; ++side)
     s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration, start.slid > 0.0);
 }
@@ -119,13 +157,12 @@ std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& he
   const double resistance = settings.conductance ? 1.0 / *settings.conductance : 0.0;
   const double of_heat = resistance * settings.share();
   std::vector<double> rhs(heat.size());
-  std::vector<bool> pressed(heat.size());
+  const std::vector<bool> pressed = touching.find(heat, pressure);
   upper.warm(heat, rhs);
   double largest = 0.0;
   for (std::size_t i = 0; i < rhs.size(); ++i)
   {
     rhs[i] += upper.remaining()[i] - lower.remaining()[i] + of_heat * heat[i];
-    pressed[i] = pressure[i] > 0.0 || heat[i] != 0.0; // or they have touched at the beginning of the increment
     if (pressed[i])
       largest = std::max(largest, std::abs(rhs[i]));
   }

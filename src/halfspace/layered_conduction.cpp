@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace brinell::halfspace
 {
@@ -100,6 +101,48 @@ void LayeredConduction::find_modes()
       to_modes_.at(l, i) = value * root;
     }
   }
+}
+
+std::shared_ptr<const LayeredConduction> layers_for_images(const std::shared_ptr<const LayeredConduction>& layers,
+                                                           double distance)
+{
+  if (!layers)
+    return nullptr;
+  constexpr double least_in_distance = 16.0;
+  int together = 1;
+  while (2 * together * layers->thickness() * least_in_distance <= distance)
+    together *= 2;
+  if (together == 1)
+    return layers;
+  const int heated = (static_cast<int>(layers->heated()) + together - 1) / together;
+  return std::make_shared<const LayeredConduction>(heated, together * layers->thickness(),
+                                                   layers->bottom(layers->size() - 1));
+}
+
+std::vector<std::vector<double>> on_layers(const LayeredConduction& from, const std::vector<std::vector<double>>& rise,
+                                           const LayeredConduction& to)
+{
+  std::vector<std::vector<double>> result(to.size());
+  for (std::size_t k = 0; k < rise.size(); ++k)
+  {
+    if (rise[k].empty())
+      continue;
+    // Between the middles of two, before the first and beneath the last ones, too: neither heat nor its mean depth changes.
+    const double depth = from.middle(k), height = from.bottom(k) - from.top(k);
+    std::size_t upper = to.layer_at(depth);
+    if (depth < to.middle(upper) && upper > 0)
+      --upper;
+    upper = std::min(upper, to.size() - 2);
+    const double lower_share = (depth - to.middle(upper)) / (to.middle(upper + 1) - to.middle(upper));
+    for (const auto& [j, share] : {std::pair{upper, 1.0 - lower_share}, {upper + 1, lower_share}})
+    {
+      const double factor = share * height / (to.bottom(j) - to.top(j));
+      result[j].resize(rise[k].size());
+      for (std::size_t i = 0; i < rise[k].size(); ++i)
+        result[j][i] += factor * rise[k][i];
+    }
+  }
+  return result;
 }
 
 } // namespace brinell::halfspace

@@ -4,6 +4,7 @@
 #include "foundation/aligned.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -60,5 +61,14 @@ private:
   std::vector<double> squared_numbers_;
   RowsOfFour to_layers_, to_modes_;
 };
+
+/// For images at that distance [m]: layers of twice, four times, ... the thickness, at most a sixteenth of it. What heat does so far
+/// away depends on its amount and mean depth; on how it is spread in depth, to the second order in thickness/distance.
+[[nodiscard]] std::shared_ptr<const LayeredConduction>
+layers_for_images(const std::shared_ptr<const LayeredConduction>& layers, double distance);
+/// What warms some layers, as it warms thicker ones in their place, with the same heat and the same mean depth; empty: cold.
+[[nodiscard]] std::vector<std::vector<double>> on_layers(const LayeredConduction& from,
+                                                         const std::vector<std::vector<double>>& rise,
+                                                         const LayeredConduction& to);
 
 } // namespace brinell::halfspace

@@ -120,9 +120,10 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
         farther_.empty() ? CoarserSurface(grid, 0)
                          : CoarserSurface(farther_.back().cells.grid(), farther_.back().cells.margins(), {true, true});
     const DepthWaves slow = waves_.slower_than(decayed / distance);
+    const auto layers = wanted.images == HeatImages::coarse ? layers_for_images(layers_, distance) : layers_;
     farther_.push_back(
-        {cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, wanted.symmetry, layers_),
-                         HeatMemory(cells.grid(), once_x, once_y, thermal, slow, wanted.symmetry, layers_)}});
+        {cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, wanted.symmetry, layers),
+                         HeatMemory(cells.grid(), once_x, once_y, thermal, slow, wanted.symmetry, layers), layers}});
   }
 }
 
@@ -298,8 +299,14 @@ void OpenHeatMemory::take_up_in_body(const char* function_name, std::span<const 
     throw InternalError(fmt::format("{}: {} values on {} cells", function_name, rise.size(), grid().size()));
   std::vector<std::vector<double>> of_layers = in_layers(rise);
   near_.take_up_in_body(of_layers, duration);
+  const LayeredConduction* layers = layers_.get();
   for (FartherImages& images : farther_)
   {
+    if (images.lattices && images.lattices->layers.get() != layers)
+    {
+      of_layers = on_layers(*layers, of_layers, *images.lattices->layers);
+      layers = images.lattices->layers.get();
+    }
     for (std::vector<double>& layer : of_layers)
       if (!layer.empty())
         layer = images.cells.from_finer(layer);
@@ -362,12 +369,14 @@ void OpenHeatMemory::exchange(Archive& archive)
   {
     std::vector<double> values = memory->whole_heat();
     archive(fmt::format("lattice{}", n), values);
-    memory->set_whole_heat(values);
+    if (archive.gives())
+      memory->set_whole_heat(values);
     if (layers_)
     {
       std::vector<double> in_body = memory->whole_heat_in_body();
       archive.list(fmt::format("body{}", n), in_body);
-      memory->set_whole_heat_in_body(in_body);
+      if (archive.gives())
+        memory->set_whole_heat_in_body(in_body);
     }
     ++n;
   }

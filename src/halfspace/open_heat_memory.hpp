@@ -71,6 +71,7 @@ private:
   struct Lattices
   {
     HeatMemory twice, once;
+    std::shared_ptr<const LayeredConduction> layers; ///< of both; nullptr: no heat arises in the body
   };
   struct FartherImages
   {

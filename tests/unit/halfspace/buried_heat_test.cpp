@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -327,6 +328,47 @@ TEST(BuriedHeat, InAThinSkinItIsAFluxThroughTheSurface)
         << k;
     EXPECT_LT(error, 1.2e-2 * largest) << k;
   }
+}
+
+TEST(BuriedHeat, ImagesOfThickerLayers)
+{
+  // Images are at least 80 layers away, and taken off with those of four times the thickness: to what coarse images promise.
+  constexpr double promised = 3e-4;
+  const int cells = 16, layers = 24;
+  const double h = 0.05;
+  const SurfaceGrid g{cells, cells, 0.25, 0.25, open, open};
+  const auto make = [&](HeatImages images) {
+    return ThermalField(g, body, elastic, {1.0, 40.0}, middles(layers, h), images, Symmetry::none, {layers, h});
+  };
+  ThermalField all = make(HeatImages::fine), thick = make(HeatImages::coarse);
+  std::vector<double> heat(static_cast<std::size_t>(layers) * g.size(), 0.0);
+  for (std::size_t k = 3; k < 11; ++k)
+    for (int j = 5; j < 11; ++j)
+      for (int i = 3; i < 10; ++i)
+        heat[k * g.size() + g.index(i, j)] = 1.0 + 0.1 * static_cast<double>(k);
+  for (const double duration : {1.0, 39.0}) // heat spreads over half and over three times the width of the grid
+  {
+    for (ThermalField* field : {&all, &thick})
+    {
+      field->take_up_in_body(heat, duration);
+      field->take_up(Field(g.size(), 0.0), {duration});
+    }
+    const Field u = displacement_of(all);
+    EXPECT_LT(test::largest_difference(u, displacement_of(thick)), -promised * *std::min_element(u.begin(), u.end()));
+    double largest = 0.0, error = 0.0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(layers); k += 3)
+    {
+      const Field T = layer_of(all, k).temperature;
+      largest = std::max(largest, *std::max_element(T.begin(), T.end()));
+      error = std::max(error, test::largest_difference(T, layer_of(thick, k).temperature));
+    }
+    EXPECT_LT(error, promised * largest);
+  }
+  Archive of_all, of_thick;
+  all.exchange(of_all);
+  thick.exchange(of_thick);
+  EXPECT_EQ(of_thick.fields().at("body0").size(), of_all.fields().at("body0").size());
+  EXPECT_LT(of_thick.fields().at("body1").size(), 0.5 * static_cast<double>(of_all.fields().at("body1").size()));
 }
 
 } // namespace
