@@ -103,42 +103,65 @@ DepthSums::Row DepthSums::make_row(std::size_t columns) const
   const std::size_t stored = has_layers() ? numbers2_.size() * row.pitch : 0;
   row.heat.resize(stored);
   row.integrated.resize(stored);
-  row.k2.assign(row.pitch, 1.0);
+  row.k2.assign(columns, 1.0);
   row.at_surface.resize(row.pitch);
   for (AlignedVector<double>* sum : {&row.temperature, &row.potential, &row.slope})
     sum->resize(has_layers() ? together * row.pitch : 0);
   return row;
 }
 
+namespace
+{
+
+/// A row divided by k^2 + s^2, with one division for both parts of a value. `take` gets some parts of it from a number on.
+template <typename Take>
+void divide_row(const double* from, const AlignedVector<double>& k2, double s2, std::size_t columns, const Take& take)
+{
+  std::size_t i = 0;
+  for (; i + lane_count <= columns; i += lane_count)
+  {
+    const Lanes inverse = 1.0 / (s2 + load_lanes(k2.data() + i));
+    const std::size_t low = 2 * i, high = low + lane_count;
+    take(low, lane_count, load_lanes(from + low),
+         __builtin_shufflevector(inverse, inverse, 0, 0, 1, 1, 2, 2, 3, 3) * load_lanes(from + low));
+    take(high, lane_count, load_lanes(from + high),
+         __builtin_shufflevector(inverse, inverse, 4, 4, 5, 5, 6, 6, 7, 7) * load_lanes(from + high));
+  }
+  for (; i < columns; ++i)
+  {
+    const Lanes value = load_lanes(from + 2 * i, 2);
+    take(2 * i, 2, value, (1.0 / (s2 + k2[i])) * value);
+  }
+}
+
+} // namespace
+
 void DepthSums::gather(std::span<const SurfaceWave> along, const Complex* heat, std::size_t apart, Row& row) const
 {
-  const std::size_t parts = 2 * along.size();
   for (std::size_t i = 0; i < along.size(); ++i)
-    row.k2[2 * i] = row.k2[2 * i + 1] = along[i].k * along[i].k;
+    row.k2[i] = along[i].k * along[i].k;
   std::fill(row.at_surface.begin(), row.at_surface.end(), 0.0);
   for (std::size_t w = 0; w < numbers2_.size(); ++w)
   {
     if (!is_left_[w])
       continue;
     const auto* from = reinterpret_cast<const double*>(heat + w * apart);
-    const double s2 = numbers2_[w], of_surface = at_surface_[w];
-    const double* k2 = row.k2.data();
-    double* sum = row.at_surface.data();
+    const double of_surface = at_surface_[w];
+    double *sum = row.at_surface.data(), *packed = row.heat.data() + w * row.pitch,
+           *integrated = row.integrated.data() + w * row.pitch;
+    const auto add = [&](std::size_t n, std::size_t count, const Lanes& divided)
+    { store_lanes(load_lanes(sum + n, count) + of_surface * divided, count, sum + n); };
     if (!has_layers())
-    {
-#pragma omp simd
-      for (std::size_t n = 0; n < parts; ++n)
-        sum[n] += of_surface * (from[n] / (k2[n] + s2));
-      continue;
-    }
-    double *packed = row.heat.data() + w * row.pitch, *integrated = row.integrated.data() + w * row.pitch;
-#pragma omp simd
-    for (std::size_t n = 0; n < parts; ++n)
-    {
-      packed[n] = from[n];
-      integrated[n] = from[n] / (k2[n] + s2);
-      sum[n] += of_surface * integrated[n];
-    }
+      divide_row(from, row.k2, numbers2_[w], along.size(),
+                 [&](std::size_t n, std::size_t count, const Lanes&, const Lanes& divided) { add(n, count, divided); });
+    else
+      divide_row(from, row.k2, numbers2_[w], along.size(),
+                 [&](std::size_t n, std::size_t count, const Lanes& value, const Lanes& divided)
+                 {
+                   store_lanes(value, count, packed + n);
+                   store_lanes(divided, count, integrated + n);
+                   add(n, count, divided);
+                 });
   }
 }
 

@@ -46,7 +46,8 @@ public:
   struct Row
   {
     std::size_t pitch = 0;
-    AlignedVector<double> heat, integrated, k2;          ///< [wave][pitch]; the latter divided by k^2 + s^2
+    AlignedVector<double> heat, integrated;              ///< [wave][pitch]; the latter divided by k^2 + s^2
+    AlignedVector<double> k2;                            ///< [column]
     AlignedVector<double> at_surface;                    ///< potential without its factor k, the same for all depths
     AlignedVector<double> temperature, potential, slope; ///< of depths together, [depth][pitch]
   };
