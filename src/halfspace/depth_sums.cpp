@@ -16,9 +16,13 @@ DepthFactors factors_at(const DepthWaves& waves, const TurnedWaves& turned_waves
 {
   DepthFactors factors = surface_factors(waves);
   factors.depth = depth;
-  for (const DepthWave& wave : waves.waves)
+  // The last wave does not turn at all.
+  std::vector<TurnedWave> turned_at_depth = turned_waves(waves.waves.front().number * depth, waves.waves.size() - 1);
+  turned_at_depth.push_back({1.0, 0.0});
+  for (std::size_t w = 0; w < waves.waves.size(); ++w)
   {
-    const TurnedWave turned = turned_waves(wave.number * depth);
+    const DepthWave& wave = waves.waves[w];
+    const TurnedWave& turned = turned_at_depth[w];
     factors.temperature.push_back(wave.weight * turned.cosine);
     factors.potential.push_back(wave.weight * turned.cosine);
     factors.slope.push_back(-wave.weight * wave.number * turned.sine);

@@ -78,42 +78,54 @@ constexpr double angle = 0.3;
 
 } // namespace
 
-TurnedWaves::TurnedWaves(double step)
+TurnedWaves::TurnedWaves(double step) : spacing_(step / points_per_step)
 {
   // The mean with a kernel K(u) over u = ln x. Its transform is 1 up to frequencies somewhat below pi/step and 0 beyond: those of the
   // waves are told apart.
-  constexpr double softness = 0.2;
+  constexpr double softness = 0.2, widths = 10.0;
   const double band = std::numbers::pi / step, width = 1.0 / (softness * band);
-  const double spacing = 0.1 * step, reach = 10.0 * width;
-  for (double u = -reach; u <= reach; u += spacing)
+  first_ = -widths * width;
+  for (double u = first_; u <= -first_; u += spacing_)
   {
     const std::complex<double> shifted{u, angle};
     const std::complex<double> stretch = std::exp(shifted);
     const std::complex<double> kernel =
         std::sin(band * shifted) / (std::numbers::pi * shifted) * std::exp(-0.25 * shifted * shifted / (width * width));
-    points_.push_back({std::exp(u), spacing * kernel * stretch, spacing * kernel * stretch * stretch});
+    points_.push_back({spacing_ * kernel * stretch, spacing_ * kernel * stretch * stretch});
   }
 }
 
-TurnedWave TurnedWaves::operator()(double x) const
+std::vector<TurnedWave> TurnedWaves::operator()(double largest, std::size_t count) const
 {
+  if (largest == 0.0)
+    return std::vector<TurnedWave>(count, {1.0, 0.0});
   constexpr double too_often = 300.0; // the mean is below 1e-10
-  if (x == 0.0)
-    return {1.0, 0.0};
-  if (x > too_often)
-    return {0.0, 0.0};
-  const double decay = -x * std::sin(angle), turn = x * std::cos(angle);
-  TurnedWave mean{0.0, 0.0};
-  for (const Point& point : points_)
+  constexpr double nothing = 40.0;
+  // e^{ix}, x e^{-step n + u}, at all points of all of the series: e^{ix e^u} of the n-th begins at `points_per_step` n before the end.
+  const std::size_t before = points_per_step * (count - 1);
+  std::vector<std::complex<double>> turned;
+  for (std::size_t m = 0; m < before + points_.size(); ++m)
   {
-    if (decay * point.stretch < -40.0)
+    const double x = largest * std::exp(first_ + spacing_ * (static_cast<double>(m) - static_cast<double>(before)));
+    if (x * std::sin(angle) > nothing)
       break;
-    const double left = std::exp(decay * point.stretch), phase = turn * point.stretch;
-    const double re = left * std::cos(phase), im = left * std::sin(phase);
-    mean.cosine += re * point.of_cosine.real() - im * point.of_cosine.imag();
-    mean.sine += re * point.of_sine.imag() + im * point.of_sine.real();
+    turned.push_back(std::polar(std::exp(-x * std::sin(angle)), x * std::cos(angle)));
   }
-  return mean;
+  std::vector<TurnedWave> means(count, {0.0, 0.0});
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    if (largest * std::exp(-spacing_ * static_cast<double>(points_per_step * n)) > too_often)
+      continue;
+    const std::size_t first = before - points_per_step * n;
+    for (std::size_t j = 0; j < points_.size() && first + j < turned.size(); ++j)
+    {
+      const std::complex<double>&of_cosine = points_[j].of_cosine, &of_sine = points_[j].of_sine;
+      const std::complex<double>& value = turned[first + j];
+      means[n].cosine += value.real() * of_cosine.real() - value.imag() * of_cosine.imag();
+      means[n].sine += value.real() * of_sine.imag() + value.imag() * of_sine.real();
+    }
+  }
+  return means;
 }
 
 } // namespace brinell::halfspace

@@ -55,15 +55,18 @@ class TurnedWaves
 public:
   /// @param step  of ln s
   explicit TurnedWaves(double step);
-  [[nodiscard]] TurnedWave operator()(double x) const;
+  /// The means at so many x, each smaller than the one before by the step of ln x: those of all waves at one depth.
+  [[nodiscard]] std::vector<TurnedWave> operator()(double largest, std::size_t count) const;
 
 private:
-  /// A point of the path of integration: e^u, and the weights of both means there.
+  /// A point of the path of integration, at equal distances in u: the weights of both means there.
   struct Point
   {
-    double stretch;
     std::complex<double> of_cosine, of_sine;
   };
+  /// Points of the path in a step: so many, that what is asked for at all x of a series lies on one row of points.
+  static constexpr std::size_t points_per_step = 10;
+  double spacing_, first_; ///< of the points in u
   std::vector<Point> points_;
 };
 
