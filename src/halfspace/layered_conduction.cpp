@@ -115,8 +115,10 @@ std::shared_ptr<const LayeredConduction> layers_for_images(const std::shared_ptr
   if (together == 1)
     return layers;
   const int heated = (static_cast<int>(layers->heated()) + together - 1) / together;
-  return std::make_shared<const LayeredConduction>(heated, together * layers->thickness(),
-                                                   layers->bottom(layers->size() - 1));
+  const double thickness = together * layers->thickness();
+  // As of all layers, at least one that is thicker lies beneath.
+  const double deepest = std::max(layers->bottom(layers->size() - 1), (heated + 1) * thickness);
+  return std::make_shared<const LayeredConduction>(heated, thickness, deepest);
 }
 
 std::vector<std::vector<double>> on_layers(const LayeredConduction& from, const std::vector<std::vector<double>>& rise,

@@ -67,8 +67,7 @@ private:
 [[nodiscard]] std::shared_ptr<const LayeredConduction>
 layers_for_images(const std::shared_ptr<const LayeredConduction>& layers, double distance);
 /// What warms some layers, as it warms thicker ones in their place, with the same heat and the same mean depth; empty: cold.
-[[nodiscard]] std::vector<std::vector<double>> on_layers(const LayeredConduction& from,
-                                                         const std::vector<std::vector<double>>& rise,
-                                                         const LayeredConduction& to);
+[[nodiscard]] std::vector<std::vector<double>>
+on_layers(const LayeredConduction& from, const std::vector<std::vector<double>>& rise, const LayeredConduction& to);
 
 } // namespace brinell::halfspace
