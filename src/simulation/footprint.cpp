@@ -273,8 +273,12 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
                     reference, domain.reference > 0.0 ? "" : ", the default,", half));
 }
 
-Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain,
-                           double friction)
+namespace
+{
+
+/// @param pair  of those bodies under that friction: to find it takes a search
+Footprint smooth_footprint_of(const Pair& pair, const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
+                              const Domain& domain, double friction)
 {
   for (const ShapedBody* body : {&lower, &upper})
     if (const auto* p = std::get_if<Paraboloid>(&body->shape); p && (p->radius_x == 0.0 || p->radius_y == 0.0))
@@ -283,16 +287,26 @@ Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, con
     throw InputError(fmt::format("a contact under {:g}; allowed: a finite load or approach", drive.value));
   if (const auto reason = reason_against_contact(lower, upper, domain))
     throw InputError("the bodies " + *reason);
-  Footprint f = of_shapes(pair_of(lower, upper, domain, friction), lower.shape, upper.shape, drive, domain);
+  Footprint f = of_shapes(pair, lower.shape, upper.shape, drive, domain);
   require_within_radius(f, lower.shape, upper.shape);
   require_within_reference(f.half_x, f.half_y, lower, upper, domain);
   const double half_y = f.endless_y ? std::numeric_limits<double>::infinity() : f.half_y;
   f.depth = std::max(stressed_depth(f.half_x, half_y), 1.3 * f.plastic_reach);
   f.over_x = f.half_x;
   f.over_y = f.half_y;
+  f.frictionless_yield_approach =
+      friction > 0.0 ? smooth_footprint(lower, upper, drive, domain).first_yield_approach : f.first_yield_approach;
   if (domain.x.is_periodic() || domain.y.is_periodic()) // the neighbours share the approach
     f.elastic_load = std::numeric_limits<double>::infinity();
   return f;
+}
+
+} // namespace
+
+Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain,
+                           double friction)
+{
+  return smooth_footprint_of(pair_of(lower, upper, domain, friction), lower, upper, drive, domain, friction);
 }
 
 Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive, const Domain& domain,
@@ -302,8 +316,13 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
     require_finite_depth(lower, upper, drive.value, domain);
   const Pair pair = pair_of(lower, upper, domain, friction);
   if (domain.is_periodic() && are_flat(lower, upper) && !are_smooth(lower, upper))
-    return of_flats(lower, upper, pair.modulus, pair.yield_pressure, drive, domain);
-  Footprint f = smooth_footprint(lower, upper, drive, domain, friction);
+  {
+    Footprint f = of_flats(lower, upper, pair.modulus, pair.yield_pressure, drive, domain);
+    f.frictionless_yield_approach =
+        friction > 0.0 ? footprint(lower, upper, drive, domain).first_yield_approach : f.first_yield_approach;
+    return f;
+  }
+  Footprint f = smooth_footprint_of(pair, lower, upper, drive, domain, friction);
   if (!domain.is_periodic())
   {
     add_textures(lower, upper, drive, pair.modulus, domain, f);
@@ -341,7 +360,9 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
           numerics.domain, plan);
   plan.contact_share = f.contact_share;
   // Not so small a change of displacement that the tolerance of the contact hides it.
-  plan.scales = {std::clamp(f.first_yield_approach, 1e-2 * f.approach, f.approach), f.approach};
+  const auto resolved = [&](double approach) { return std::clamp(approach, 1e-2 * f.approach, f.approach); };
+  plan.scales = {resolved(f.frictionless_yield_approach), f.approach};
+  plan.first_yield = resolved(f.first_yield_approach);
 }
 
 } // namespace brinell::simulation

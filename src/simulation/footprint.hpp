@@ -24,7 +24,9 @@ struct Footprint
   double approach = 0.0;      ///< [m]
   double peak_ratio = 0.0;    ///< peak pressure of the smooth, elastic contact over that of first yield
   double first_yield_approach = 0.0; ///< [m]; the approach if nothing yields before
-  double contact_share = 1.0;        ///< of the period that touches; 1 where none tells
+  double frictionless_yield_approach =
+      0.0;                    ///< the same for bodies that slide without friction: a scale of the contact alone
+  double contact_share = 1.0; ///< of the period that touches; 1 where none tells
   /// That the bodies would carry if they stayed elastic, without textures and friction [N]: under an approach, plastic flow takes
   /// from it. Infinite where no closed form tells.
   double elastic_load = std::numeric_limits<double>::infinity();

@@ -212,7 +212,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
       !lower.material.initial_stress.depth().empty() || !upper.material.initial_stress.depth().empty();
   // On textures stand peaks of pressure.
   if (!stressed && are_smooth(lower, upper))
-    f.first_yield = plan.scales.displacement;
+    f.first_yield = plan.first_yield;
   f.solver = numerics.solver;
   f.is_plane = is_plane(plan.contact);
   f.is_patchy = numerics.domain.is_periodic();

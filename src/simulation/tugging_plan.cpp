@@ -47,6 +47,7 @@ struct Pair
   ClosestApproach closest;
   ContactSize contact;      ///< elastic, of the smooth bodies at alignment
   double first_yield = 0.0; ///< interference at which one of them first yields; the full one if none does before [m]
+  double frictionless_yield = 0.0;   ///< the same without friction [m]
   std::array<double, 2> curvature{}; ///< relative [1/m]
   TextureReach texture;              ///< of both bodies together
 };
@@ -82,20 +83,26 @@ Pair pair_of(const TuggingCase& tugging)
   const TextureReach of_upper = reach(upper.texture);
   pair.texture = {of_lower.height + of_upper.height, std::max(of_lower.half_width_y + std::abs(pair.closest.y_lower),
                                                               of_upper.half_width_y + std::abs(pair.closest.y_upper))};
-  pair.first_yield = interference;
+  pair.first_yield = pair.frictionless_yield = interference;
   if (const std::optional<double> radius = equivalent_radius(lower.shape, upper.shape))
   {
     const double a = std::sqrt(*radius * interference);
     pair.contact = {a, a};
     require_within_reference(a, a, lower, upper, tugging.domain);
-    if (const auto yield = earliest_first_yield(lower, upper, tugging.domain, friction))
-      pair.first_yield = std::min(pair.first_yield, yield->critical.interference);
+    const auto first_yield = [&](double coefficient)
+    {
+      const auto yield = earliest_first_yield(lower, upper, tugging.domain, coefficient);
+      return yield ? std::min(interference, yield->critical.interference) : interference;
+    };
+    pair.first_yield = first_yield(friction);
+    pair.frictionless_yield = first_yield(0.0);
     return pair;
   }
   const Footprint f =
       smooth_footprint(lower, upper, {contact::Drive::Kind::approach, interference}, tugging.domain, friction);
   pair.contact = {f.elastic_x, f.elastic_y, f.straight_y};
-  pair.first_yield = std::min(pair.first_yield, f.first_yield_approach);
+  pair.first_yield = std::min(interference, f.first_yield_approach);
+  pair.frictionless_yield = std::min(interference, f.frictionless_yield_approach);
   return pair;
 }
 
@@ -265,7 +272,9 @@ TuggingPlan plan(const TuggingCase& tugging)
       is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
   plan.symmetry = symmetry_of(tugging.lower, tugging.upper, tugging, plan.contact, tugging.offset != 0.0);
   // Not so small a change of displacement that the tolerance of the contact hides it.
-  plan.scales = {std::max(pair.first_yield, 1e-2 * pair.closest.interference), pair.closest.interference};
+  const double smallest = 1e-2 * pair.closest.interference;
+  plan.scales = {std::max(pair.frictionless_yield, smallest), pair.closest.interference};
+  plan.first_yield = std::max(pair.first_yield, smallest);
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);

@@ -54,6 +54,7 @@ struct IncrementReport
 struct Scales
 {
   /// For the change of residual displacement: approach at first yield, in plans between 1 % and all of the largest approach.
+  /// Without friction: with it bodies yield sooner, but what matters to the contact is no smaller for that.
   double displacement = 0.0;
   double gap = 0.0; ///< for complementarity: largest approach
 };

@@ -108,6 +108,7 @@ struct Plan
   double contact_share = 1.0;                           ///< of a period that touches, estimate; 1 where none tells
   double memory_bytes = 0.0;
   elastoplastic::Scales scales; ///< of the tolerances
+  double first_yield = 0.0;     ///< approach at which a body yields, with friction, not below 1 % of the largest [m]
   double reference = 0.0;       ///< of the displacement with one periodic axis [m]
 };
 

@@ -4,6 +4,7 @@
 #include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/quality.hpp"
+#include "brinell/simulation/rolling.hpp"
 #include "sphere_pairs.hpp"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,32 @@ TEST(FirstYield, OfAHardenedLayerIsThatOfItsCoreInEveryScenario)
   // A layer that is hard throughout yields late.
   t.lower.material.yield_factor = t.upper.material.yield_factor = constitutive::DepthProfile({0.0}, {1.2});
   EXPECT_NEAR(plan(t).scales.displacement, 1.44 * critical_interference, 1e-5 * critical_interference);
+}
+
+TEST(FirstYield, UnderFrictionDoesNotTightenTheToleranceOfTheDisplacement)
+{
+  TuggingCase t = spheres(4.0);
+  RollingCase r;
+  r.lower = t.lower;
+  r.upper = t.upper;
+  r.lower.shape = Plane{};
+  r.drive = {contact::Drive::Kind::approach, t.interference};
+  r.distance = 10e-3;
+  r.slide_to_roll = 0.2;
+  const auto yield_of = [](const auto& c)
+  { return earliest_first_yield(c.lower, c.upper, c.domain, c.friction.coefficient)->critical.interference; };
+  const auto check = [&](auto c)
+  {
+    const double frictionless = yield_of(c);
+    EXPECT_NEAR(plan(c).scales.displacement / frictionless, 1.0, 1e-9);
+    EXPECT_NEAR(plan(c).first_yield / frictionless, 1.0, 1e-9);
+    c.friction.coefficient = 0.4;
+    EXPECT_LT(yield_of(c), 0.7 * frictionless); // Hamilton (1983): at the surface
+    EXPECT_NEAR(plan(c).scales.displacement / frictionless, 1.0, 1e-9);
+    EXPECT_NEAR(plan(c).first_yield / yield_of(c), 1.0, 1e-9);
+  };
+  check(t);
+  check(r);
 }
 
 TEST(FirstYield, IsThatOfTheWeakerBody)
