@@ -14,6 +14,7 @@ void ActiveCells::clear()
   q_.clear();
   g_.clear();
   start_.clear();
+  flow_.clear();
   equivalent_.clear();
   dissipation_.clear();
   backstress_.clear();
@@ -26,6 +27,7 @@ void ActiveCells::add(std::size_t cell, const Deviator& q, const Deviator& start
   q_.insert(q_.end(), q.v.begin(), q.v.end());
   g_.insert(g_.end(), q.v.begin(), q.v.end());
   start_.insert(start_.end(), start.v.begin(), start.v.end());
+  flow_.resize(flow_.size() + Deviator::size, 0.0);
   equivalent_.push_back(0.0);
   dissipation_.push_back(0.0);
   backstress_.resize(backstress_.size() + terms_);
@@ -40,6 +42,11 @@ void ActiveCells::set_flow(std::size_t a, const constitutive::PlasticIncrement& 
 {
   equivalent_[a] = increment.equivalent;
   dissipation_[a] = increment.dissipation;
+  const Deviator& d = increment.strain;
+  Deviator factors = 2.0 * d;
+  factors[Deviator::xx] += d[Deviator::yy]; // for zz = -(xx + yy) of both
+  factors[Deviator::yy] += d[Deviator::xx];
+  set(flow_, a, factors);
 }
 
 } // namespace brinell::elastoplastic

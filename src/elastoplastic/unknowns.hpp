@@ -26,6 +26,9 @@ concept Participant = requires(Part& part, const Part& fixed)
     fixed.mapped()
     } -> std::same_as<const std::vector<double>&>;
   {
+    fixed.flow()
+    } -> std::same_as<const std::vector<double>&>; ///< factors of changes of g in the work on the strain of the trial
+  {
     fixed.copies_of_unknown(std::size_t{})
     } -> std::same_as<int>; ///< its weight in products
 };
@@ -44,31 +47,27 @@ public:
       while (places_[part].size() < sides[part].body.unknowns())
       {
         weights_.push_back(sides[part].body.copies_of_unknown(places_[part].size()));
-        is_weighted_ = is_weighted_ || weights_.back() != weights_.front();
         places_[part].push_back(size_++);
       }
   }
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// For products; empty if all are the same.
-  [[nodiscard]] std::span<const double> weights() const
-  {
-    return is_weighted_ ? std::span<const double>(weights_) : std::span<const double>();
-  }
 
-  /// Trials to x, and what they are mapped to, to g.
+  /// Trials to x, what they are mapped to, to g, and their flow in all of their copies to y.
   template <typename Sides>
-  void pack(Sides& sides, std::vector<double>& x, std::vector<double>& g) const
+  void pack(Sides& sides, std::vector<double>& x, std::vector<double>& g, std::vector<double>& y) const
   {
-    x.resize(size_);
-    g.resize(size_);
+    for (std::vector<double>* field : {&x, &g, &y})
+      field->resize(size_);
     for (std::size_t part = 0; part < places_.size(); ++part)
     {
       const std::vector<double>& trial = sides[part].body.trial();
       const std::vector<double>& mapped = sides[part].body.mapped();
+      const std::vector<double>& flow = sides[part].body.flow();
       for (std::size_t i = 0; i < trial.size(); ++i)
       {
         x[places_[part][i]] = trial[i];
         g[places_[part][i]] = mapped[i];
+        y[places_[part][i]] = weights_[places_[part][i]] * flow[i];
       }
     }
   }
@@ -86,7 +85,6 @@ public:
 private:
   std::vector<std::vector<std::size_t>> places_; ///< in the common vector: [participant][its unknown]
   std::vector<double> weights_;
-  bool is_weighted_ = false;
   std::size_t size_ = 0;
 };
 
@@ -103,15 +101,15 @@ public:
     if (changes_map)
       anderson_.change_map();
     unknowns_.grow(sides);
-    unknowns_.pack(sides, x_, g_);
-    anderson_.advance(x_, g_, unknowns_.weights());
+    unknowns_.pack(sides, x_, g_, y_);
+    anderson_.advance(x_, g_, y_);
     unknowns_.unpack(x_, sides);
   }
 
 private:
   Anderson anderson_;
   Unknowns unknowns_;
-  std::vector<double> x_, g_;
+  std::vector<double> x_, g_, y_;
 };
 
 } // namespace brinell::elastoplastic

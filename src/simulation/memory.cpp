@@ -60,7 +60,7 @@ double trial_bytes(const VolumeGrid& grid, const constitutive::Material& materia
                    double contact_share)
 {
   const double active_share = is_plane(grid.surface) ? 0.5 : std::min(0.15, 0.75 * contact_share);
-  const double of_unknowns = 5.0 * (2.0 * anderson_depth + 9.0);
+  const double of_unknowns = 5.0 * (3.0 * anderson_depth + 11.0);
   return material.is_plastic() ? field_bytes(grid, active_share * of_unknowns) : 0.0;
 }
 

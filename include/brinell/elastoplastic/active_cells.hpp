@@ -44,6 +44,9 @@ public:
   /// All of them, [active][component].
   [[nodiscard]] std::vector<double>& trials() { return q_; }
   [[nodiscard]] const std::vector<double>& mapped() const { return g_; }
+  /// The plastic strain of the increment as what multiplies trials in its work: the products with the components of a deviator,
+  /// in sum over those of a cell, make the contraction of strain and deviator.
+  [[nodiscard]] const std::vector<double>& flow() const { return flow_; }
 
   /// Equivalent plastic strain [-] and plastic work [J/m^3] of the increment.
   [[nodiscard]] double equivalent(std::size_t a) const { return equivalent_[a]; }
@@ -66,7 +69,7 @@ private:
 
   std::vector<std::size_t> cells_;
   std::vector<char> is_active_; ///< one value per cell of the grid
-  std::vector<double> q_, g_, start_;
+  std::vector<double> q_, g_, start_, flow_;
   std::vector<double> equivalent_, dissipation_;
   std::vector<Deviator> backstress_;
   std::size_t terms_ = 0;

@@ -8,18 +8,19 @@
 namespace brinell::elastoplastic
 {
 
-/// Anderson acceleration of a fixed point x <- g(x) (Anderson 1965; Walker, Ni 2011, type II): the next x is that
-/// combination of the last evaluations whose residual is smallest in the least-squares sense.
+/// Anderson acceleration of a fixed point x <- g(x) (Anderson 1965; Walker, Ni 2011): the next x is that combination of the last
+/// evaluations whose residual f = g(x) - x is orthogonal to the differences of a y(x) between them. With y = f it is the smallest
+/// one in the least-squares sense (type II); where f is minus the gradient of an energy by y it is that at which the energy is
+/// stationary, as in conjugate gradients.
 class Anderson
 {
 public:
   /// @param depth  earlier evaluations kept; 0 gives the plain fixed point.
   explicit Anderson(int depth);
 
-  /// Replaces x by the next iterate, given g(x). Both may be longer than last time: unknowns that came in at the end
+  /// Replaces x by the next iterate, given g(x) and y(x). All may be longer than last time: unknowns that came in at the end
   /// have no history, as if they had always been converged.
-  /// @param weights  of the unknowns in the sum of squares that is smallest; empty: all the same
-  void advance(std::span<double> x, std::span<const double> g, std::span<const double> weights = {});
+  void advance(std::span<double> x, std::span<const double> g, std::span<const double> y);
   /// Tells before `advance` that its g is that of a map which differs a little from the one before: what the history has learnt
   /// still holds, but the difference between these two evaluations tells nothing.
   void change_map() { changes_map_ = true; }
@@ -27,14 +28,16 @@ public:
   void reset() { count_ = 0; }
 
 private:
-  void remember(std::span<const double> x, std::span<const double> g, std::span<const double> weights, bool compare);
+  void grow(std::span<const double> x, std::span<const double> g, std::span<const double> y);
+  void remember(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare);
 
   std::size_t depth_;
   std::size_t count_ = 0;    ///< evaluations since the last reset, of maps that have not changed after them
   bool changes_map_ = false; ///< with the next evaluation
-  std::vector<double> previous_g_, previous_f_; ///< f = g - x, the residual
-  std::vector<std::vector<double>> dg_, df_;    ///< ring buffers of differences
-  std::vector<double> gram_;                    ///< their products df . df
+  std::vector<double> previous_g_, previous_f_, previous_y_;
+  std::vector<std::vector<double>> dg_, df_, dy_; ///< ring buffers of differences
+  std::vector<double> products_;                  ///< dy . df, [of dy][of df]
+  std::vector<double> right_;                     ///< dy . f
 };
 
 } // namespace brinell::elastoplastic

@@ -132,6 +132,7 @@ public:
   [[nodiscard]] int copies_of_unknown(std::size_t unknown) const { return copies(unknown / Deviator::size); }
   [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
+  [[nodiscard]] const std::vector<double>& flow() const { return active_.flow(); }     ///< see ActiveCells::flow
   /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
   [[nodiscard]] double yield_error() const;
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -35,6 +36,15 @@ struct Affine
   std::vector<double> matrix, shift, solution;
 };
 
+/// By least squares.
+void advance(Anderson& anderson, std::vector<double>& x, const std::vector<double>& g)
+{
+  std::vector<double> residual = g;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    residual[i] -= x[i];
+  anderson.advance(x, g, residual);
+}
+
 double distance(const std::vector<double>& a, const std::vector<double>& b)
 {
   double d = 0.0;
@@ -59,10 +69,10 @@ TEST(AndersonTest, KeepsWhatItHasLearntWhenTheMapChanges)
     Anderson anderson(static_cast<int>(n));
     std::vector<double> x(n, 0.0);
     for (std::size_t step = 0; step < n + 1; ++step)
-      anderson.advance(x, g(x));
+      advance(anderson, x, g(x));
     if (is_told)
       anderson.change_map();
-    anderson.advance(x, other(x));
+    advance(anderson, x, other(x));
     return distance(x, other.solution);
   };
   EXPECT_LT(distance_after(true), 1e-8);
@@ -79,7 +89,7 @@ TEST(AndersonTest, SolvesALinearProblemOfNUnknownsInNPlusOneSteps)
     Anderson anderson(static_cast<int>(n));
     std::vector<double> x(n, 0.0);
     for (std::size_t step = 0; step < n + 1; ++step)
-      anderson.advance(x, g(x));
+      advance(anderson, x, g(x));
     EXPECT_LT(distance(x, g.solution), 1e-8) << n;
   }
 }
@@ -92,7 +102,7 @@ TEST(AndersonTest, WithoutDepthIsThePlainIteration)
   for (int step = 0; step < 3; ++step)
   {
     const std::vector<double> image = g(x);
-    anderson.advance(x, image);
+    advance(anderson, x, image);
     EXPECT_EQ(x, image);
   }
 }
@@ -105,12 +115,12 @@ TEST(AndersonTest, FirstStepAndFirstStepAfterAResetArePlain)
   for (int step = 0; step < 5; ++step)
   {
     const std::vector<double> image = g(x);
-    anderson.advance(x, image);
+    advance(anderson, x, image);
     EXPECT_EQ(x == image, step == 0);
   }
   anderson.reset();
   const std::vector<double> image = g(x);
-  anderson.advance(x, image);
+  advance(anderson, x, image);
   EXPECT_EQ(x, image);
 }
 
@@ -129,7 +139,7 @@ TEST(AndersonTest, ShallowHistoryStillConvergesFasterThanNone)
     Anderson anderson(depth);
     std::vector<double> x(n, 0.0);
     for (int step = 0; step < steps; ++step)
-      anderson.advance(x, g(x));
+      advance(anderson, x, g(x));
     return distance(x, g.solution);
   };
   EXPECT_LT(error_after(4, 20), 0.1 * error_after(0, 20));
@@ -147,12 +157,12 @@ TEST(AndersonTest, ConvergesWhenUnknownsComeInLater)
     padded.resize(all, 0.0);
     std::vector<double> image = g(padded);
     image.resize(few);
-    anderson.advance(x, image);
+    advance(anderson, x, image);
   }
   x.resize(all, 0.0);
   // The first of the old differences do not know the new unknowns; they leave the ring after `depth` more.
   for (std::size_t step = 0; step < 2 * all + 4; ++step)
-    anderson.advance(x, g(x));
+    advance(anderson, x, g(x));
   EXPECT_LT(distance(x, g.solution), 1e-8);
 }
 
@@ -164,10 +174,50 @@ TEST(AndersonTest, ParallelDifferencesDoNoHarm)
   for (int step = 0; step < 12; ++step)
   {
     const std::vector<double> image{0.5 * x[0] + 1.0, 0.5 * x[1] + 1.0};
-    anderson.advance(x, image);
+    advance(anderson, x, image);
     ASSERT_TRUE(std::isfinite(x[0]) && std::isfinite(x[1])) << step;
   }
   EXPECT_NEAR(x[0], 2.0, 1e-10);
+}
+
+/// With f = b - A x, minus the gradient of an energy by y = x, each advance adds the residual to the next iterate of conjugate
+/// gradients (Hestenes, Stiefel 1952), which is computed here by its own recurrence.
+TEST(AndersonTest, OrthogonalToTheDifferencesOfYItIsConjugateGradients)
+{
+  constexpr std::size_t n = 9;
+  const std::vector<double> b = test::random_field(n, 5);
+  const auto times_a = [&](const std::vector<double>& v) // tridiagonal, eigenvalues between 0.02 and 1.98
+  {
+    std::vector<double> result(n);
+    for (std::size_t i = 0; i < n; ++i)
+      result[i] = v[i] - 0.49 * ((i > 0 ? v[i - 1] : 0.0) + (i + 1 < n ? v[i + 1] : 0.0));
+    return result;
+  };
+  const auto dot = [](const std::vector<double>& a, const std::vector<double>& c)
+  { return std::inner_product(a.begin(), a.end(), c.begin(), 0.0); };
+  Anderson anderson(static_cast<int>(n));
+  std::vector<double> x(n, 0.0), cg(n, 0.0), r = b, p = b;
+  for (int step = 0; step < 6; ++step)
+  {
+    std::vector<double> g = x;
+    const std::vector<double> ax = times_a(x);
+    for (std::size_t i = 0; i < n; ++i)
+      g[i] += b[i] - ax[i];
+    const std::vector<double> y = x;
+    anderson.advance(x, g, y);
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_NEAR(x[i], cg[i] + r[i], 1e-9) << step;
+    const std::vector<double> ap = times_a(p);
+    const double before = dot(r, r), length = before / dot(p, ap);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      cg[i] += length * p[i];
+      r[i] -= length * ap[i];
+    }
+    const double kept = dot(r, r) / before;
+    for (std::size_t i = 0; i < n; ++i)
+      p[i] = r[i] + kept * p[i];
+  }
 }
 
 /// An unknown of weight two does what two alike would.
@@ -180,17 +230,21 @@ TEST(AndersonTest, WeightsStandForCopies)
   const std::vector<double> weights{2.0, 2.0, 1.0, 1.0};
   for (int step = 0; step < 6; ++step)
   {
-    with_weights.advance(x, g(x), weights);
+    const std::vector<double> of_x = g(x);
+    std::vector<double> weighted(few);
+    for (std::size_t i = 0; i < few; ++i)
+      weighted[i] = weights[i] * (of_x[i] - x[i]);
+    with_weights.advance(x, of_x, weighted);
     std::vector<double> image = g(std::vector<double>(y.begin(), y.begin() + few));
     image.insert(image.end(), image.begin(), image.begin() + alike);
-    with_copies.advance(y, image);
+    advance(with_copies, y, image);
     for (std::size_t i = 0; i < y.size(); ++i)
       EXPECT_NEAR(y[i], x[i % few], 1e-9 * (1.0 + std::abs(x[i % few]))) << step;
   }
   Anderson without(3);
   std::vector<double> z(few, 0.0);
   for (int step = 0; step < 6; ++step)
-    without.advance(z, g(z));
+    advance(without, z, g(z));
   EXPECT_GT(std::abs(z[0] - x[0]), 1e-6) << "the weights change nothing";
 }
 
