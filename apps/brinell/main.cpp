@@ -8,12 +8,17 @@
 namespace
 {
 
-/// Threads that wait for each other actively make a run several times slower as soon as another program needs a core, and
-/// gain little on an idle machine. OpenMP reads its environment before main: the program starts itself again.
-void wait_passively(char** argv)
+/// How often a thread looks whether the others are done before it sleeps: for some 30 us, about as long as it takes to sleep and
+/// be woken. Threads that never sleep make a run many times slower as soon as another program needs a core; threads that sleep
+/// at once come too late for the next piece of work: docs/performance.md. The same number stands in python/brinell/__init__.py.
+constexpr const char* looks_before_sleep = "1000";
+
+/// OpenMP reads its environment before main: the program starts itself again. What a user has set stays.
+void wait_a_moment_then_sleep(char** argv)
 {
   constexpr const char* policy = "OMP_WAIT_POLICY";
-  if (std::getenv(policy) == nullptr && setenv(policy, "passive", 0) == 0)
+  if (std::getenv(policy) == nullptr && setenv("GOMP_SPINCOUNT", looks_before_sleep, 0) == 0 &&
+      setenv(policy, "passive", 0) == 0)
     execv("/proc/self/exe", argv); // comes back only if that is not possible: then as it is
 }
 
@@ -21,7 +26,7 @@ void wait_passively(char** argv)
 
 int main(int argc, char** argv)
 {
-  wait_passively(argv);
+  wait_a_moment_then_sleep(argv);
   std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is told as one that cannot be written
   return brinell::app::command_line({argv + 1, argv + argc});
 }

@@ -18,9 +18,11 @@ from typing import TYPE_CHECKING, Any
 
 from brinell import _processor  # noqa: F401 (looks at this machine before the extension is loaded)
 
-# Threads that wait for each other actively make a run several times slower as soon as another program needs a core.
-# OpenMP reads this when the extension is loaded.
-os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+# Threads look for a moment whether the others are done before they sleep, as in apps/brinell/main.cpp, which says why.
+# OpenMP reads this when the extension is loaded; what a user has set stays.
+if "OMP_WAIT_POLICY" not in os.environ:
+    os.environ.setdefault("GOMP_SPINCOUNT", "1000")
+    os.environ["OMP_WAIT_POLICY"] = "passive"
 
 from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, scenarios, surfaces
 from brinell._arguments import tell_of_arguments
