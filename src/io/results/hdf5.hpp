@@ -75,6 +75,18 @@ template <typename Number>
 void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
                    Storage storage = Storage::deflated);
+/// A field on the cells of a body, [z][y][x].
+struct Field
+{
+  const char* name;
+  std::span<const double> values;
+  std::string long_name;
+};
+
+/// Writes several at once, deflated by all threads: the bytes are those that HDF5 would write, which knows one thread only.
+/// @param shape  of each
+void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
+                    std::string_view units);
 /// One text, UTF-8.
 void write_text(const Handle& group, const char* name, std::string_view text);
 

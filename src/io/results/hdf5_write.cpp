@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deflated.hpp"
 #include "hdf5_checks.hpp"
 
 #include "brinell/foundation/error.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <exception>
 #include <fmt/format.h>
 
 /// Attributes and datasets.
@@ -16,7 +19,7 @@ namespace
 
 /// Of chunks, by rank; 64^3 doubles are 2 MB, a good size for the deflate filter.
 constexpr std::array<hsize_t, 4> longest_chunk_side{1, 4096, 512, 64};
-constexpr unsigned deflate_level = 1; ///< fields are smooth or zero: higher levels gain little and cost much
+constexpr int deflate_level = 1; ///< fields are smooth or zero: higher levels gain little and cost much
 
 template <typename Number>
 hid_t type_of()
@@ -78,19 +81,25 @@ Handle write_dataset_of(const Handle& group, const std::string& name, hid_t type
   return dataset;
 }
 
-Handle chunks(std::span<const hsize_t> shape, Storage storage)
+/// Of one size, as chunks are stored whole: 69 cells in chunks of 64 would take the place of 128.
+std::vector<hsize_t> sides_of_chunk(std::span<const hsize_t> shape)
 {
-  Handle creation = properties(H5P_DATASET_CREATE);
-  if (storage == Storage::contiguous)
-    return creation;
-  std::vector<hsize_t> chunk(shape.begin(), shape.end());
-  // Of one size, as chunks are stored whole: 69 cells in chunks of 64 would take the place of 128.
-  for (hsize_t& side : chunk)
+  std::vector<hsize_t> sides(shape.begin(), shape.end());
+  for (hsize_t& side : sides)
   {
     const hsize_t longest = longest_chunk_side.at(shape.size());
     const hsize_t count = std::max<hsize_t>(1, (side + longest - 1) / longest);
     side = (side + count - 1) / count;
   }
+  return sides;
+}
+
+Handle chunks(std::span<const hsize_t> shape, Storage storage)
+{
+  Handle creation = properties(H5P_DATASET_CREATE);
+  if (storage == Storage::contiguous)
+    return creation;
+  const std::vector<hsize_t> chunk = sides_of_chunk(shape);
   check(H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
   if (storage == Storage::plain)
   {
@@ -139,16 +148,100 @@ void write_fixed_attribute(const Handle& object, const char* name, std::string_v
   write_attribute_of(object, name, type.id(), {}, text.data());
 }
 
+namespace
+{
+
+void require_values(const char* name, std::size_t values, std::span<const std::size_t> shape)
+{
+  std::size_t size = 1;
+  for (const std::size_t n : shape)
+    size *= n;
+  if (size != values || size == 0)
+    throw InternalError(fmt::format("field {} has {} values on a grid of {} cells", name, values, size));
+}
+
+/// One chunk of one of several fields.
+struct Chunk
+{
+  const Field* field;
+  std::array<hsize_t, 3> offset;
+  std::vector<unsigned char> stored{};
+};
+
+/// All of a field of this shape.
+void add_chunks(const Field& field, std::span<const hsize_t> shape, std::span<const hsize_t> sides,
+                std::vector<Chunk>& chunks)
+{
+  for (hsize_t k = 0; k < shape[0]; k += sides[0])
+    for (hsize_t j = 0; j < shape[1]; j += sides[1])
+      for (hsize_t i = 0; i < shape[2]; i += sides[2])
+        chunks.push_back({&field, {k, j, i}});
+}
+
+/// The numbers of a chunk; 0 beyond the end of the field, as HDF5 fills it.
+std::vector<double> numbers_of(const Chunk& chunk, std::span<const hsize_t> shape, std::span<const hsize_t> sides)
+{
+  const auto& [k0, j0, i0] = chunk.offset;
+  std::vector<double> numbers(sides[0] * sides[1] * sides[2]);
+  for (hsize_t k = k0; k < std::min(k0 + sides[0], shape[0]); ++k)
+    for (hsize_t j = j0; j < std::min(j0 + sides[1], shape[1]); ++j)
+      std::copy_n(chunk.field->values.begin() + static_cast<std::ptrdiff_t>((k * shape[1] + j) * shape[2] + i0),
+                  std::min(sides[2], shape[2] - i0),
+                  numbers.begin() + static_cast<std::ptrdiff_t>(((k - k0) * sides[1] + j - j0) * sides[2]));
+  return numbers;
+}
+
+} // namespace
+
+void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
+                    std::string_view units)
+{
+  if (shape.size() != 3)
+    throw InternalError(fmt::format("write_deflated: {} sides in place of 3", shape.size()));
+  const std::vector<hsize_t> dims(shape.begin(), shape.end());
+  const std::vector<hsize_t> sides = sides_of_chunk(dims);
+  std::vector<Chunk> chunks_of_all;
+  for (const Field& field : fields)
+  {
+    require_values(field.name, field.values.size(), shape);
+    add_chunks(field, dims, sides, chunks_of_all);
+  }
+  std::exception_ptr failure; // lack of memory: none may leave the loop
+#pragma omp parallel for schedule(dynamic)
+  for (Chunk& chunk : chunks_of_all)
+    try
+    {
+      chunk.stored = shuffled_and_deflated(numbers_of(chunk, dims, sides), deflate_level);
+    }
+    catch (...)
+    {
+#pragma omp critical
+      failure = std::current_exception();
+    }
+  if (failure)
+    std::rethrow_exception(failure);
+  const Handle creation = chunks(dims, Storage::deflated);
+  for (const Field& field : fields)
+  {
+    const std::string what = fmt::format("write the dataset {}", field.name);
+    const Handle dataset = write_dataset_of(group, field.name, type_of<double>(), dims, nullptr, creation.id());
+    constexpr std::uint32_t all_filters = 0;
+    for (const Chunk& chunk : chunks_of_all)
+      if (chunk.field == &field)
+        check(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, all_filters, chunk.offset.data(), chunk.stored.size(),
+                             chunk.stored.data()),
+              what);
+    write_attribute(dataset, "units", units);
+    write_attribute(dataset, "long_name", field.long_name);
+  }
+}
+
 template <typename Number>
 void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
                    Storage storage)
 {
-  std::size_t size = 1;
-  for (const std::size_t n : shape)
-    size *= n;
-  if (size != values.size() || size == 0)
-    throw InternalError(fmt::format("field {} has {} values on a grid of {} cells", name, values.size(), size));
+  require_values(name, values.size(), shape);
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
   const Handle dataset =
       write_dataset_of(group, name, type_of<Number>(), dims, values.data(), chunks(dims, storage).id());

@@ -47,6 +47,14 @@ void write_tensor(const h5::Handle& parent, const char* name, const TensorField&
                   h5::Storage storage)
 {
   const h5::Handle group = h5::create_group(parent, name);
+  if (storage == h5::Storage::deflated)
+  {
+    std::vector<h5::Field> fields;
+    for (std::size_t c = 0; c < components.size(); ++c)
+      fields.push_back({components[c], field[c], fmt::format("{}, {}", long_name, components[c])});
+    h5::write_deflated(group, fields, shape, units);
+    return;
+  }
   for (std::size_t c = 0; c < components.size(); ++c)
     h5::write_dataset(group, components[c], field[c], shape, units, fmt::format("{}, {}", long_name, components[c]),
                       storage);

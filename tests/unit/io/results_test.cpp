@@ -2,6 +2,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/result_image.hpp"
 #include "io/files.hpp"
+#include "random_field.hpp"
 #include "sample_result.hpp"
 
 #include <array>
@@ -57,6 +58,29 @@ TEST(Results, FieldsTakeThePlaceOfTheirCells)
     h5::write_dataset(file, "field", values, shape, "Pa", "a stress", h5::Storage::plain);
     const double bytes = static_cast<double>(h5::file_image(std::move(file)).size());
     EXPECT_LT(bytes, 1.06 * 8.0 * static_cast<double>(values.size()) + 1e4) << shape[0];
+  }
+}
+
+TEST(Results, FieldsDeflatedByAllThreadsHaveTheBytesOfHdf5)
+{
+  for (const std::array<std::size_t, 3> shape : {std::array<std::size_t, 3>{65, 30, 70}, {2, 3, 5}, {1, 129, 64}})
+  {
+    const std::size_t cells = shape[0] * shape[1] * shape[2];
+    std::vector<double> rough = test::random_field(cells, 1), empty(cells), some = rough;
+    std::fill_n(some.begin(), cells / 2, 0.0);
+    const std::array fields{h5::Field{"rough", rough, "of no order"}, h5::Field{"empty", empty, "nothing"},
+                            h5::Field{"some", some, "half of it"}};
+    const h5::Handle file = h5::create_file_in_memory();
+    const h5::Handle here = h5::create_group(file, "here"), there = h5::create_group(file, "there");
+    h5::write_deflated(here, fields, shape, "Pa");
+    for (const std::vector<double>* field : {&rough, &empty, &some})
+      h5::write_dataset(there, field == &rough ? "rough" : field == &empty ? "empty" : "some", *field, shape, "Pa", "");
+    EXPECT_NO_THROW(h5::require_same_datasets(here, there)) << shape[0];
+    EXPECT_NO_THROW(h5::require_same_datasets(there, here)) << shape[0];
+    some.back() += 1.0;
+    const h5::Handle other = h5::create_group(file, "other");
+    h5::write_deflated(other, fields, shape, "Pa");
+    EXPECT_THROW(h5::require_same_datasets(here, other), IoError) << "the comparison must tell one number";
   }
 }
 
