@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/anderson.hpp"
 
+#include "foundation/sharing.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <utility>
@@ -11,12 +13,35 @@ namespace brinell::elastoplastic
 namespace
 {
 
-double product(const std::vector<double>& a, const std::vector<double>& b)
+/// a . b over the unknowns [first, last).
+double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t first, std::size_t last)
 {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
-  const auto size = static_cast<Eigen::Index>(a.size());
-  return Vector(a.data(), size).dot(Vector(b.data(), size));
+  const auto size = static_cast<Eigen::Index>(last - first);
+  return Vector(a.data() + first, size).dot(Vector(b.data() + first, size));
 }
+
+/// Products of each difference, by rows: the newest dy with its df, its dy with the newest df, its dy with f.
+struct Products
+{
+  enum : Eigen::Index
+  {
+    newest_flow,
+    newest_residual,
+    residual,
+    count
+  };
+  Eigen::Array<double, Eigen::Dynamic, count> of;
+
+  Products& operator+=(const Products& other)
+  {
+    if (of.size() == 0)
+      of = other.of;
+    else
+      of += other.of;
+    return *this;
+  }
+};
 
 } // namespace
 
@@ -31,13 +56,24 @@ void Anderson::advance(std::span<double> x, std::span<const double> g, std::span
   const bool compares = !std::exchange(changes_map_, false) && count_ > 0;
   if (depth_ > 0)
     remember(x, g, y, compares);
-  std::copy(g.begin(), g.end(), x.begin());
   if (depth_ > 0 && (compares || count_ == 0))
     ++count_;
-  const std::size_t used = count_ > 0 ? std::min(count_ - 1, depth_) : 0;
-  if (used == 0)
-    return;
+  const std::vector<double> weight = weights(count_ > 0 ? std::min(count_ - 1, depth_) : 0);
+  for_pieces(x.size(),
+             [&](std::size_t first, std::size_t last)
+             {
+               std::copy(g.begin() + first, g.begin() + last, x.begin() + first);
+               for (std::size_t a = 0; a < weight.size(); ++a)
+                 for (std::size_t i = first; i < last; ++i)
+                   x[i] -= weight[a] * dg_[a][i];
+             });
+}
 
+/// Of the differences dg in the next x; none if they do not tell.
+std::vector<double> Anderson::weights(std::size_t used) const
+{
+  if (used == 0)
+    return {};
   const auto m = static_cast<Eigen::Index>(used);
   Eigen::MatrixXd products(m, m);
   for (std::size_t a = 0; a < used; ++a)
@@ -46,14 +82,7 @@ void Anderson::advance(std::span<double> x, std::span<const double> g, std::span
   // Differences that have become parallel carry no information: damp them relative to the size of the system.
   products.diagonal() *= 1.0 + 1e-12;
   const Eigen::VectorXd weight = products.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), m));
-  if (!weight.allFinite())
-    return;
-  for (std::size_t a = 0; a < used; ++a)
-  {
-    const double w = weight(static_cast<Eigen::Index>(a));
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] -= w * dg_[a][i];
-  }
+  return weight.allFinite() ? std::vector<double>(weight.begin(), weight.end()) : std::vector<double>();
 }
 
 /// Unknowns that have come in have no differences to the evaluation before.
@@ -76,30 +105,50 @@ void Anderson::remember(std::span<const double> x, std::span<const double> g, st
 {
   grow(x, g, y);
   const std::size_t slot = count_ > 0 ? (count_ - 1) % depth_ : 0;
-  for (std::size_t i = 0; i < x.size(); ++i)
+  const std::size_t known = std::min(count_, depth_); // the new one included, if there is
+  const auto take = [&](std::size_t first, std::size_t last)
   {
-    const double f = g[i] - x[i];
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const double f = g[i] - x[i];
+      if (compare)
+      {
+        dg_[slot][i] = g[i] - previous_g_[i];
+        df_[slot][i] = f - previous_f_[i];
+        dy_[slot][i] = y[i] - previous_y_[i];
+      }
+      previous_g_[i] = g[i];
+      previous_f_[i] = f;
+      previous_y_[i] = y[i];
+    }
+    Products sums{Eigen::Array<double, Eigen::Dynamic, Products::count>::Zero(static_cast<Eigen::Index>(known), 3)};
+    for (std::size_t d = 0; d < known; ++d)
+    {
+      const auto row = static_cast<Eigen::Index>(d);
+      if (compare)
+      {
+        sums.of(row, Products::newest_flow) = product(dy_[slot], df_[d], first, last);
+        sums.of(row, Products::newest_residual) = product(dy_[d], df_[slot], first, last);
+      }
+      if (!compare || d == slot)
+        sums.of(row, Products::residual) = product(dy_[d], previous_f_, first, last);
+    }
+    return sums;
+  };
+  const Products sums = sum_of_pieces(x.size(), take);
+  for (std::size_t d = 0; d < known; ++d)
+  {
+    const auto row = static_cast<Eigen::Index>(d);
     if (compare)
     {
-      dg_[slot][i] = g[i] - previous_g_[i];
-      df_[slot][i] = f - previous_f_[i];
-      dy_[slot][i] = y[i] - previous_y_[i];
+      products_[slot * depth_ + d] = sums.of(row, Products::newest_flow);
+      products_[d * depth_ + slot] = sums.of(row, Products::newest_residual);
     }
-    previous_g_[i] = g[i];
-    previous_f_[i] = f;
-    previous_y_[i] = y[i];
-  }
-  const std::size_t known = std::min(count_, depth_); // the new one included, if there is
-  for (std::size_t d = 0; compare && d < known; ++d)
-  {
-    products_[slot * depth_ + d] = product(dy_[slot], df_[d]);
-    products_[d * depth_ + slot] = d == slot ? products_[slot * depth_ + d] : product(dy_[d], df_[slot]);
-  }
-  for (std::size_t d = 0; d < known; ++d)
     if (compare && d != slot) // the residual has changed by df
       right_[d] += products_[d * depth_ + slot];
     else
-      right_[d] = product(dy_[d], previous_f_);
+      right_[d] = sums.of(row, Products::residual);
+  }
 }
 
 } // namespace brinell::elastoplastic

@@ -16,7 +16,10 @@ Edges Body::reached_edges() const
   Edges edges;
   if (!is_plastic())
     return edges;
-  double largest = *std::max_element(state_.equivalent.begin(), state_.equivalent.end());
+  double largest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+  for (std::size_t cell = 0; cell < state_.equivalent.size(); ++cell)
+    largest = std::max(largest, state_.equivalent[cell]);
   for (std::size_t a = 0; a < active_.size(); ++a)
     largest = std::max(largest, state_.equivalent[active_.cell(a)] + active_.equivalent(a));
   const double limit =

@@ -28,7 +28,11 @@ void Body::complete_trial()
     with_copies(a, [&](std::size_t cell, const auto& seen)
                 { store(seen(strain), state_.plastic_strain, grid().size(), cell); });
   }
-  complete_in_y(grid(), stress_);
+  const std::size_t layer = grid().surface.size();
+#pragma omp parallel for schedule(static)
+  for (std::size_t plane = 0; plane < stress_.size() / layer; ++plane)
+    complete_in_y(grid().surface, is_odd_in_y(static_cast<int>(plane) / grid().nz) ? -1.0 : 1.0,
+                  stress_.data() + plane * layer, layer);
 }
 
 } // namespace brinell::elastoplastic

@@ -3,6 +3,7 @@
 
 #include "brinell/elastoplastic/anderson.hpp"
 #include "brinell/elastoplastic/body.hpp"
+#include "foundation/sharing.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -63,12 +64,16 @@ public:
       const std::vector<double>& trial = sides[part].body.trial();
       const std::vector<double>& mapped = sides[part].body.mapped();
       const std::vector<double>& flow = sides[part].body.flow();
-      for (std::size_t i = 0; i < trial.size(); ++i)
-      {
-        x[places_[part][i]] = trial[i];
-        g[places_[part][i]] = mapped[i];
-        y[places_[part][i]] = weights_[places_[part][i]] * flow[i];
-      }
+      for_pieces(trial.size(),
+                 [&](std::size_t first, std::size_t last)
+                 {
+                   for (std::size_t i = first; i < last; ++i)
+                   {
+                     x[places_[part][i]] = trial[i];
+                     g[places_[part][i]] = mapped[i];
+                     y[places_[part][i]] = weights_[places_[part][i]] * flow[i];
+                   }
+                 });
     }
   }
   template <typename Sides>
@@ -77,8 +82,12 @@ public:
     for (std::size_t part = 0; part < places_.size(); ++part)
     {
       std::vector<double>& trial = sides[part].body.trial();
-      for (std::size_t i = 0; i < trial.size(); ++i)
-        trial[i] = x[places_[part][i]];
+      for_pieces(trial.size(),
+                 [&](std::size_t first, std::size_t last)
+                 {
+                   for (std::size_t i = first; i < last; ++i)
+                     trial[i] = x[places_[part][i]];
+                 });
     }
   }
 

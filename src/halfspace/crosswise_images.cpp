@@ -199,6 +199,7 @@ void CrosswiseImages::take(const Columns& strain, int first, int end, int compon
 void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const
 {
   const int parities = along_x_ && symmetry != Symmetry::none ? 1 : 2; // across the grid
+#pragma omp parallel for schedule(static)
   for (int e = 0; e < strains; ++e)
   {
     const ConstPlane of_layers(response.of_layers.data() + static_cast<std::ptrdiff_t>(e * grid_.nz * block()), block(),

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <omp.h>
 
 namespace brinell::halfspace
 {
@@ -146,11 +147,13 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
   op.load_strain(plastic_strain, grid.nz, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));
+  const auto threads = static_cast<int>(buffers.threads.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
   for (int layer = 0; layer < grid.nz; ++layer)
   {
     double* field = trace.data() + op.field_at(0, layer);
-    op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers, buffers.threads.front(),
-                    field);
+    op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers,
+                    buffers.threads[static_cast<std::size_t>(omp_get_thread_num())], field);
     op.finish(ImageCorrection::trace, layer, plastic_strain, buffers, field);
   }
 }

@@ -9,6 +9,14 @@
 namespace brinell::halfspace
 {
 
+namespace
+{
+
+constexpr std::size_t shared_values = 32768; ///< from so many on, threads do not mostly wait for each other
+constexpr int rows_of_share = 16;            ///< that a thread does before the next one: they differ in length
+
+} // namespace
+
 MomentCoupling::MomentCoupling(const std::vector<Moment>& stress, std::vector<Moment> strain, int degree)
     : row_of_(stress.size()), column_of_(strain.size())
 {
@@ -48,6 +56,7 @@ void MomentCoupling::add(int stress, int strain, double value)
 
 void MomentCoupling::multiply(const double* strain, double* stress, int parities, std::size_t rows) const
 {
+#pragma omp parallel for schedule(static, rows_of_share) if (value_.size() >= shared_values)
   for (std::size_t i = 0; i < rows; ++i)
   {
     const Row& row = row_[i];

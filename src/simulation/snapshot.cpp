@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot.hpp"
 
+#include "foundation/sharing.hpp"
+
 #include <utility>
 
 namespace brinell::simulation
@@ -16,12 +18,16 @@ TensorField six_fields(const std::vector<double>& deviators, const std::vector<d
   TensorField fields;
   for (std::vector<double>& field : fields)
     field.resize(cells);
-  for (std::size_t cell = 0; cell < cells; ++cell)
-  {
-    const SymTensor tensor = to_tensor(deviator_at(deviators, cells, cell), trace[cell]);
-    for (std::size_t c = 0; c < fields.size(); ++c)
-      fields[c][cell] = tensor[c];
-  }
+  for_pieces(cells,
+             [&](std::size_t first, std::size_t last)
+             {
+               for (std::size_t cell = first; cell < last; ++cell)
+               {
+                 const SymTensor tensor = to_tensor(deviator_at(deviators, cells, cell), trace[cell]);
+                 for (std::size_t c = 0; c < fields.size(); ++c)
+                   fields[c][cell] = tensor[c];
+               }
+             });
   return fields;
 }
 

@@ -30,6 +30,7 @@ public:
 private:
   void grow(std::span<const double> x, std::span<const double> g, std::span<const double> y);
   void remember(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare);
+  [[nodiscard]] std::vector<double> weights(std::size_t used) const;
 
   std::size_t depth_;
   std::size_t count_ = 0;    ///< evaluations since the last reset, of maps that have not changed after them
