@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record.hpp"
-#include "tugging_runs.hpp"
+#include "scenario_runs.hpp"
 
 #include "brinell/simulation/sliding.hpp"
 
@@ -58,20 +58,7 @@ SlidingCase pair_as_sliding(const TuggingCase& t)
   return c;
 }
 
-struct SlidingRun
-{
-  std::vector<SlidingRecord> history;
-  simulation::SlidingSummary summary;
-};
-
-SlidingRun slid(const SlidingCase& sliding)
-{
-  SlidingRun run;
-  simulation::Observer<SlidingRecord> observer;
-  observer.on_step = [&](const SlidingRecord& r, int) { run.history.push_back(r); };
-  run.summary = simulation::run(sliding, observer);
-  return run;
-}
+using SlidingRun = Computed<SlidingCase>;
 
 double largest(const std::vector<SlidingRecord>& history, double SlidingRecord::*column)
 {
@@ -89,7 +76,7 @@ TEST(AsperityPair, OnFlatsIsATugging)
   const TuggingRun tugged = computed(t);
   const SlidingCase c = pair_as_sliding(t);
   ASSERT_LT(c.press.value, 0.0);
-  const SlidingRun run = slid(c);
+  const SlidingRun run = computed(c);
   EXPECT_EQ(run.history.front().F_n, 0.0) << "apart at first";
   EXPECT_EQ(run.history.back().F_n, 0.0) << "and at last";
   const auto& s = run.summary;
@@ -128,7 +115,7 @@ TEST(AsperityPair, InAPeriodHasItsImages)
   c.spacing.reset();
   c.press.value = t.interference - 2.0 * height;
   c.distance = 2.0 * lower.x;
-  const SlidingRun run = slid(c);
+  const SlidingRun run = computed(c);
   const double modulus = contact_modulus(elastic, elastic);
   const auto hertz = [&](double overlap) { return 4.0 / 3.0 * modulus * std::sqrt(0.5) * std::pow(overlap, 1.5); };
   double overlap = t.interference;

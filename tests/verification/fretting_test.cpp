@@ -23,20 +23,7 @@ using simulation::FrettingCase;
 using simulation::FrettingRecord;
 using simulation::FrettingSummary;
 
-struct FrettingRun
-{
-  std::vector<FrettingRecord> history;
-  FrettingSummary summary;
-};
-
-FrettingRun computed(const FrettingCase& fretting)
-{
-  FrettingRun run;
-  simulation::Observer<FrettingRecord> observer;
-  observer.on_step = [&](const FrettingRecord& r, int) { run.history.push_back(r); };
-  run.summary = simulation::run(fretting, observer);
-  return run;
-}
+using FrettingRun = Computed<FrettingCase>;
 
 /// Two elastic balls of 1 m without Poisson's effect: Mindlin's solutions are exact then.
 FrettingCase elastic_balls(double cells)

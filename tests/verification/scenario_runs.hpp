@@ -10,37 +10,27 @@
 #include <string>
 #include <vector>
 
-/// Runs of indentation and rolling with their history.
+/// Runs of all scenarios with their history; cases of indentation and rolling.
 namespace brinell::verification
 {
 
-struct IndentationRun
+/// A run with its history.
+template <typename Case>
+struct Computed
 {
-  std::vector<simulation::IndentationRecord> history;
-  simulation::IndentationSummary summary;
+  std::vector<typename Case::Record> history;
+  typename Case::Summary summary;
 };
+using IndentationRun = Computed<simulation::IndentationCase>;
+using RollingRun = Computed<simulation::RollingCase>;
 
-struct RollingRun
+template <typename Case>
+Computed<Case> computed(const Case& scenario)
 {
-  std::vector<simulation::RollingRecord> history;
-  simulation::RollingSummary summary;
-};
-
-inline IndentationRun computed(const simulation::IndentationCase& indentation)
-{
-  IndentationRun run;
-  simulation::Observer<simulation::IndentationRecord> observer;
-  observer.on_step = [&](const simulation::IndentationRecord& r, int) { run.history.push_back(r); };
-  run.summary = simulation::run(indentation, observer);
-  return run;
-}
-
-inline RollingRun computed(const simulation::RollingCase& rolling)
-{
-  RollingRun run;
-  simulation::Observer<simulation::RollingRecord> observer;
-  observer.on_step = [&](const simulation::RollingRecord& r, int) { run.history.push_back(r); };
-  run.summary = simulation::run(rolling, observer);
+  Computed<Case> run;
+  simulation::Observer<typename Case::Record> observer;
+  observer.on_step = [&](const typename Case::Record& r, int) { run.history.push_back(r); };
+  run.summary = simulation::run(scenario, observer);
   return run;
 }
 

@@ -24,20 +24,7 @@ using simulation::SlidingRecord;
 constexpr double wavelength = 1e-3;
 constexpr Thermal steel{50.0, 7800.0, 470.0, 1.2e-5};
 
-struct SlidingRun
-{
-  std::vector<SlidingRecord> history;
-  simulation::SlidingSummary summary;
-};
-
-SlidingRun slid(const SlidingCase& sliding)
-{
-  SlidingRun run;
-  simulation::Observer<SlidingRecord> observer;
-  observer.on_step = [&](const SlidingRecord& r, int) { run.history.push_back(r); };
-  run.summary = simulation::run(sliding, observer);
-  return run;
-}
+using SlidingRun = Computed<SlidingCase>;
 
 /// Two flats without ends, elastic; one has waves that are nothing, as smooth flats have no first touch.
 SlidingCase flats(int cells)
@@ -93,7 +80,7 @@ TEST(SlidingHeat, FlatsWithoutEndsGrowWarmWithTheRootOfTime)
   const Thermal ceramic{20.0, 3200.0, 700.0, 3e-6};
   c.upper.material.thermal = ceramic;
   c.distance = 40.0 * wavelength; // 320 steps
-  const SlidingRun run = slid(c);
+  const SlidingRun run = computed(c);
   const auto effusivity = [](const Thermal& t) { return std::sqrt(t.conductivity * t.density * t.specific_heat); };
   const double share = effusivity(steel) / (effusivity(steel) + effusivity(ceramic));
   const double step = wavelength / 8.0 / *c.speed, flux = 0.2 * 1e8 * *c.speed;
@@ -122,7 +109,7 @@ TEST(SlidingHeat, AGivenPartitionIsTheShareOfTheLowerBody)
   SlidingCase c = flats(8);
   c.heat.partition = 0.3;
   c.heat.fraction = 0.9;
-  const SlidingRun run = slid(c);
+  const SlidingRun run = computed(c);
   const SlidingRecord& last = run.summary.last;
   EXPECT_NEAR(last.heat_lower / last.dissipation_friction, 0.27, 1e-9);
   EXPECT_NEAR(last.heat_upper / last.dissipation_friction, 0.63, 1e-9);
@@ -135,7 +122,7 @@ TEST(SlidingHeat, FrictionWorkIsHeatInBothBodies)
     SlidingCase c = rough_bodies(slow_build ? 12 : 24, 1.0);
     c.to_and_fro = to_and_fro;
     c.strokes = 2;
-    const SlidingRun run = slid(c);
+    const SlidingRun run = computed(c);
     const SlidingRecord& last = run.summary.last;
     const std::string name = to_and_fro ? "to and fro" : "on and on";
     EXPECT_GT(run.summary.max_temperature[0], 100.0);
@@ -152,10 +139,10 @@ TEST(SlidingHeat, FrictionWorkIsHeatInBothBodies)
 TEST(SlidingHeat, WithoutSpeedThereIsOnlyFriction)
 {
   SlidingCase c = rough_bodies(16, 1e-9);
-  const SlidingRun slow = slid(c);
+  const SlidingRun slow = computed(c);
   for (simulation::ShapedBody* body : {&c.lower, &c.upper})
     body->material.thermal.reset();
-  const SlidingRun cold = slid(c);
+  const SlidingRun cold = computed(c);
   double error = 0.0, largest = 0.0;
   ASSERT_EQ(slow.history.size(), cold.history.size());
   for (std::size_t n = 0; n < cold.history.size(); ++n)
@@ -175,14 +162,14 @@ TEST(SlidingHeat, WhereThePeriodBeginsSaysNothing)
   // An evaluation more or less, by sums in another order, then counts less than the bounds.
   c.solver.yield_tolerance = 1e-7;
   c.solver.displacement_tolerance = 1e-7;
-  const SlidingRun one = slid(c);
+  const SlidingRun one = computed(c);
   for (simulation::ShapedBody* body : {&c.lower, &c.upper})
   {
     auto wave = std::get<simulation::Sinusoid>(body->texture.parts[0]);
     wave.x += moved * wavelength / cells;
     body->texture = wave;
   }
-  const SlidingRun other = slid(c);
+  const SlidingRun other = computed(c);
   ASSERT_EQ(one.history.size(), other.history.size());
   double force = 0.0, temperature = 0.0;
   for (std::size_t n = 0; n < one.history.size(); ++n)
@@ -238,7 +225,7 @@ TEST(SlidingHeat, OfABallIsThatOfRollingWithoutTurning)
   const simulation::RollingPlan plan = simulation::plan(rolling);
   sliding.spacing = rolling.spacing = {plan.contact.dx, plan.contact.dy, plan.lower.dz};
   const RollingRun one = computed(rolling);
-  const SlidingRun other = slid(sliding);
+  const SlidingRun other = computed(sliding);
   double of_rolling = 0.0, of_sliding = 0.0;
   for (const auto& r : one.history)
     of_rolling = std::max(of_rolling, r.max_temperature_lower - 20.0);

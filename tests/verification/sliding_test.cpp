@@ -29,20 +29,7 @@ using simulation::SlidingSummary;
 constexpr double wavelength = 1e-3;
 constexpr double k = 2.0 * std::numbers::pi / wavelength;
 
-struct SlidingRun
-{
-  std::vector<SlidingRecord> history;
-  SlidingSummary summary;
-};
-
-SlidingRun computed(const SlidingCase& sliding)
-{
-  SlidingRun run;
-  simulation::Observer<SlidingRecord> observer;
-  observer.on_step = [&](const SlidingRecord& r, int) { run.history.push_back(r); };
-  run.summary = simulation::run(sliding, observer);
-  return run;
-}
+using SlidingRun = Computed<SlidingCase>;
 
 /// Elastic waves across the motion, crest on crest, pressed so that they touch everywhere.
 SlidingCase flattened_waves(int cells)

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "brinell/simulation/indentation.hpp"
-
-#include <gtest/gtest.h>
+#include "scenario_checks.hpp"
 
 #include <limits>
-#include <string>
 
 /// Bodies in a period, and how their plans are refused.
 namespace brinell::simulation::test
@@ -34,22 +32,6 @@ inline IndentationCase cylinder(const contact::Drive& drive, double reference = 
   c.domain.reference = reference;
   c.sequence = {drive};
   return c;
-}
-
-/// The key that a plan is refused for, and a part of the message.
-template <typename ScenarioCase>
-void expect_refused(const ScenarioCase& c, const std::string& key, const std::string& part)
-{
-  try
-  {
-    static_cast<void>(plan(c));
-    ADD_FAILURE() << "not refused: " << part;
-  }
-  catch (const KeyError& error)
-  {
-    EXPECT_EQ(error.key(), key);
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part << "\n  in: " << error.what();
-  }
 }
 
 } // namespace brinell::simulation::test

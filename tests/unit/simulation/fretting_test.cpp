@@ -4,6 +4,7 @@
 
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/run.hpp"
+#include "scenario_checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,30 +37,10 @@ FrettingCase sample()
   return c;
 }
 
-std::vector<FrettingRecord> history(const FrettingCase& c)
-{
-  std::vector<FrettingRecord> rows;
-  simulation::Run run(c);
-  while (!run.is_done())
-    rows.push_back(run.step());
-  return rows;
-}
-
 template <typename Change>
 void expect_refused(const std::string& key, const std::string& part, const Change& change)
 {
-  FrettingCase c = sample();
-  change(c);
-  try
-  {
-    static_cast<void>(plan(c));
-    ADD_FAILURE() << "not refused: " << key;
-  }
-  catch (const KeyError& error)
-  {
-    EXPECT_EQ(error.key(), key) << error.what();
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
+  test::expect_refused(key, part, sample(), change);
 }
 
 TEST(FrettingTest, RefusesWhatHasNoSolution)
@@ -184,7 +165,7 @@ TEST(FrettingTest, WithoutMotionItIsAnIndentation)
     i.upper = c.upper;
     i.sequence = {c.press};
     i.steps = c.press_steps;
-    const std::vector<FrettingRecord> rows = history(c);
+    const std::vector<FrettingRecord> rows = test::history(c);
     ASSERT_EQ(rows.size(), 7U);
     simulation::Run run(i);
     for (int step = 0; step < i.steps; ++step)
@@ -249,9 +230,9 @@ TEST(FrettingTest, TheDirectionTurnsWithTheCase)
 {
   // A round contact on square cells: along y as along x.
   FrettingCase c = sample();
-  const FrettingRecord along_x = history(c).back();
+  const FrettingRecord along_x = test::history(c).back();
   c.direction = 0.5 * std::numbers::pi;
-  const FrettingRecord along_y = history(c).back();
+  const FrettingRecord along_y = test::history(c).back();
   EXPECT_NEAR(along_y.F_y, along_x.F_x, 1e-4 * std::abs(along_x.F_x));
   EXPECT_NEAR(along_y.force, along_x.force, 1e-4 * std::abs(along_x.force));
   EXPECT_NEAR(along_y.F_x, 0.0, 1e-4 * std::abs(along_x.F_x));
@@ -264,10 +245,10 @@ TEST(FrettingTest, EqualBodiesAreSolvedOnce)
   FrettingCase c = sample();
   c.cycles = 2;
   EXPECT_EQ(plan(c).twin, elastoplastic::Twin::mirror_image);
-  const std::vector<FrettingRecord> one = history(c);
+  const std::vector<FrettingRecord> one = test::history(c);
   c.solver.mirror = false;
   EXPECT_EQ(plan(c).twin, elastoplastic::Twin::none);
-  const std::vector<FrettingRecord> both = history(c);
+  const std::vector<FrettingRecord> both = test::history(c);
   for (std::size_t i = 0; i < one.size(); ++i)
   {
     EXPECT_NEAR(one[i].force, both[i].force, 1e-4 * std::abs(both[4].force));

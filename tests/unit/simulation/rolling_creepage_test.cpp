@@ -3,6 +3,7 @@
 #include "brinell/simulation/rolling.hpp"
 
 #include "brinell/simulation/run.hpp"
+#include "scenario_checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,30 +36,10 @@ RollingCase sample()
   return c;
 }
 
-std::vector<RollingRecord> history(const RollingCase& c)
-{
-  std::vector<RollingRecord> rows;
-  simulation::Run run(c);
-  while (!run.is_done())
-    rows.push_back(run.step());
-  return rows;
-}
-
 template <typename Change>
 void expect_refused(const std::string& key, const std::string& part, const Change& change)
 {
-  RollingCase c = sample();
-  change(c);
-  try
-  {
-    static_cast<void>(plan(c));
-    ADD_FAILURE() << "not refused: " << key << ", " << part;
-  }
-  catch (const KeyError& error)
-  {
-    EXPECT_EQ(error.key(), key) << error.what();
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
+  test::expect_refused(key, part, sample(), change);
 }
 
 TEST(RollingCreepageTest, RefusesWhatDoesNotGoTogether)
@@ -103,10 +84,10 @@ TEST(RollingCreepageTest, NoCreepageOfEqualBodiesIsRollingWithoutFriction)
   c.creepage = Creepage{};
   c.solver.mirror = false;
   c.solver.symmetry = false; // what may stick is not solved by halves, and the order of sums is one of digits
-  const std::vector<RollingRecord> with = history(c);
+  const std::vector<RollingRecord> with = test::history(c);
   c.creepage.reset();
   c.friction.coefficient = 0.0;
-  const std::vector<RollingRecord> without = history(c);
+  const std::vector<RollingRecord> without = test::history(c);
   ASSERT_EQ(with.size(), without.size());
   for (std::size_t i = 0; i < with.size(); ++i)
   {
@@ -123,7 +104,7 @@ TEST(RollingCreepageTest, ItsRecordsBelongTogether)
   const RollingCase c = sample();
   const RollingPlan p = plan(c);
   EXPECT_EQ(p.twin, elastoplastic::Twin::none);
-  const std::vector<RollingRecord> rows = history(c);
+  const std::vector<RollingRecord> rows = test::history(c);
   double largest = 0.0;
   for (const RollingRecord& r : rows)
   {
@@ -147,9 +128,9 @@ TEST(RollingCreepageTest, TheOtherWayAndTheOtherSideAreMirrorImages)
 {
   // Lateral creepage and spin the other way: the mirror image in y.
   RollingCase c = sample();
-  const std::vector<RollingRecord> one = history(c);
+  const std::vector<RollingRecord> one = test::history(c);
   c.creepage = Creepage{0.003, -0.001, -20.0};
-  const std::vector<RollingRecord> other = history(c);
+  const std::vector<RollingRecord> other = test::history(c);
   ASSERT_EQ(one.size(), other.size());
   // Friction times load, and that times the radius of the contact, by the tolerance of the yield condition.
   const double tolerance = 1e-4, limit = 0.3 * 2.0, radius = plan(c).half_width_x;
@@ -196,10 +177,10 @@ TEST(RollingCreepageTest, LongStepsLoseNothingOverTheEndOfTheGrid)
   c.distance = 100e-6;
   c.extent = 0.5;
   c.shift = 4.0 * plan(c).shift;
-  const std::vector<RollingRecord> tight = history(c);
+  const std::vector<RollingRecord> tight = test::history(c);
   EXPECT_FALSE(run(c).grid_changes.empty());
   c.extent = 2.0;
-  const std::vector<RollingRecord> wide = history(c);
+  const std::vector<RollingRecord> wide = test::history(c);
   ASSERT_EQ(tight.size(), wide.size());
   for (std::size_t i = 0; i < tight.size(); ++i)
     EXPECT_NEAR(tight[i].F_x, wide[i].F_x, 1e-5 * wide[i].F_n + 1e-12);
