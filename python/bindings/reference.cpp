@@ -145,9 +145,8 @@ void bind_tugging(nb::module_& m)
       .def("work", &ref::elastic_tugging_work, "X1"_a, "X2"_a);
 }
 
-} // namespace
-
-void bind_reference(nb::module_& m)
+/// Elastic contact: size, pressure, stress.
+void bind_hertz(nb::module_& m)
 {
   m.def(
       "point_contact_at_load",
@@ -188,6 +187,11 @@ void bind_reference(nb::module_& m)
         "poisson_ratio"_a, "friction"_a);
   m.def("line_contact_stress", &line_contact_stress, "x"_a, "z"_a, "half_width"_a, "peak_pressure"_a, "poisson_ratio"_a,
         "friction"_a);
+}
+
+/// First yield, and what happens there.
+void bind_first_yield(nb::module_& m)
+{
   const auto as_tuple_of_yield = [](const ref::SlidingYield& y) {
     return std::tuple{y.pressure_ratio, y.depth_ratio, y.x_ratio};
   };
@@ -213,6 +217,10 @@ void bind_reference(nb::module_& m)
         return as_tuple(ref::critical_values(radius, contact_modulus, C, yield_stress, {length, reference}));
       },
       "radius"_a, "contact_modulus"_a, "C"_a, "yield_stress"_a, "length"_a, "reference"_a);
+}
+
+void bind_indented_sphere(nb::module_& m)
+{
   m.def("jackson_green_pressure_ratio", &ref::jackson_green_pressure_ratio, "poisson_ratio"_a);
   m.def(
       "jackson_green_area",
@@ -235,6 +243,15 @@ void bind_reference(nb::module_& m)
       [](const Input& interference_ratio)
       { return over(interference_ratio, [](double ratio) { return ref::kogut_etsion_load(ratio); }); },
       "interference_ratio"_a);
+}
+
+} // namespace
+
+void bind_reference(nb::module_& m)
+{
+  bind_hertz(m);
+  bind_first_yield(m);
+  bind_indented_sphere(m);
   bind_tugging(m);
 }
 

@@ -8,7 +8,8 @@ from typing import Any
 import tomli_w
 
 from brinell import _core
-from brinell.case import in_arguments, plain
+from brinell._values import plain
+from brinell.case import in_arguments
 from brinell.errors import InputError
 
 __all__ = ["case_of"]

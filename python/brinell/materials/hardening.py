@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any, ClassVar, Literal
 
 from brinell._toml import tomllib
+from brinell._values import plain
 from brinell.bodies import Quantity
-from brinell.case import plain
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 from brinell.materials.sampling import Law, sampled

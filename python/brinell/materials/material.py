@@ -11,8 +11,8 @@ from typing import Any
 
 from brinell import _core
 from brinell._names import renamed
+from brinell._values import plain
 from brinell.bodies import Quantity
-from brinell.case import plain
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 from brinell.materials.hardening import Hardening, Table

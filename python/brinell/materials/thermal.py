@@ -9,8 +9,8 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from brinell import _core
+from brinell._values import plain
 from brinell.bodies import Quantity
-from brinell.case import plain
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 

@@ -9,8 +9,9 @@ from typing import Any, ClassVar
 
 import tomli_w
 
+from brinell._values import HeightMaps, plain
 from brinell.bodies import Body
-from brinell.case import Case, HeightMaps, in_arguments, plain
+from brinell.case import Case, in_arguments
 from brinell.errors import InputError
 from brinell.settings import Grid, Heating, Interface, Output, Solver
 

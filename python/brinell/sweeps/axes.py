@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from brinell._toml import tomllib
-from brinell.case import plain
+from brinell._values import plain
 from brinell.errors import InputError
 
 __all__ = ["Axis", "Choices", "Range", "axis_of"]
