@@ -57,6 +57,19 @@ private:
   Clock::time_point since_;
 };
 
+/// What the program prints of a finished run.
+template <typename Summary>
+std::string told(const io::Case& c, const Summary& summary, const io::RunInfo& info)
+{
+  std::string text =
+      fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, info.wall_time);
+  if (summary.split_increments > 0)
+    text += fmt::format("{} increments had to be split\n", summary.split_increments);
+  text += fmt::format("{}energy balance error {:.2e}\n{}\n", io::results_text(c, summary), summary.energy_balance_error,
+                      simulation::resolution_text(info.quality.resolution));
+  return info.accuracy ? text + accuracy_text(*info.accuracy) : text;
+}
+
 /// Runs one scenario, writes its steps and finishes the results.
 /// @param Results  io::ResultDirectory or io::ResultImage
 template <typename ScenarioCase, typename Results>
@@ -124,15 +137,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   judge(c, before, report, info);
   results.finish(io::summary_text(c, plan, summary, info));
 
-  RunReport& told = report.told;
-  told.text = fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, seconds);
-  if (summary.split_increments > 0)
-    told.text += fmt::format("{} increments had to be split\n", summary.split_increments);
-  told.text += fmt::format("{}energy balance error {:.2e}\n{}\n", io::results_text(c, summary),
-                           summary.energy_balance_error, simulation::resolution_text(info.quality.resolution));
-  if (info.accuracy)
-    told.text += accuracy_text(*info.accuracy);
-  told.warnings = info.quality.warnings;
+  report.told = {told(c, summary, info), info.quality.warnings};
   return report;
 }
 
