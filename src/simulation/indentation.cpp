@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/indentation.hpp"
 
+#include "brinell/contact/drive_text.hpp"
 #include "brinell/foundation/error.hpp"
 #include "domain.hpp"
 #include "footprint.hpp"
@@ -29,25 +30,6 @@ namespace
 using contact::Drive;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// What a drive is called, and its unit.
-struct DriveText
-{
-  const char *name, *unit;
-};
-DriveText text_of(Drive::Kind kind)
-{
-  switch (kind)
-  {
-  case Drive::Kind::load:
-    return {"load", "N"};
-  case Drive::Kind::approach:
-    return {"approach", "m"};
-  case Drive::Kind::mean_gap:
-    return {"mean gap", "m"};
-  }
-  throw InternalError("a drive of no kind");
-}
 
 /// Loading and unloading, place after place.
 class Indentation
