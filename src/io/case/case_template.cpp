@@ -2,13 +2,17 @@
 #include "brinell/io/case_template.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/io/schema.hpp"
+#include "brinell/io/case_file.hpp"
+#include "io/embedded.hpp"
 #include "io/files.hpp"
+#include "io/scenarios/scenario_io.hpp"
 #include "template_sections.hpp"
+#include "value_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -81,6 +85,159 @@ std::string meaning(const std::string& key)
   return text;
 }
 
+/// Whether the bodies of the scenario may have any shape.
+bool has_any_shape(std::string_view scenario)
+{
+  bool has = false;
+  for_each_scenario([&](const auto& io)
+                    { has |= io.name == scenario && io.against_shape(simulation::Plane()).empty(); });
+  return has;
+}
+
+/// Writes the case of the folder cases/NAME of a scenario, table by table, in each table followed by what else it may have as
+/// comments: "# key = example" (src/io/case/template.toml), "# key = default" (the schema), and last the keys that have neither, as
+/// "#   key:". The text of the schema goes before the first line of each key, and behind those that have none. The keys of the
+/// upper body are explained at the lower one.
+class Writer
+{
+public:
+  explicit Writer(std::string_view scenario)
+      : scenario_(scenario), text_of_case_(embedded_text(fmt::format("cases/{}/case.toml", scenario))),
+        of_case_(sections_of(text_of_case_)),
+        shows_shapes_(has_any_shape(scenario) && !(find("grid") && find("grid")->find("size"))) // without a period
+  {
+  }
+
+  std::string text()
+  {
+    for (const KeyLines& key : of_case_.front().keys)
+      put(key);
+    for (Section menu : sections_of(embedded_text("src/io/case/template.toml")))
+      if (!menu.table.empty())
+      {
+        if (menu.table == "@")
+        {
+          menu.table = scenario_;
+          menu.head.back() = fmt::format("[{}]", scenario_);
+        }
+        put(menu);
+      }
+    return text_;
+  }
+
+private:
+  [[nodiscard]] const Section* find(std::string_view table) const { return find_section(of_case_, table); }
+
+  /// A key that has no line of its own is explained behind its name.
+  void put(const Lines& lines)
+  {
+    static const std::regex further_line(R"(#   ([a-z_]+)\b.*:)");
+    std::smatch match;
+    for (const std::string& line : lines)
+      if (std::regex_match(line, match, further_line))
+      {
+        const std::string of_key = meaning(fmt::format("{}{}.{}", table_, key_, match.str(1)));
+        const std::string text = of_key.empty() ? meaning(table_ + match.str(1)) : of_key;
+        text_ += wrapped(fmt::format("{} {}", line.substr(4), text), "#   ", "#     ");
+      }
+      else
+        text_ += line + '\n';
+  }
+
+  void put(const KeyLines& key)
+  {
+    if (!table_.starts_with("upper"))
+    {
+      text_ += key_.empty() ? "" : "\n"; // between the keys of a section
+      text_ += wrapped(meaning(table_ + key.key), "# ", "# ");
+      key_ = key.key;
+    }
+    put(key.lines);
+  }
+
+  void put(const Section& menu)
+  {
+    const Section none, &own = find(menu.table) ? *find(menu.table) : none;
+    const bool is_explained = menu.table.starts_with("upper"); // at the lower body
+    const Lines names = is_explained ? Lines{} : keys_in(menu.table);
+    if (own.keys.empty() && names.empty())
+      return;
+    text_ += '\n';
+    put(menu.head);
+    table_ = menu.table + ".";
+    key_.clear();
+    for (const KeyLines& key : own.keys)
+    {
+      put(key);
+      if (const KeyLines* examples = menu.find(key.key))
+        put_examples(*examples, choice_of(key.lines.front()));
+    }
+    for (const KeyLines& key : menu.keys)
+      if (!own.find(key.key) && std::find(names.begin(), names.end(), key.key) != names.end())
+        put(key);
+    put_rest(menu, own, names);
+  }
+
+  /// Of a key in use, for which something else may be chosen.
+  void put_examples(const KeyLines& examples, const std::string& chosen)
+  {
+    if (chosen.empty() || (examples.key == "shape" && !shows_shapes_))
+      return;
+    Lines others;
+    std::copy_if(examples.lines.begin(), examples.lines.end(), std::back_inserter(others),
+                 [&](const std::string& line) { return choice_of(line) != chosen; });
+    put(others);
+  }
+
+  /// By the schema.
+  void put_rest(const Section& menu, const Section& own, const Lines& names)
+  {
+    Lines added;
+    for (const std::string& name : names)
+    {
+      const Entry* entry = find_entry(fmt::format("{}.{}", menu.table, name));
+      if (own.find(name) || menu.find(name))
+        continue;
+      const auto fallback = entry ? fallback_of(*entry, scenario_) : std::nullopt;
+      const auto example = std::find_if(menu.added.begin(), menu.added.end(),
+                                        [&](const std::string& line) { return line.starts_with("#   " + name + " "); });
+      const bool is_excluded = entry && own.find(entry->excludes.substr(entry->excludes.rfind('.') + 1));
+      if (fallback && !is_excluded)
+        put(KeyLines{name, {fmt::format("# {} = {}", name, toml_text(*fallback))}});
+      else
+        added.push_back(example != menu.added.end() ? *example : fmt::format("#   {}:", name));
+    }
+    if (!added.empty())
+      text_ += "\n# May be added:\n";
+    put(added);
+  }
+
+  /// First parts of the keys in a table that the scenario knows, without those that are tables of the template.
+  [[nodiscard]] Lines keys_in(const std::string& table) const
+  {
+    Lines names;
+    for (const Entry& entry : case_schema())
+    {
+      const bool is_of_another =
+          entry.when.key == "scenario" &&
+          std::find(entry.when.values.begin(), entry.when.values.end(), scenario_) == entry.when.values.end();
+      if (!entry.key.starts_with(table + ".") || is_of_another)
+        continue;
+      const std::string rest = entry.key.substr(table.size() + 1), name = rest.substr(0, rest.find('.'));
+      if (!find(fmt::format("{}.{}", table, name)) && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+    }
+    return names;
+  }
+
+  std::string scenario_;
+  std::string_view text_of_case_;
+  std::vector<Section> of_case_;
+  bool shows_shapes_;
+  std::string table_, key_; ///< where the text is: the table with a dot, and the last key in it
+  std::string text_;
+};
+
 } // namespace
 
 const std::vector<std::string>& scenario_names()
@@ -88,40 +245,12 @@ const std::vector<std::string>& scenario_names()
   return find_entry("scenario")->choices;
 }
 
-/// The text of the schema goes before the first line of each key, and behind the names of those that may be added. The keys of
-/// the upper body are explained at the lower one.
 std::string case_template(std::string_view scenario)
 {
-  static const std::regex section_line(R"(\[([a-z.]+)\])"), key_line(R"((?:# )?([a-z_]+) = .*)"),
-      further_line(R"(#   ([a-z_]+)\b.*:)");
   const auto& names = scenario_names();
   if (std::find(names.begin(), names.end(), scenario) == names.end())
     throw InputError(fmt::format("unknown scenario {}; allowed: {}", scenario, fmt::join(names, ", ")));
-  std::istringstream keys(keys_of_template(scenario));
-  std::string text = fmt::format(head, scenario), table, name;
-  std::smatch match;
-  for (std::string line; std::getline(keys, line);)
-  {
-    if (std::regex_match(line, match, section_line))
-    {
-      table = match.str(1) + ".";
-      name.clear();
-    }
-    else if (std::regex_match(line, match, key_line) && name != match.str(1) && !table.starts_with("upper"))
-    {
-      text += name.empty() ? "" : "\n"; // between the keys of a section
-      name = match.str(1);
-      text += wrapped(meaning(table + name), "# ", "# ");
-    }
-    else if (std::regex_match(line, match, further_line))
-    {
-      const std::string of_key = meaning(table + name + "." + match.str(1)), of_table = meaning(table + match.str(1));
-      text += wrapped(line.substr(4) + " " + (of_key.empty() ? of_table : of_key), "#   ", "#     ");
-      continue;
-    }
-    text += line + '\n';
-  }
-  return text;
+  return fmt::format(head, scenario) + Writer(scenario).text();
 }
 
 void write_case_template(std::string_view scenario, const std::filesystem::path& file, bool replace)

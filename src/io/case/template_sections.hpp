@@ -3,15 +3,38 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
-/// The keys of the cases of `brinell new`.
+/// Case files as lines, table by table, of which `brinell new` makes its cases.
 namespace brinell::io
 {
 
-/// The case of the folder cases/NAME of the scenario, whose keys are in use, table by table, in each table followed by what else it
-/// may have as comments: "# key = example" (src/io/case/template.toml), "# key = default" (the schema), and last the keys that
-/// have neither, as "#   key:".
-/// @throws InternalError if there is no such case
-[[nodiscard]] std::string keys_of_template(std::string_view scenario);
+using Lines = std::vector<std::string>;
+
+/// Lines that give one key, in use or as a comment.
+struct KeyLines
+{
+  std::string key;
+  Lines lines;
+};
+
+struct Section
+{
+  std::string table; ///< empty: the root
+  Lines head;        ///< a ruler, and the line with its name
+  Lines added;       ///< keys that have no line of their own: "#   key such as ...:"
+  std::vector<KeyLines> keys;
+
+  [[nodiscard]] const KeyLines* find(std::string_view key) const;
+};
+
+/// @param text  TOML of which each key takes one line; "#   " goes on with the key before it. Other comments are left out: the
+///              schema tells what a key means
+[[nodiscard]] std::vector<Section> sections_of(std::string_view text);
+
+[[nodiscard]] const Section* find_section(const std::vector<Section>& sections, std::string_view table);
+
+/// "cone" of `shape = { type = "cone", ... }`; empty if the line chooses nothing.
+[[nodiscard]] std::string choice_of(const std::string& line);
 
 } // namespace brinell::io
