@@ -33,6 +33,9 @@ struct SnapshotRule
   Kind kind = Kind::aligned;
   int every = 1;
   std::vector<int> steps{}; ///< ascending
+
+  /// @param is_key_step  one of those that are meant by "aligned"
+  [[nodiscard]] bool stores(int step, bool is_key_step) const;
   bool operator==(const SnapshotRule&) const = default;
 };
 
@@ -80,7 +83,7 @@ struct Case;
 struct Entry
 {
   std::string key; ///< dotted, from the root of the file
-  Type type = Type::text;
+  Type type = Type::number;
   Dimension dimension{};
   Range range{};
   bool percent = false; ///< a pure number that may also be given as "1 %"

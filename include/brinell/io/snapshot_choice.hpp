@@ -35,8 +35,6 @@ public:
   void exchange(Archive& archive) { middle_.exchange(archive); }
 
 private:
-  [[nodiscard]] bool chosen(int step, bool is_key_step) const;
-
   SnapshotRule rule_;
   NearestToMiddle middle_;
 };

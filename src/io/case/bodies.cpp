@@ -164,7 +164,7 @@ void load_hardening_file(CaseValues& values, const RawCase& raw, const std::stri
     if (reader.has(table + unit))
     {
       if (!is_of_file)
-        reader.add(table + unit, fmt::format("is the unit of a file; it goes with {}file only", table));
+        reader.add(table + unit, "is the unit of a file; it goes with {}file only", table);
       values.replace(table + unit, {});
     }
   if (reader.has(table + "monotone") && reader.get<bool>(table + "monotone") && reader.has(table + "stress"))

@@ -18,9 +18,8 @@ void set_axes(const CaseReader& reader, const std::string& key, std::vector<simu
 {
   const auto& given = reader.get<std::vector<double>>(key);
   if (given.size() != axes.size() && given.size() != 1)
-    return reader.add(
-        key, fmt::format("has {} elements; allowed: {}, for each axis that is periodic, or one for all of them",
-                         given.size(), axes.size()));
+    return reader.add(key, "has {} elements; allowed: {}, for each axis that is periodic, or one for all of them",
+                      given.size(), axes.size());
   for (std::size_t i = 0; i < axes.size(); ++i)
     set(*axes[i], given.size() == 1 ? given.front() : given[i]);
 }
@@ -37,9 +36,9 @@ void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both
   {
     const auto resting = scenarios_with([](const auto& io) { return !io.moves; });
     return reader.add("grid.boundary",
-                      fmt::format("goes with scenario = \"{}\"; allowed where the contact moves along x: \"open\" or "
-                                  "[\"open\", \"periodic\"]",
-                                  fmt::join(resting, "\" or \"")));
+                      "goes with scenario = \"{}\"; allowed where the contact moves along x: \"open\" or "
+                      "[\"open\", \"periodic\"]",
+                      fmt::join(resting, "\" or \""));
   }
   std::vector<Axis*> axes;
   if (boundary != "periodic_y")
@@ -59,10 +58,8 @@ void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both
   if (reader.has("grid.size"))
     set_axes(reader, "grid.size", axes, [](Axis& axis, double size) { axis.size = size; });
   else if (boundary != "periodic_y")
-    reader.problems.add(reader.place("grid.size"),
-                        fmt::format("grid.size is missing; allowed: {}, the period along {}",
-                                    boundary == "periodic" ? "two lengths > 0" : "a list of one length > 0",
-                                    boundary == "periodic" ? "x and y" : "x"));
+    reader.missing("grid.size", boundary == "periodic" ? "two lengths > 0, the period along x and y"
+                                                       : "a list of one length > 0, the period along x");
   if (reader.has("grid.cells"))
     set_axes(reader, "grid.cells", axes,
              [&](Axis& axis, double cells)
@@ -72,9 +69,7 @@ void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both
                axis.cells = static_cast<int>(cells);
              });
   else if (!has_spacing && boundary != "periodic_y")
-    reader.problems.add(
-        reader.place("grid.cells"),
-        "grid.cells is missing; allowed: whole numbers > 0, one for each periodic axis, or grid.spacing");
+    reader.missing("grid.cells", "whole numbers > 0, one for each periodic axis, or grid.spacing");
 }
 
 } // namespace brinell::io

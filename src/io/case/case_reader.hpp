@@ -7,10 +7,8 @@
 #include "schema_parts.hpp"
 #include "value_text.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
-#include <initializer_list>
-#include <iterator>
+#include <utility>
 
 namespace brinell::io
 {
@@ -34,32 +32,36 @@ struct CaseReader
   [[nodiscard]] int integer(std::string_view key) const { return static_cast<int>(get<std::int64_t>(key)); }
   [[nodiscard]] bool has(std::string_view key) const { return values.find(key) != nullptr; }
 
-  /// Those of the keys that are set.
-  [[nodiscard]] std::vector<std::string> given(std::initializer_list<const char*> keys) const
-  {
-    std::vector<std::string> set;
-    std::copy_if(keys.begin(), keys.end(), std::back_inserter(set), [&](const char* key) { return has(key); });
-    return set;
-  }
+  /// The key of a group (Entry::one_of) that is given; empty, with the problem told, if there is none or more than one.
+  /// @param advice  goes on with "one is needed"
+  [[nodiscard]] std::string only_one_of(std::string_view group, std::string_view advice = "") const;
 
   /// Where a key stands, or is missed.
-  [[nodiscard]] std::string place(const std::string& key) const
-  {
-    const Given* given = raw.find(key);
-    return given ? given->place : raw.place_for(key);
-  }
+  [[nodiscard]] std::string place(const std::string& key) const;
   /// "key = value" for checks that come after the reading.
-  [[nodiscard]] std::string cited(const std::string& key) const
-  {
-    const Given* given = raw.find(key);
-    const Value* value = values.find(key);
-    return given ? fmt::format("{} = {}", key, shown(given->raw)) : (value ? key + " = " + toml_text(*value) : key);
-  }
+  [[nodiscard]] std::string cited(const std::string& key) const;
+
+  /// A problem: "key = value WHAT".
   void add(const std::string& key, std::string_view what) const
   {
     problems.add(place(key), fmt::format("{} {}", cited(key), what));
   }
+  template <typename First, typename... Rest>
+  void add(const std::string& key, fmt::format_string<First, Rest...> what, First&& first, Rest&&... rest) const
+  {
+    add(key, fmt::format(what, std::forward<First>(first), std::forward<Rest>(rest)...));
+  }
+  void missing(const std::string& key, std::string_view allowed) const
+  {
+    problems.add(place(key), fmt::format("{} is missing; allowed: {}", key, allowed));
+  }
 };
+
+template <typename... Values>
+void warn(Case& c, const char* key, fmt::format_string<Values...> text, Values&&... values)
+{
+  c.warnings.push_back({key, fmt::format(text, std::forward<Values>(values)...)});
+}
 
 /// Does what may find that the case cannot be computed; that is a problem at the key it names, at the source of the grid, or at
 /// `key`.
@@ -79,7 +81,7 @@ catch (const GridError& error)
 }
 catch (const InputError& error)
 {
-  reader.add(key, fmt::format("does not fit: {}", error.what()));
+  reader.add(key, "does not fit: {}", error.what());
 }
 
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.

@@ -47,22 +47,8 @@ double from_quantity(const std::string& text, const Entry& entry, bool pure)
   return given.value;
 }
 
-/// "1 %", "0.01"
-double from_percent(const std::string& text, const Raw& raw, const Entry& entry)
-{
-  double x = 0.0;
-  const char* end = text.data() + text.size();
-  auto [rest, error] = std::from_chars(text.data(), end, x);
-  while (rest != end && *rest == ' ')
-    ++rest;
-  const bool is_percent = rest != end && *rest == '%';
-  if (error != std::errc{} || rest + (is_percent ? 1 : 0) != end)
-    throw wrong_type(raw, entry, true);
-  return is_percent ? x / 100.0 : x;
-}
-
-/// "70.3 deg", "70.3°" or "1.2 rad" in degrees.
-double from_angle(const std::string& text, const Raw& raw, const Entry& entry)
+/// "1 %" or "0.01"; "70.3 deg", "70.3°" or "1.2 rad" in degrees.
+double from_share_or_angle(const std::string& text, const Raw& raw, const Entry& entry)
 {
   double x = 0.0;
   const char* end = text.data() + text.size();
@@ -70,9 +56,22 @@ double from_angle(const std::string& text, const Raw& raw, const Entry& entry)
   while (rest != end && *rest == ' ')
     ++rest;
   const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-  if (error != std::errc{} || (unit != "deg" && unit != "\u00b0" && unit != "rad"))
-    throw wrong_type(raw, entry, true);
-  return unit == "rad" ? x * 180.0 / std::numbers::pi : x;
+  if (error == std::errc{} && entry.percent && (unit.empty() || unit == "%"))
+    return unit.empty() ? x : x / 100.0;
+  if (error == std::errc{} && entry.degrees && (unit == "deg" || unit == "\u00b0" || unit == "rad"))
+    return unit == "rad" ? x * 180.0 / std::numbers::pi : x;
+  throw wrong_type(raw, entry, true);
+}
+
+double from_text(const std::string& text, const Raw& raw, const Entry& entry, bool pure)
+{
+  if (entry.percent || entry.degrees)
+    return from_share_or_angle(text, raw, entry);
+  if (entry.celsius)
+    return degrees_celsius(text);
+  if (entry.dimension == dimension::none)
+    throw wrong_type(raw, entry, pure);
+  return from_quantity(text, entry, pure);
 }
 
 double number(const Raw& raw, const Entry& entry, bool pure)
@@ -82,14 +81,8 @@ double number(const Raw& raw, const Entry& entry, bool pure)
     x = static_cast<double>(*i);
   else if (const auto* d = std::get_if<double>(&raw.value))
     x = *d;
-  else if (const auto* share = std::get_if<std::string>(&raw.value); share && entry.percent)
-    x = from_percent(*share, raw, entry);
-  else if (const auto* angle = std::get_if<std::string>(&raw.value); angle && entry.degrees)
-    x = from_angle(*angle, raw, entry);
-  else if (const auto* temperature = std::get_if<std::string>(&raw.value); temperature && entry.celsius)
-    x = degrees_celsius(*temperature);
-  else if (const auto* s = std::get_if<std::string>(&raw.value); s && entry.dimension != dimension::none)
-    x = from_quantity(*s, entry, pure);
+  else if (const auto* text = std::get_if<std::string>(&raw.value))
+    x = from_text(*text, raw, entry, pure);
   else
     throw wrong_type(raw, entry, pure);
   if (!std::isfinite(x))
@@ -118,6 +111,8 @@ std::int64_t integer(const Raw& raw, const Entry& entry)
 std::vector<double> numbers(const Raw& raw, const Entry& entry, bool pure)
 {
   const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
+  if (const auto* text = std::get_if<std::string>(&raw.value); text && text->starts_with('[')) // of --set
+    throw InputError("is text and no list: in a list, text stands between quotes, as in '[\"10 N\", 0]'");
   if (!items && entry.type == Type::numbers)
     return {number(raw, entry, pure)};
   if (!items)

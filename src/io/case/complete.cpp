@@ -22,32 +22,26 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
   constexpr double stiffest = 1e15; // a thousand times diamond; far beyond it small numbers of the fields are lost
   const double E = material.elastic.young_modulus;
   if (E < softest)
-    c.warnings.push_back(
-        {"soft_material",
-         fmt::format(
-             "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
-             name, E, E)});
+    warn(c, "soft_material",
+         "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
+         name, E, E);
   if (std::isfinite(E) && E > stiffest)
-    c.warnings.push_back(
-        {"stiff_material",
-         fmt::format(
-             "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit "
-             "right? What is not meant to deform has rigid = true",
-             name, E)});
+    warn(c, "stiff_material",
+         "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit "
+         "right? What is not meant to deform has rigid = true",
+         name, E);
   if (!material.hardening)
     return;
   constexpr double lowest_yield = 1e5; // a pure metal in single crystals; a gel may have less, but of a small modulus
   const double yield_stress = constitutive::initial_yield_stress(*material.hardening);
   if (yield_stress < std::min(lowest_yield, 1e-3 * E))
-    c.warnings.push_back(
-        {"low_yield",
-         fmt::format("{}.material.hardening: the yield stress is {:.4g} Pa, lower than that of any metal; is a unit "
-                     "missing, as in \"{:.4g} MPa\"? That of a file is hardening.stress_unit",
-                     name, yield_stress, yield_stress)});
+    warn(c, "low_yield",
+         "{}.material.hardening: the yield stress is {:.4g} Pa, lower than that of any metal; is a unit "
+         "missing, as in \"{:.4g} MPa\"? That of a file is hardening.stress_unit",
+         name, yield_stress, yield_stress);
   if (yield_stress > 0.1 * E)
-    c.warnings.push_back(
-        {"hard_material",
-         fmt::format("{}: the yield stress is above a tenth of Young's modulus; strains will not be small", name)});
+    warn(c, "hard_material", "{}: the yield stress is above a tenth of Young's modulus; strains will not be small",
+         name);
 }
 
 /// Strains in percent make a material that hardly hardens.
@@ -58,11 +52,10 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
   if (!reader.has(key))
     return;
   if (const double last = reader.get<std::vector<double>>(key).back(); last > largest_strain)
-    c.warnings.push_back(
-        {"large_table_strain",
-         fmt::format("{} goes up to {:.4g}, which is {:.4g} %; is it in percent? That of a file may be "
-                     "told by hardening.strain_unit = \"%\"",
-                     key, last, 100.0 * last)});
+    warn(c, "large_table_strain",
+         "{} goes up to {:.4g}, which is {:.4g} %; is it in percent? That of a file may be "
+         "told by hardening.strain_unit = \"%\"",
+         key, last, 100.0 * last);
 }
 
 /// Heights in nm or um that are taken for m make walls. As in Python: brinell/surfaces/heightmap.py.
@@ -76,16 +69,14 @@ void warn_of_heights(const CaseReader& reader, const std::string& name, const si
       {
         const std::string table = texture.parts.size() == tables.size() ? tables[i] : name + ".texture";
         const Given* const unit = reader.raw.find(table + ".unit");
-        c.warnings.push_back(
-            {"steep_texture",
-             fmt::format(
-                 "{}: the height map has a root mean square slope of {:.3g} between points at {:.3g} x {:.3g} m; "
-                 "{}",
-                 table, slope, map->dx, map->dy,
-                 unit ? fmt::format("is {}.unit = {} that of the file?", table, shown(unit->raw))
-                      : fmt::format("is a unit missing? Those of a file are in m unless {}.unit says another one, "
-                                    "as \"um\"",
-                                    table))});
+        warn(c, "steep_texture",
+             "{}: the height map has a root mean square slope of {:.3g} between points at {:.3g} x {:.3g} m; "
+             "{}",
+             table, slope, map->dx, map->dy,
+             unit ? fmt::format("is {}.unit = {} that of the file?", table, shown(unit->raw))
+                  : fmt::format("is a unit missing? Those of a file are in m unless {}.unit says another one, "
+                                "as \"um\"",
+                                table));
       }
 }
 
@@ -112,10 +103,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
     const auto* roller = std::get_if<simulation::Roller>(&body->shape);
     const std::string length = fmt::format("{}.shape.length", name);
     if (roller && std::isinf(roller->length) && !domain.y.is_periodic())
-      reader.problems.add(reader.place(length),
-                          fmt::format("{} is missing; allowed: length > 0, in m or with a unit; none with "
-                                      "grid.boundary = [\"open\", \"periodic\"]",
-                                      length));
+      reader.missing(length, "length > 0, in m or with a unit; none with grid.boundary = [\"open\", \"periodic\"]");
   }
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (const auto reason = domain_is_known ? simulation::reason_against_texture(body->texture, domain) : std::nullopt)
@@ -156,12 +144,10 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
   const double half_x = plan.*io.half_x, half_y = plan.*io.half_y;
   const double radius = std::min(smallest_radius(scenario.lower), smallest_radius(scenario.upper));
   if (half_x > large * radius)
-    c.warnings.push_back(
-        {"large_contact",
-         fmt::format(
-             "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
-             "half spaces",
-             half_x, radius)});
+    warn(c, "large_contact",
+         "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
+         "half spaces",
+         half_x, radius);
   const double rows = simulation::is_plane(plan.contact) ? plan.contact.dy : half_y; // any length is as good
   if (scenario.spacing)
     if (const auto reason = simulation::reason_against_cells(*scenario.spacing, half_x, rows))
@@ -188,9 +174,7 @@ void warn_of_keys_without_heat(const CaseReader& reader, Case& c, const std::str
                                  std::string("thermal.heat_of_plastic_work"), std::string("thermal.stress"),
                                  std::string("interface.heat_fraction")})
     if (differs(key))
-      c.warnings.push_back(
-          {"no_heat",
-           fmt::format("{} has no effect: heat takes interface.friction and the thermal constants of a body", key)});
+      warn(c, "no_heat", "{} has no effect: heat takes interface.friction and the thermal constants of a body", key);
 }
 
 /// Keys that something else is missing for.
@@ -201,13 +185,11 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
   const bool has_friction = scenario.friction.coefficient > 0.0;
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
     if (body->material.thermal && !(can_heat && has_friction))
-      c.warnings.push_back({"no_heat", fmt::format("{}.material.thermal has no effect: {}", name,
-                                                   can_heat ? "without interface.friction nothing heats"
-                                                            : "no heat is computed in this scenario")});
+      warn(c, "no_heat", "{}.material.thermal has no effect: {}", name,
+           can_heat ? "without interface.friction nothing heats" : "no heat is computed in this scenario");
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
     if (body->material.softening && !(can_heat && has_friction && body->material.thermal))
-      c.warnings.push_back(
-          {"no_heat", fmt::format("{}.material.softening has no effect: no heat is computed in this case", name)});
+      warn(c, "no_heat", "{}.material.softening has no effect: no heat is computed in this case", name);
   if constexpr (can_heat)
     if (!(has_friction && (scenario.lower.material.thermal || scenario.upper.material.thermal)))
       warn_of_keys_without_heat(reader, c, fmt::format("{}.speed", io_of(scenario).name));

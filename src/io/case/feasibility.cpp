@@ -63,22 +63,12 @@ double rough_seconds(const ScenarioCase& c, const simulation::Plan& plan)
 template <typename ScenarioCase>
 double stored_steps(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
 {
-  using Kind = SnapshotRule::Kind;
-  switch (rule.kind)
-  {
-  case Kind::none:
-    return 0.0;
-  case Kind::aligned:
+  if (rule.kind == SnapshotRule::Kind::aligned)
     return io_of(c).key_steps(c, plan);
-  case Kind::all:
-    return plan.steps;
-  case Kind::every:
-    return std::ceil(plan.steps / static_cast<double>(rule.every));
-  case Kind::listed:
-    return static_cast<double>(
-        std::count_if(rule.steps.begin(), rule.steps.end(), [&](int step) { return step < plan.steps; }));
-  }
-  return 0.0;
+  double count = 0.0;
+  for (int step = 0; step < plan.steps; ++step)
+    count += rule.stores(step, false) ? 1.0 : 0.0;
+  return count;
 }
 
 /// Bytes of one stored state: pressure and gap; of each body that deforms the tensors of stress and plastic strain, their

@@ -35,20 +35,17 @@ Entries shape_entries(const std::string& table)
                    "degrees to the axis, one of them facing x. Tugging takes those that can pass each other: sphere, "
                    "ellipsoid, cylinder."},
           length("radius", "Radius of the sphere or cylinder."),
-          radius("radius_x",
-                 "Radius of curvature at the apex in the plane x z; below 0 for a hollow, as that of a raceway "
-                 "along its track. Both bodies together must be convex."),
-          radius("radius_y",
-                 "Radius of curvature at the apex in the plane y z; below 0 for a hollow, as the groove of a "
-                 "ball bearing."),
+          radius("radius_x", "Radius of curvature at the apex in the plane x z; below 0 for a hollow, as that of a "
+                             "raceway along its track. Both bodies together must be convex."),
+          radius("radius_y", "Radius of curvature at the apex in the plane y z; below 0 for a hollow, as the groove of "
+                             "a ball bearing."),
           parameter(type, shape_options(),
                     {.key = "length",
                      .dimension = dimension::length,
                      .range = above(0.0),
                      .unset = "none, with a grid that is periodic along y",
-                     .text =
-                         "Length of the cylinder, which has plane ends. Without one it has no end, in plane strain for "
-                         "example."}),
+                     .text = "Length of the cylinder, which has plane ends. Without one it has no end, in plane strain "
+                             "for example."}),
           parameter(type, shape_options(),
                     {.key = "half_angle",
                      .range = inside(0.0, 90.0),
@@ -61,6 +58,113 @@ Entries shape_entries(const std::string& table)
                      .range = at_least(0.0),
                      .fallback = 0.0,
                      .text = "Radius of the ball that rounds the tip, and the edges of a pyramid."}),
+      });
+}
+
+/// A height map.
+Entries map_entries(const std::string& table)
+{
+  return in_table(
+      table, {table + "type", {"height_map"}},
+      {
+          {.key = "file",
+           .type = Type::text,
+           .unset = "heights and columns",
+           .text = "File of heights in m, or in unit, outwards positive; from the folder of the case. .npy: an array "
+                   "[y, x] of NumPy, binary; any other: text, a line per row along x, all of one length, one row after "
+                   "the other along y.",
+           .excludes = "heights"},
+          {.key = "unit", .type = Type::text, .unset = "m", .text = "Unit of the heights in the file, as \"um\"."},
+          {.key = "heights",
+           .type = Type::numbers,
+           .dimension = dimension::length,
+           .unset = "from file",
+           .text = "The heights themselves, outwards positive, row after row: along x first, then along y.",
+           .excludes = "file"},
+          {.key = "columns",
+           .type = Type::integer,
+           .range = between(1, 1000000),
+           .unset = "from file",
+           .text = "How many of the heights make a row along x."},
+          {.key = "spacing",
+           .type = Type::numbers,
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .required = true,
+           .text = "Distances [dx, dy] of the heights; linear between them, zero outside."},
+          {.key = "periodic",
+           .type = Type::boolean,
+           .fallback = false,
+           .text = "Whether the map covers the surface, again and again, instead of being zero outside; its periods "
+                   "are the numbers of points times their distances."},
+      });
+}
+
+/// Waves.
+Entries wave_entries(const std::string& table)
+{
+  return in_table(table, {table + "type", {"sinusoid"}},
+                  {
+                      {.key = "amplitude",
+                       .dimension = dimension::length,
+                       .required = true,
+                       .text = "Height of the crests above the mean."},
+                      {.key = "wavelength_x",
+                       .dimension = dimension::length,
+                       .range = above(0.0),
+                       .unset = "no waves along x",
+                       .text = "Wavelength along x."},
+                      {.key = "wavelength_y",
+                       .dimension = dimension::length,
+                       .range = above(0.0),
+                       .unset = "no waves along y",
+                       .text = "Wavelength along y."},
+                  });
+}
+
+/// Roughness.
+Entries random_entries(const std::string& table)
+{
+  return in_table(
+      table, {table + "type", {"random"}},
+      {
+          {.key = "hurst",
+           .range = between(0.0, 1.0),
+           .fallback = 0.8,
+           .text = "Exponent of Hurst; the smaller, the rougher are short waves."},
+          {.key = "rms_height",
+           .dimension = dimension::length,
+           .range = at_least(0.0),
+           .unset = "from rms_slope",
+           .text = "Root mean square of the height over a period, exactly.",
+           .excludes = "rms_slope"},
+          {.key = "rms_slope",
+           .range = at_least(0.0),
+           .unset = "from rms_height",
+           .text = "Root mean square of the length of the gradient over a period, exactly.",
+           .excludes = "rms_height"},
+          {.key = "rolloff",
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .unset = "none: self-affine up to the size",
+           .text = "Wavelength from which on longer waves are not higher any more."},
+          {.key = "cutoff",
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .required = true,
+           .text = "Shortest wavelength, whatever the cells; eight cells or more."},
+          {.key = "size",
+           .type = Type::numbers,
+           .dimension = dimension::length,
+           .range = above(0.0),
+           .unset = "grid.size along axes that are periodic, otherwise 8 rolloff",
+           .text = "Period [along x, along y], which is the longest wavelength: up to 4096 times the cutoff."},
+          {.key = "seed",
+           .type = Type::integer,
+           .range = at_least(0.0),
+           .fallback = std::int64_t{0},
+           .text = "Other numbers give other surfaces of the same spectrum. The heights depend neither on the cells "
+                   "nor on the machine."},
       });
 }
 
@@ -78,139 +182,30 @@ Entries texture_entries(const std::string& table)
     return parameter(type, texture_options(),
                      {.key = key, .dimension = dimension::length, .fallback = 0.0, .text = text});
   };
-  const Condition of_map{type, {"height_map"}}, of_random{type, {"random"}}, of_waves{type, {"sinusoid"}};
-  Entries entries = in_table(
-      table, {},
-      {
-          {.key = "type",
-           .type = Type::choice,
-           .choices = names_of(texture_options()),
-           .fallback = "smooth",
-           .text =
-               "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi "
-               "r/radius), with its shoulder; bump: the same upwards; height_map: measured heights, or "
-               "those of a function of x and y; sinusoid: waves, of the height amplitude cos(2 pi (X - "
-               "x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at X, Y; random: roughness, Gaussian and self-affine, "
-               "with a power spectral density that is constant down to the wavelength rolloff and falls as "
-               "q^(-2 (1 + hurst)) from there to cutoff. Several textures add up, as [[lower.texture]] and "
-               "[[lower.texture]] or as a list; --set then names one as lower.texture[0].type."},
-          length("depth", "Depth of the dent's centre."),
-          length("height", "Height of the bump's centre."),
-          length("radius", "Wavelength of the profile: the surface is crossed at a quarter of it."),
-          {.key = "file",
-           .type = Type::text,
-           .unset = "heights and columns",
-           .text = "File of heights in m, or in unit, outwards positive; from the folder of the case. .npy: an array "
-                   "[y, x] of "
-                   "NumPy, binary; any other: text, a line per row along x, all of one length, one row after the other "
-                   "along y.",
-           .when = of_map,
-           .excludes = "heights"},
-          {.key = "unit",
-           .type = Type::text,
-           .unset = "m",
-           .text = "Unit of the heights in the file, as \"um\".",
-           .when = of_map},
-          {.key = "heights",
-           .type = Type::numbers,
-           .dimension = dimension::length,
-           .unset = "from file",
-           .text = "The heights themselves, outwards positive, row after row: along x first, then along y.",
-           .when = of_map,
-           .excludes = "file"},
-          {.key = "columns",
-           .type = Type::integer,
-           .range = between(1, 1000000),
-           .unset = "from file",
-           .text = "How many of the heights make a row along x.",
-           .when = of_map},
-          {.key = "spacing",
-           .type = Type::numbers,
-           .dimension = dimension::length,
-           .range = above(0.0),
-           .required = true,
-           .text = "Distances [dx, dy] of the heights; linear between them, zero outside.",
-           .when = of_map},
-          {.key = "periodic",
-           .type = Type::boolean,
-           .fallback = false,
-           .text =
-               "Whether the map covers the surface, again and again, instead of being zero outside; its periods are "
-               "the numbers of points times their distances.",
-           .when = of_map},
-          {.key = "amplitude",
-           .type = Type::number,
-           .dimension = dimension::length,
-           .required = true,
-           .text = "Height of the crests above the mean.",
-           .when = of_waves},
-          {.key = "wavelength_x",
-           .type = Type::number,
-           .dimension = dimension::length,
-           .range = above(0.0),
-           .unset = "no waves along x",
-           .text = "Wavelength along x.",
-           .when = of_waves},
-          {.key = "wavelength_y",
-           .type = Type::number,
-           .dimension = dimension::length,
-           .range = above(0.0),
-           .unset = "no waves along y",
-           .text = "Wavelength along y.",
-           .when = of_waves},
-          {.key = "hurst",
-           .type = Type::number,
-           .range = between(0.0, 1.0),
-           .fallback = 0.8,
-           .text = "Exponent of Hurst; the smaller, the rougher are short waves.",
-           .when = of_random},
-          {.key = "rms_height",
-           .type = Type::number,
-           .dimension = dimension::length,
-           .range = at_least(0.0),
-           .unset = "from rms_slope",
-           .text = "Root mean square of the height over a period, exactly.",
-           .when = of_random,
-           .excludes = "rms_slope"},
-          {.key = "rms_slope",
-           .type = Type::number,
-           .range = at_least(0.0),
-           .unset = "from rms_height",
-           .text = "Root mean square of the length of the gradient over a period, exactly.",
-           .when = of_random,
-           .excludes = "rms_height"},
-          {.key = "rolloff",
-           .type = Type::number,
-           .dimension = dimension::length,
-           .range = above(0.0),
-           .unset = "none: self-affine up to the size",
-           .text = "Wavelength from which on longer waves are not higher any more.",
-           .when = of_random},
-          {.key = "cutoff",
-           .type = Type::number,
-           .dimension = dimension::length,
-           .range = above(0.0),
-           .required = true,
-           .text = "Shortest wavelength, whatever the cells; eight cells or more.",
-           .when = of_random},
-          {.key = "size",
-           .type = Type::numbers,
-           .dimension = dimension::length,
-           .range = above(0.0),
-           .unset = "grid.size along axes that are periodic, otherwise 8 rolloff",
-           .text = "Period [along x, along y], which is the longest wavelength: up to 4096 times the cutoff.",
-           .when = of_random},
-          {.key = "seed",
-           .type = Type::integer,
-           .range = at_least(0.0),
-           .fallback = std::int64_t{0},
-           .text =
-               "Other numbers give other surfaces of the same spectrum. The heights depend neither on the cells nor on "
-               "the machine.",
-           .when = of_random},
-          centre("x", "Centre on the body's surface along x; of a sinusoid a crest."),
-          centre("y", "Centre on the body's surface along y; of a sinusoid a crest."),
-      });
+  Entries entries = joined(
+      {in_table(
+           table, {},
+           {
+               {.key = "type",
+                .type = Type::choice,
+                .choices = names_of(texture_options()),
+                .fallback = "smooth",
+                .text =
+                    "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi "
+                    "r/radius), with its shoulder; bump: the same upwards; height_map: measured heights, or those of a "
+                    "function of x and y; sinusoid: waves, of the height amplitude cos(2 pi (X - x)/wavelength_x) "
+                    "cos(2 pi (Y - y)/wavelength_y) at X, Y; random: roughness, Gaussian and self-affine, with a power "
+                    "spectral density that is constant down to the wavelength rolloff and falls as q^(-2 (1 + hurst)) "
+                    "from there to cutoff. Several textures add up, as [[lower.texture]] and [[lower.texture]] or as a "
+                    "list; --set then names one as lower.texture[0].type."},
+               length("depth", "Depth of the dent's centre."),
+               length("height", "Height of the bump's centre."),
+               length("radius", "Wavelength of the profile: the surface is crossed at a quarter of it."),
+           }),
+       map_entries(table), wave_entries(table), random_entries(table),
+       in_table(table, {},
+                {centre("x", "Centre on the body's surface along x; of a sinusoid a crest."),
+                 centre("y", "Centre on the body's surface along y; of a sinusoid a crest.")})});
   for (Entry& entry : entries)
     entry.list = table.substr(0, table.size() - 1);
   return entries;

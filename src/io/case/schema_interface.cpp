@@ -26,11 +26,10 @@ std::vector<Entry> friction_entries()
   return {
       entry({.key = "interface.friction",
              .range = at_least(0.0),
-             .text =
-                 "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
-                 "pressure on each of them, against its motion over the other, as far as it can carry it. "
-                 "In rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
-                 "lifted off. In fretting the surfaces stick where less shear is enough."},
+             .text = "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
+                     "pressure on each of them, against its motion over the other, as far as it can carry it. In "
+                     "rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
+                     "lifted off. In fretting the surfaces stick where less shear is enough."},
             &Friction::coefficient),
       entry({.key = "interface.shear_limit",
              .dimension = dimension::pressure,
@@ -39,9 +38,8 @@ std::vector<Entry> friction_entries()
              .text = "Largest shear that a surface can carry."},
             &Friction::shear_limit),
       entry({.key = "interface.coupling",
-             .text =
-                 "Whether the shear moves the surfaces apart or together where the two materials differ. false: as if "
-                 "both moved alike under it."},
+             .text = "Whether the shear moves the surfaces apart or together where the two materials differ. false: as "
+                     "if both moved alike under it."},
             &Friction::coupling),
   };
 }
@@ -89,11 +87,11 @@ std::vector<Entry> wear_entries()
                  member);
   };
   return {
-      coefficient("lower",
-                  "Wear coefficient of the lower surface: the depth that it loses, per pressure and length slipped; in "
-                  "1/Pa, or as text in mm^3/(N m). A rigid body may wear, too. In rolling only with a slide_to_roll "
-                  "other than 0.",
-                  &WearLaw::lower),
+      coefficient(
+          "lower",
+          "Wear coefficient of the lower surface: the depth that it loses, per pressure and length slipped; in 1/Pa, "
+          "or as text in mm^3/(N m). A rigid body may wear, too. In rolling only with a slide_to_roll other than 0.",
+          &WearLaw::lower),
       coefficient("upper", "The same of the upper surface.", &WearLaw::upper),
       entry({.key = "interface.wear.law",
              .choices = {"archard", "energy"},
@@ -128,9 +126,9 @@ std::vector<Entry> heat_entries()
                .range = at_least(0.0),
                .unset = "nothing resists the heat, and both surfaces have one temperature where they touch; with a "
                         "partition nothing passes",
-               .text = "Thermal conductance of the contact: heat per area and time that passes from one surface to "
-                       "the other where they touch, per difference of their temperatures. The heat of friction arises "
-                       "on both sides of it, in the shares of the partition, or in halves.",
+               .text = "Thermal conductance of the contact: heat per area and time that passes from one surface to the "
+                       "other where they touch, per difference of their temperatures. The heat of friction arises on "
+                       "both sides of it, in the shares of the partition, or in halves.",
                .hint = "metals that are pressed on each other have 1e3 to 1e6 W/(m^2 K)"},
               &HeatSettings::conductance),
       of_heat({.key = "thermal.regime",
@@ -150,15 +148,15 @@ std::vector<Entry> heat_entries()
               &HeatSettings::reference),
       of_heat({.key = "thermal.heat_of_plastic_work",
                .range = between(0.0, 1.0),
-               .text =
-                   "Share of the plastic work that becomes heat, in the cells in which it is done, where the heat of "
-                   "friction is computed. 0: plastic work does not heat. Of metals some 0.9; the rest stays in the "
-                   "material."},
+               .text = "Share of the plastic work that becomes heat, in the cells in which it is done, where the heat "
+                       "of friction is computed. 0: plastic work does not heat. Of metals some 0.9; the rest stays in "
+                       "the material."},
               &HeatSettings::of_plastic_work),
-      of_heat({.key = "thermal.displacement",
-               .text = "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion "
-                       "there."},
-              &HeatSettings::displacement),
+      of_heat(
+          {.key = "thermal.displacement",
+           .text =
+               "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion there."},
+          &HeatSettings::displacement),
       of_heat(
           {.key = "thermal.stress",
            .text = "Whether thermal stress counts when the material yields. false: as if it had no expansion there."},

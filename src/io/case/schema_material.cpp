@@ -21,39 +21,77 @@ std::vector<std::string> law_names()
 Entries elastic_entries(const std::string& table)
 {
   const Condition deforms{table + "rigid", {"false"}};
+  return joined(
+      {in_table(table, {},
+                {{.key = "rigid",
+                  .type = Type::boolean,
+                  .fallback = false,
+                  .text = "Whether the body does not deform at all."}}),
+       in_table(
+           table, deforms,
+           {
+               {.key = "young_modulus",
+                .dimension = dimension::pressure,
+                .range = above(0.0),
+                .required = true,
+                .text = "Young's modulus E.",
+                .hint = "a steel has about 200 GPa"},
+               {.key = "poisson_ratio",
+                .range = inside(-1.0, 0.5),
+                .required = true,
+                .text = "Poisson's ratio nu.",
+                .hint = "a steel has about 0.3"},
+               {.key = "hardening.law",
+                .type = Type::choice,
+                .choices = law_names(),
+                .fallback = "none",
+                .text =
+                    "Yield stress sigma_y as a function of the equivalent plastic strain e. none: the body stays "
+                    "elastic; perfect: S_y; linear: S_y + modulus e; swift: coefficient (offset + e)^exponent; "
+                    "swift_microstrain: coefficient (offset + 1e6 e)^exponent; hollomon: coefficient (e_0 + "
+                    "e)^exponent with e_0 such that it begins at S_y; ludwik: S_y + coefficient e^exponent; voce: S_y "
+                    "+ saturation (1 - exp(-rate e)); table: linear between points, constant after the last one."},
+           })});
+}
+
+/// Points of a measured curve.
+Entries curve_entries(const std::string& table)
+{
   return in_table(
-      table, {},
+      table, {table + "law", {"table"}},
       {
-          {.key = "rigid",
-           .type = Type::boolean,
-           .fallback = false,
-           .text = "Whether the body does not deform at all."},
-          {.key = "young_modulus",
-           .type = Type::number,
+          {.key = "file",
+           .type = Type::text,
+           .unset = "plastic_strain and stress",
+           .text = "Text file with a point per line, plastic strain and stress; from the folder of the case. "
+                   "Columns between commas, semicolons, tabs or blanks; decimal commas where something else "
+                   "stands between the columns; lines of titles may come first.",
+           .excludes = "plastic_strain"},
+          {.key = "strain_unit",
+           .type = Type::choice,
+           .choices = {"1", "%"},
+           .unset = "1",
+           .text = "Unit of the plastic strain in the file."},
+          {.key = "stress_unit",
+           .type = Type::text,
+           .unset = "Pa",
+           .text = "Unit of the stress in the file, as \"MPa\"."},
+          {.key = "plastic_strain",
+           .type = Type::numbers,
+           .range = at_least(0.0),
+           .unset = "from file",
+           .text = "Equivalent plastic strains of the points, ascending from 0.",
+           .excludes = "file"},
+          {.key = "stress",
+           .type = Type::numbers,
            .dimension = dimension::pressure,
            .range = above(0.0),
-           .required = true,
-           .text = "Young's modulus E.",
-           .hint = "a steel has about 200 GPa",
-           .when = deforms},
-          {.key = "poisson_ratio",
-           .type = Type::number,
-           .range = inside(-1.0, 0.5),
-           .required = true,
-           .text = "Poisson's ratio nu.",
-           .hint = "a steel has about 0.3",
-           .when = deforms},
-          {.key = "hardening.law",
-           .type = Type::choice,
-           .choices = law_names(),
-           .fallback = "none",
-           .text =
-               "Yield stress sigma_y as a function of the equivalent plastic strain e. none: the body stays elastic; "
-               "perfect: S_y; linear: S_y + modulus e; swift: coefficient (offset + e)^exponent; swift_microstrain: "
-               "coefficient (offset + 1e6 e)^exponent; hollomon: coefficient (e_0 + e)^exponent with e_0 such that it "
-               "begins at S_y; ludwik: S_y + coefficient e^exponent; voce: S_y + saturation (1 - exp(-rate e)); table: "
-               "linear between points, constant after the last one.",
-           .when = deforms},
+           .unset = "from file",
+           .text = "Yield stresses of the points, as many; they must not fall."},
+          {.key = "monotone",
+           .type = Type::boolean,
+           .fallback = false,
+           .text = "Whether a stress below an earlier one, as the scatter of a measurement has it, becomes that one."},
       });
 }
 
@@ -61,7 +99,6 @@ Entries elastic_entries(const std::string& table)
 Entries hardening_entries(const std::string& table, const Condition& yields)
 {
   const auto of_law = [&](Entry entry) { return parameter(table + "law", law_options(), std::move(entry)); };
-  const Condition of_table{table + "law", {"table"}};
   return in_table(
       table, yields,
       {
@@ -88,69 +125,28 @@ Entries hardening_entries(const std::string& table, const Condition& yields)
                   .text = "Largest rise of the yield stress."}),
           of_law(
               {.key = "rate", .range = above(0.0), .text = "How fast the yield stress saturates with plastic strain."}),
-          {.key = "file",
-           .type = Type::text,
-           .unset = "plastic_strain and stress",
-           .text = "Text file with a point per line, plastic strain and stress; from the folder of the case. Columns "
-                   "between commas, semicolons, tabs or blanks; decimal commas where something else stands between the "
-                   "columns; lines of titles may come first.",
-           .when = of_table,
-           .excludes = "plastic_strain"},
-          {.key = "strain_unit",
-           .type = Type::choice,
-           .choices = {"1", "%"},
-           .unset = "1",
-           .text = "Unit of the plastic strain in the file.",
-           .when = of_table},
-          {.key = "stress_unit",
-           .type = Type::text,
-           .unset = "Pa",
-           .text = "Unit of the stress in the file, as \"MPa\".",
-           .when = of_table},
-          {.key = "plastic_strain",
-           .type = Type::numbers,
-           .range = at_least(0.0),
-           .unset = "from file",
-           .text = "Equivalent plastic strains of the points, ascending from 0.",
-           .when = of_table,
-           .excludes = "file"},
-          {.key = "stress",
-           .type = Type::numbers,
-           .dimension = dimension::pressure,
-           .range = above(0.0),
-           .unset = "from file",
-           .text = "Yield stresses of the points, as many; they must not fall.",
-           .when = of_table},
-          {.key = "monotone",
-           .type = Type::boolean,
-           .fallback = false,
-           .text = "Whether a stress below an earlier one, as the scatter of a measurement has it, becomes that one.",
-           .when = of_table},
       });
 }
 
 /// Kinematic hardening of one body, beside any law: a list of tables, one per back stress.
 Entries back_stress_entries(const std::string& list, const Condition& yields)
 {
-  Entries entries = in_table(
-      list + ".", yields,
-      {
-          {.key = "modulus",
-           .type = Type::number,
-           .dimension = dimension::pressure,
-           .range = at_least(0.0),
-           .unset = "no back stress",
-           .text =
-               "Kinematic hardening beside any law: modulus C of a back stress, d alpha = 2/3 C d eps - recall "
-               "alpha d e (Armstrong and Frederick). Several of them (Chaboche) are a list of tables: back_stresses "
-               "= [{modulus = \"90 GPa\", recall = 600}, {modulus = \"10 GPa\", recall = 50}]; --set then names "
-               "one as back_stresses[0].modulus."},
-          {.key = "recall",
-           .type = Type::number,
-           .range = at_least(0.0),
-           .unset = "0: linear (Prager)",
-           .text = "Recall of the back stress, which saturates at C / recall in uniaxial tension."},
-      });
+  Entries entries =
+      in_table(list + ".", yields,
+               {
+                   {.key = "modulus",
+                    .dimension = dimension::pressure,
+                    .range = at_least(0.0),
+                    .unset = "no back stress",
+                    .text = "Kinematic hardening beside any law: modulus C of a back stress, d alpha = 2/3 C d eps - "
+                            "recall alpha d e (Armstrong and Frederick). Several of them (Chaboche) are a list of "
+                            "tables: back_stresses = [{modulus = \"90 GPa\", recall = 600}, {modulus = \"10 GPa\", "
+                            "recall = 50}]; --set then names one as back_stresses[0].modulus."},
+                   {.key = "recall",
+                    .range = at_least(0.0),
+                    .unset = "0: linear (Prager)",
+                    .text = "Recall of the back stress, which saturates at C / recall in uniaxial tension."},
+               });
   for (Entry& entry : entries)
     entry.list = list;
   return entries;
@@ -194,6 +190,7 @@ std::vector<Entry> material_entries(const std::string& material)
 {
   const Condition yields{material + "hardening.law", names_of(law_options())};
   return joined({elastic_entries(material), hardening_entries(material + "hardening.", yields),
+                 curve_entries(material + "hardening."),
                  back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields),
                  thermal_entries(material), softening_entries(material, yields)});
 }

@@ -92,7 +92,6 @@ Entry bound(Entry entry, First first, Rest... rest)
 template <typename Product>
 Entry parameter(const std::string& choice, const std::vector<Option<Product>>& options, Entry entry)
 {
-  entry.type = Type::number;
   entry.required = !entry.fallback && entry.unset.empty();
   entry.when = {choice, names_of(options, entry.key)};
   return entry;

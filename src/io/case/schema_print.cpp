@@ -165,7 +165,9 @@ std::string allowed_values(const Entry& entry)
            (entry.percent ? ", or as in \"1 %\"" : "") +
            (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
   case Type::vector3:
-    return with_range(fmt::format("three {}s", what), entry.range) + unit_note(entry.dimension);
+    return with_range(fmt::format("three {}s", what), entry.range) +
+           fmt::format(", in {0} or with units as in [\"{1}\", \"{1}\", \"{1}\"]", si_unit(entry.dimension),
+                       example_quantity(entry.dimension));
   case Type::numbers:
     return with_range(fmt::format("{0}, or list of {0}s", what), entry.range) + unit_note(entry.dimension) +
            temperature_note;

@@ -52,9 +52,8 @@ std::vector<Entry> grid_entries()
        .choices = {"open", "periodic", "periodic_x", "periodic_y"},
        .per_axis = true,
        .fallback = "open",
-       .text =
-           "What lies beyond the grids: nothing, or the same again. Also as a list, along x and along y: [\"open\", "
-           "\"periodic\"]. Periodic along y alone, with one row, is plane strain."},
+       .text = "What lies beyond the grids: nothing, or the same again. Also as a list, along x and along y: "
+               "[\"open\", \"periodic\"]. Periodic along y alone, with one row, is plane strain."},
       {.key = "grid.size",
        .type = Type::numbers,
        .dimension = dimension::length,
@@ -67,8 +66,7 @@ std::vector<Entry> grid_entries()
        .range = between(1, 65536),
        .unset = "from spacing; one along y if it alone is periodic",
        .text = "Cells in a period, along x and along y, one number for both, or along the one axis that is periodic. "
-               "Products of small prime "
-               "numbers are fast. One cell is for what is uniform along its axis.",
+               "Products of small prime numbers are fast. One cell is for what is uniform along its axis.",
        .when = periodic},
       bound({.key = "grid.layer",
              .dimension = dimension::length,
@@ -77,16 +75,14 @@ std::vector<Entry> grid_entries()
              .text = "Thickness of the layers of cells.",
              .when = periodic},
             &Numerics::domain, &Domain::layer),
-      bound(
-          {.key = "grid.reference",
-           .dimension = dimension::length,
-           .range = above(0.0),
-           .unset = "2 R/e of two cylinders, as Green (2005) has their approach; otherwise the period",
-           .text =
-               "Distance from a line load at which its displacement counts as zero: the approach in plane strain has a "
-               "logarithm without end. At least the half-width of the contact.",
-           .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
-          &Numerics::domain, &Domain::reference),
+      bound({.key = "grid.reference",
+             .dimension = dimension::length,
+             .range = above(0.0),
+             .unset = "2 R/e of two cylinders, as Green (2005) has their approach; otherwise the period",
+             .text = "Distance from a line load at which its displacement counts as zero: the approach in plane strain "
+                     "has a logarithm without end. At least the half-width of the contact.",
+             .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
+            &Numerics::domain, &Domain::reference),
       bound({.key = "grid.spacing",
              .dimension = dimension::length,
              .range = above(0.0),
@@ -143,24 +139,23 @@ std::vector<Entry> solver_entries()
             "surfaces do not stick, solve one side: half of the work, with the same result but for rounding. `brinell "
             "check` tells whether it is so. false: solve both sides (a check)."),
       entry("shortcuts", &Settings::shortcuts, {},
-            "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all "
-            "of them, so that no yield is missed. false: every layer and every cell in every evaluation, and heat as "
+            "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all of "
+            "them, so that no yield is missed. false: every layer and every cell in every evaluation, and heat as "
             "exactly as it can be computed (a check; the results agree to the tolerances)."),
-      entry(
-          "windows", &Settings::windows, {},
-          "Where `shortcuts` is true and a body is much longer than the contact, compute the stress within an "
-          "increment "
-          "only in a window, the columns near the cells that yield and the pressure; its last evaluation looks at the "
-          "whole body. false: no window (a check; the results agree to the tolerances)."),
-      bound({.key = "solver.accuracy",
-             .range = up_to(0.0, 0.5),
-             .percent = true,
-             .unset = "one run, with the cells as given",
-             .text = "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then "
-                     "run with coarser cells first, up to those given and, if need be, with finer ones, until the "
-                     "estimate of the error by the differences between them stays below it; summary.json tells each "
-                     "number's interval."},
-            &Case::accuracy),
+      entry("windows", &Settings::windows, {},
+            "Where `shortcuts` is true and a body is much longer than the contact, compute the stress within an "
+            "increment only in a window, the columns near the cells that yield and the pressure; its last evaluation "
+            "looks at the whole body. false: no window (a check; the results agree to the tolerances)."),
+      bound(
+          {.key = "solver.accuracy",
+           .range = up_to(0.0, 0.5),
+           .percent = true,
+           .unset = "one run, with the cells as given",
+           .text =
+               "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then run "
+               "with coarser cells first, up to those given and, if need be, with finer ones, until the estimate of "
+               "the error by the differences between them stays below it; summary.json tells each number's interval."},
+          &Case::accuracy),
   };
 }
 
@@ -170,8 +165,8 @@ std::vector<Entry> output_entries()
   for_each_scenario([&](const auto& io) { aligned += io.aligned.empty() ? "" : fmt::format("; {}", io.aligned); });
   return {
       bound({.key = "output.snapshots",
-             .text = fmt::format("Steps whose fields are stored, beside the final state, which always is. "
-                                 "\"aligned\": the step nearest to the middle of each pass{}.",
+             .text = fmt::format("Steps whose fields are stored, beside the final state, which always is. \"aligned\": "
+                                 "the step nearest to the middle of each pass{}.",
                                  aligned)},
             &Case::snapshots),
       bound({.key = "output.directory",

@@ -51,15 +51,14 @@ simulation::Texture height_map(const CaseReader& reader, const std::string& tabl
   }
   if (!reader.has(table + "heights") || !reader.has(table + "columns"))
   {
-    reader.add(table + "type", fmt::format("needs {0}heights and {0}columns, or {0}file", table));
+    reader.add(table + "type", "needs {0}heights and {0}columns, or {0}file", table);
     return {};
   }
   const auto& heights = reader.get<std::vector<double>>(table + "heights");
   const int columns = reader.integer(table + "columns");
   if (heights.size() % static_cast<std::size_t>(columns) != 0)
   {
-    reader.add(table + "columns",
-               fmt::format("does not divide the {} numbers of {}heights into rows", heights.size(), table));
+    reader.add(table + "columns", "does not divide the {} numbers of {}heights into rows", heights.size(), table);
     return {};
   }
   return simulation::HeightMap{.nx = columns,
@@ -80,7 +79,7 @@ simulation::Texture sinusoid(const CaseReader& reader, const std::string& table)
                              .y = reader.get<double>(table + "y")};
   if (!reader.has(table + "wavelength_x") && !reader.has(table + "wavelength_y"))
   {
-    reader.add(table + "type", fmt::format("needs {0}wavelength_x or {0}wavelength_y, or both", table));
+    reader.add(table + "type", "needs {0}wavelength_x or {0}wavelength_y, or both", table);
     return {};
   }
   if (reader.has(table + "wavelength_x"))
@@ -126,7 +125,7 @@ std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const
   }
   if (along_x && along_y)
     return std::array{*along_x, *along_y};
-  reader.add(table + "type", fmt::format("needs {0}size or {0}rolloff", table));
+  reader.add(table + "type", "needs {0}size or {0}rolloff", table);
   return std::nullopt;
 }
 
@@ -143,7 +142,7 @@ simulation::Texture random_surface(const CaseReader& reader, const std::string& 
                            .seed = static_cast<std::uint64_t>(reader.get<std::int64_t>(table + "seed"))};
   if (!p.rms_height && !p.rms_slope)
   {
-    reader.add(table + "type", fmt::format("needs {0}rms_height or {0}rms_slope", table));
+    reader.add(table + "type", "needs {0}rms_height or {0}rms_slope", table);
     return {};
   }
   const auto size = random_size(reader, table);
@@ -153,8 +152,7 @@ simulation::Texture random_surface(const CaseReader& reader, const std::string& 
   p.size_y = (*size)[1];
   if (p.rolloff < p.cutoff)
   {
-    reader.add(table + "rolloff",
-               fmt::format("is shorter than {0}cutoff = {1:g} m; allowed: {1:g} m or more", table, p.cutoff));
+    reader.add(table + "rolloff", "is shorter than {0}cutoff = {1:g} m; allowed: {1:g} m or more", table, p.cutoff);
     return {};
   }
   try
@@ -207,7 +205,7 @@ double metres_of_unit(CaseValues& values, const CaseReader& reader, const std::s
     return 1.0;
   double metres = 1.0;
   if (!reader.has(table + "file"))
-    reader.add(key, fmt::format("is the unit of a file; it goes with {}file only", table));
+    reader.add(key, "is the unit of a file; it goes with {}file only", table);
   else
     try
     {
@@ -237,7 +235,7 @@ void load_heights(CaseValues& values, const RawCase& raw, const std::string& tab
   {
     // As with keys that exclude each other: what the command line sets makes that of the file pointless.
     if (!raw.find(table + "file")->from_command_line || raw.find(table + "columns")->from_command_line)
-      reader.add(table + "columns", fmt::format("cannot stand together with {}file; keep one of them", table));
+      reader.add(table + "columns", "cannot stand together with {}file; keep one of them", table);
     values.replace(table + "columns", {});
   }
   try

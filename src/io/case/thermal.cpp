@@ -17,8 +17,7 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
     if (!has(key))
     {
       const Entry& entry = *find_entry(table + key);
-      reader.problems.add(reader.place(table + key),
-                          fmt::format("{} is missing; allowed: {}; {}", entry.key, allowed_values(entry), entry.hint));
+      reader.missing(entry.key, fmt::format("{}; {}", allowed_values(entry), entry.hint));
     }
   const auto number = [&](const char* key, double otherwise)
   { return has(key) ? reader.get<double>(table + key) : otherwise; };
@@ -77,16 +76,14 @@ void warn_of_thermal(const CaseReader& reader, const std::string& body, const co
     if (const double value = *material.thermal.*of.member; value < of.min || value > of.max)
     {
       const Entry& entry = *find_entry(fmt::format("{}.{}", table, of.key));
-      c.warnings.push_back({"unusual_thermal", fmt::format("{} is {:.4g} {}, which no solid has; is the unit right? {}",
-                                                           entry.key, value, si_unit(entry.dimension), entry.hint)});
+      warn(c, "unusual_thermal", "{} is {:.4g} {}, which no solid has; is the unit right? {}", entry.key, value,
+           si_unit(entry.dimension), entry.hint);
     }
   constexpr double ice_point = 273.0, warm_room = 310.0; // [K]
   const Given* given = reader.raw.find(table + ".temperature");
   if (const double t = material.temperature;
       given && !std::holds_alternative<std::string>(given->raw.value) && t >= ice_point && t <= warm_room)
-    c.warnings.push_back(
-        {"hot_bulk",
-         fmt::format("{0}.temperature is {1:.5g} degC; if {1:.5g} K is meant, write \"{1:.5g} K\"", table, t)});
+    warn(c, "hot_bulk", "{0}.temperature is {1:.5g} degC; if {1:.5g} K is meant, write \"{1:.5g} K\"", table, t);
 }
 
 } // namespace brinell::io

@@ -11,10 +11,10 @@ void warn_of_wear(const elastoplastic::WearLaw& wear, Case& c)
   for (const auto& [key, value] :
        {std::pair{"interface.wear.lower", wear.lower}, std::pair{"interface.wear.upper", wear.upper}})
     if (value > most)
-      c.warnings.push_back(
-          {"unusual_wear", fmt::format("{} is {:.4g} 1/Pa, more than any solid loses; is the unit right? "
-                                       "Text carries it: \"{:.4g} mm^3/(N m)\"",
-                                       key, value, value)});
+      warn(c, "unusual_wear",
+           "{} is {:.4g} 1/Pa, more than any solid loses; is the unit right? "
+           "Text carries it: \"{:.4g} mm^3/(N m)\"",
+           key, value, value);
 }
 
 } // namespace brinell::io

@@ -94,7 +94,9 @@ public:
         {
           const simulation::Plan plan = simulation::plan(scenario);
           largest_["_m"] = std::max(largest_["_m"], plan.scales.gap);
-          largest_["_N"] = std::max(largest_["_N"], io_of(scenario).imposed_load(scenario));
+          const auto drive = io_of(scenario).drive_kept;
+          if (drive && (scenario.*drive).kind == contact::Drive::Kind::load)
+            largest_["_N"] = std::max(largest_["_N"], (scenario.*drive).value);
         },
         c.scenario);
   }

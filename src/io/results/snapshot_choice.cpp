@@ -9,6 +9,24 @@
 namespace brinell::io
 {
 
+bool SnapshotRule::stores(int step, bool is_key_step) const
+{
+  switch (kind)
+  {
+  case Kind::none:
+    return false;
+  case Kind::all:
+    return true;
+  case Kind::every:
+    return step % every == 0;
+  case Kind::listed:
+    return std::binary_search(steps.begin(), steps.end(), step);
+  case Kind::aligned:
+    return is_key_step;
+  }
+  return false;
+}
+
 /// The next step is not known yet: it is taken to be as long as this one was.
 bool NearestToMiddle::operator()(int pass, double x)
 {
@@ -38,28 +56,9 @@ bool SnapshotChoice::operator()(const simulation::AnyCase& scenario, const simul
       [&]<typename ScenarioCase>(const ScenarioCase& c)
       {
         const auto& row = record_of<ScenarioCase>(record);
-        return chosen(row.step, io_of(c).is_key_step(c, row, middle_));
+        return rule_.stores(row.step, io_of(c).is_key_step(c, row, middle_));
       },
       scenario);
-}
-
-bool SnapshotChoice::chosen(int step, bool is_key_step) const
-{
-  using Kind = SnapshotRule::Kind;
-  switch (rule_.kind)
-  {
-  case Kind::none:
-    return false;
-  case Kind::all:
-    return true;
-  case Kind::every:
-    return step % rule_.every == 0;
-  case Kind::listed:
-    return std::binary_search(rule_.steps.begin(), rule_.steps.end(), step);
-  case Kind::aligned:
-    return is_key_step;
-  }
-  return false;
 }
 
 } // namespace brinell::io

@@ -16,32 +16,26 @@ namespace
 
 using simulation::RunTotals;
 
+/// Null where nothing yields.
 Json critical_json(const Case& c)
 {
-  Json json = {{"C", nullptr},
-               {"interference_m", nullptr},
-               {"load_N", nullptr},
-               {"energy_J", nullptr},
-               {"contact_radius_m", nullptr},
-               {"contact_area_m2", nullptr},
-               {"peak_pressure_Pa", nullptr},
-               {"yields_first", nullptr},
-               {"contact", nullptr},
-               {"line_length_m", nullptr},
-               {"line_reference_m", nullptr}};
-  if (!c.first_yield)
-    return json;
   constexpr std::array bodies{"lower", "upper", "both"};
-  const auto& critical = c.first_yield->critical;
-  json.update({{"C", critical.C},
+  const reference::CriticalValues critical = scale_of(c);
+  Json json = {{"C", critical.C},
                {"interference_m", critical.interference},
                {"load_N", critical.load},
                {"energy_J", critical.energy},
                {"contact_radius_m", critical.contact_radius},
                {"contact_area_m2", critical.contact_area},
                {"peak_pressure_Pa", critical.peak_pressure},
-               {"yields_first", bodies[static_cast<std::size_t>(c.first_yield->body)]},
-               {"contact", c.first_yield->line ? "line" : "point"}});
+               {"yields_first", nullptr},
+               {"contact", nullptr},
+               {"line_length_m", nullptr},
+               {"line_reference_m", nullptr}};
+  if (!c.first_yield)
+    return json;
+  json["yields_first"] = bodies[static_cast<std::size_t>(c.first_yield->body)];
+  json["contact"] = c.first_yield->line ? "line" : "point";
   if (const auto& line = c.first_yield->line)
     json.update({{"line_length_m", line->length}, {"line_reference_m", line->reference}});
   return json;
@@ -117,6 +111,64 @@ Json head_json(const Case& c)
   return json;
 }
 
+Json energy_json(const RunTotals& s)
+{
+  return {{"net_J", s.work},
+          {"dissipation_lower_J", s.dissipation_lower},
+          {"dissipation_upper_J", s.dissipation_upper},
+          {"dissipation_friction_J", s.dissipation_friction},
+          {"residual_J", s.energy_residual},
+          {"elastic_J", s.energy_elastic},
+          {"balance_error", s.energy_balance_error}};
+}
+
+/// What both surfaces have lost.
+Json wear_json(const RunTotals& s)
+{
+  return {{"volume_lower_m3", s.worn_volume_lower},         {"volume_upper_m3", s.worn_volume_upper},
+          {"max_depth_lower_m", s.max_worn_depth_lower},    {"max_depth_upper_m", s.max_worn_depth_upper},
+          {"max_depth_of_an_increment_m", s.max_wear_step}, {"work_J", s.work_of_wear}};
+}
+
+/// @param fraction  of the heat of friction that warms the bodies
+Json heat_json(double fraction, const RunTotals& s, const simulation::HeatedRecord& last)
+{
+  const double given = fraction * s.dissipation_friction;
+  return {{"max_temperature_lower_degC", s.max_temperature[0]},
+          {"max_temperature_upper_degC", s.max_temperature[1]},
+          {"lower_J", last.heat_lower},
+          {"upper_J", last.heat_upper},
+          {"of_plastic_work_J", last.heat_of_plastic_work},
+          {"work_of_expansion_J", s.work_of_expansion},
+          {"balance_error", given > 0.0 ? (given - last.heat_lower - last.heat_upper) / given : 0.0}};
+}
+
+Json residual_json(const RunTotals& s)
+{
+  return {{"max_lower_m", s.max_residual_lower},
+          {"max_upper_m", s.max_residual_upper},
+          {"max_equivalent_plastic_strain", s.max_equivalent_plastic_strain}};
+}
+
+/// What every scenario's own part ends with.
+template <typename ScenarioCase>
+void put_totals(Json& json, const ScenarioCase& c, const typename ScenarioCase::Plan& plan,
+                const typename ScenarioCase::Summary& s)
+{
+  Json energy = energy_json(s);
+  if (json.contains("energy"))
+    energy.update(json["energy"]);
+  json["energy"] = std::move(energy);
+  if constexpr (std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>)
+    if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0 || s.last.heat_of_plastic_work != 0.0)
+      json["heat"] = heat_json(c.heat.fraction, s, s.last);
+  if (c.wear.wears())
+    json["wear"] = wear_json(s);
+  json["residual"] = residual_json(s);
+  if constexpr (requires { plan.shift; })
+    json["grid"]["shift_m"] = plan.shift;
+}
+
 Json warnings_json(const std::vector<Warning>& warnings)
 {
   Json json = Json::array();
@@ -181,7 +233,13 @@ std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo
 reference::CriticalValues scale_of(const Case& c)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(); // null in JSON
-  constexpr reference::CriticalValues no_scale{.interference = nan, .load = nan, .energy = nan, .contact_area = nan};
+  constexpr reference::CriticalValues no_scale{.C = nan,
+                                               .interference = nan,
+                                               .load = nan,
+                                               .energy = nan,
+                                               .contact_radius = nan,
+                                               .contact_area = nan,
+                                               .peak_pressure = nan};
   return c.first_yield ? c.first_yield->critical : no_scale;
 }
 
@@ -191,44 +249,6 @@ Json geometry_json(const Case& c)
   if (c.equivalent_radius)
     json["equivalent_radius_m"] = *c.equivalent_radius;
   return json;
-}
-
-Json energy_json(const simulation::RunTotals& s)
-{
-  return {{"net_J", s.work},
-          {"dissipation_lower_J", s.dissipation_lower},
-          {"dissipation_upper_J", s.dissipation_upper},
-          {"dissipation_friction_J", s.dissipation_friction},
-          {"residual_J", s.energy_residual},
-          {"elastic_J", s.energy_elastic},
-          {"balance_error", s.energy_balance_error}};
-}
-
-Json wear_json(const simulation::RunTotals& s)
-{
-  return {{"volume_lower_m3", s.worn_volume_lower},         {"volume_upper_m3", s.worn_volume_upper},
-          {"max_depth_lower_m", s.max_worn_depth_lower},    {"max_depth_upper_m", s.max_worn_depth_upper},
-          {"max_depth_of_an_increment_m", s.max_wear_step}, {"work_J", s.work_of_wear}};
-}
-
-Json heat_json(double fraction, const simulation::RunTotals& s, const simulation::HeatedRecord& last,
-               const std::array<double, 2>& max_temperature)
-{
-  const double given = fraction * s.dissipation_friction;
-  return {{"max_temperature_lower_degC", max_temperature[0]},
-          {"max_temperature_upper_degC", max_temperature[1]},
-          {"lower_J", last.heat_lower},
-          {"upper_J", last.heat_upper},
-          {"of_plastic_work_J", last.heat_of_plastic_work},
-          {"work_of_expansion_J", s.work_of_expansion},
-          {"balance_error", given > 0.0 ? (given - last.heat_lower - last.heat_upper) / given : 0.0}};
-}
-
-Json residual_json(const simulation::RunTotals& s)
-{
-  return {{"max_lower_m", s.max_residual_lower},
-          {"max_upper_m", s.max_residual_upper},
-          {"max_equivalent_plastic_strain", s.max_equivalent_plastic_strain}};
 }
 
 std::string key_of(std::string_view name, std::string_view unit)
@@ -253,7 +273,9 @@ std::string summary_text(const Case& c, const simulation::AnyPlan& plan, const s
       {
         const auto& s = summary_of<ScenarioCase>(summary);
         Json json = head_json(c);
-        io_of(scenario).summarise(json, c, scenario, std::get<typename ScenarioCase::Plan>(plan), s);
+        const auto& p = std::get<typename ScenarioCase::Plan>(plan);
+        io_of(scenario).summarise(json, c, scenario, p, s);
+        put_totals(json, scenario, p, s);
         return finished(std::move(json), c, s, info);
       },
       c.scenario);

@@ -4,10 +4,10 @@
 #include "brinell/io/case_file.hpp"
 #include "brinell/simulation/columns.hpp"
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Parts of summary.json that a scenario puts where it wants them.
 namespace brinell::io
@@ -19,15 +19,6 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] reference::CriticalValues scale_of(const Case& c);
 
 [[nodiscard]] Json geometry_json(const Case& c);
-[[nodiscard]] Json energy_json(const simulation::RunTotals& s);
-/// @param fraction         of the heat of friction that warms the bodies
-/// @param max_temperature  of both surfaces in the run [deg C]
-[[nodiscard]] Json heat_json(double fraction, const simulation::RunTotals& s, const simulation::HeatedRecord& last,
-                             const std::array<double, 2>& max_temperature);
-/// What both surfaces have lost.
-[[nodiscard]] Json wear_json(const simulation::RunTotals& s);
-[[nodiscard]] Json residual_json(const simulation::RunTotals& s);
-
 /// "hardness_Pa", "loading_stiffness_N_per_m": a name and, unless the number is pure, its unit.
 [[nodiscard]] std::string key_of(std::string_view name, std::string_view unit);
 
@@ -44,6 +35,15 @@ template <typename Record>
   Json json;
   for (const auto& column : simulation::columns<Record>)
     put(json, column, record);
+  return json;
+}
+
+template <typename Record>
+[[nodiscard]] Json rows_json(const std::vector<Record>& records)
+{
+  Json json = Json::array();
+  for (const Record& record : records)
+    json.push_back(row_json(record));
   return json;
 }
 

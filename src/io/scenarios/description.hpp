@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/contact/drive_text.hpp"
 #include "io/case/case_reader.hpp"
 #include "io/cite/sources.hpp"
 #include "io/results/summary_parts.hpp"
@@ -31,9 +32,33 @@ template <typename ScenarioCase>
 }
 
 /// "1 pass", "3 passes"
-[[nodiscard]] inline std::string passes_text(int count)
+[[nodiscard]] inline std::string count_text(int count, std::string_view one, std::string_view several)
 {
-  return fmt::format("{} pass{}", count, count == 1 ? "" : "es");
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+/// A key that imposes the drive of a case.
+template <typename ScenarioCase>
+[[nodiscard]] Entry drive_key(Entry entry, contact::Drive ScenarioCase::*drive, contact::Drive::Kind kind)
+{
+  entry.fill = [drive, kind](Case& c, const Value& value) {
+    std::get<ScenarioCase>(c.scenario).*drive = {kind, std::get<double>(value)};
+  };
+  return entry;
+}
+
+/// "load = 1.000000e+01 N"
+[[nodiscard]] inline std::string text_of(const contact::Drive& drive)
+{
+  const auto [name, unit] = contact::text_of(drive.kind);
+  return fmt::format("{} = {:.6e} {}", name, drive.value, unit);
+}
+
+/// {"load_N": 10.0}
+[[nodiscard]] inline Json drive_json(const contact::Drive& drive)
+{
+  const auto [name, unit] = contact::text_of(drive.kind);
+  return {{key_of(name, unit), drive.value}};
 }
 
 /// A table for a terminal, of as many rows as one likes to see there.

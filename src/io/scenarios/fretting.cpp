@@ -18,33 +18,33 @@ using simulation::FrettingPlan;
 using simulation::FrettingRecord;
 using simulation::FrettingSummary;
 
+constexpr const char *press_group = "fretting press", *motion_group = "fretting motion";
+
 std::vector<Entry> keys()
 {
   const auto press = [](const char* key, const char* other, Dimension dimension, Drive::Kind kind, const char* text)
   {
-    return Entry{.key = std::string("fretting.") + key,
-                 .type = Type::number,
-                 .dimension = dimension,
-                 .range = above(0.0),
-                 .unset = std::string("fretting.") + other,
-                 .text = text,
-                 .hint = "one of fretting.load and fretting.approach",
-                 .excludes = std::string("fretting.") + other,
-                 .fill = [kind](Case& c, const Value& value) {
-                   std::get<FrettingCase>(c.scenario).press = {kind, std::get<double>(value)};
-                 }};
+    return drive_key({.key = std::string("fretting.") + key,
+                      .dimension = dimension,
+                      .range = above(0.0),
+                      .unset = std::string("fretting.") + other,
+                      .text = text,
+                      .hint = "one of fretting.load and fretting.approach",
+                      .excludes = std::string("fretting.") + other,
+                      .one_of = press_group},
+                     &FrettingCase::press, kind);
   };
   const auto amplitude =
       [](const char* key, const char* other, Dimension dimension, FrettingCase::Kind kind, const char* text)
   {
     return Entry{.key = std::string("fretting.") + key,
-                 .type = Type::number,
                  .dimension = dimension,
                  .range = at_least(0.0),
                  .unset = std::string("fretting.") + other,
                  .text = text,
                  .hint = "one of fretting.displacement and fretting.force",
                  .excludes = std::string("fretting.") + other,
+                 .one_of = motion_group,
                  .fill = [kind](Case& c, const Value& value)
                  {
                    auto& fretting = std::get<FrettingCase>(c.scenario);
@@ -62,7 +62,6 @@ std::vector<Entry> keys()
       amplitude("force", "displacement", dimension::force, FrettingCase::Kind::force,
                 "The same, imposed as force along the surface; less than friction times load."),
       Entry{.key = "fretting.direction",
-            .type = Type::number,
             .range = between(-360.0, 360.0),
             .degrees = true,
             .fallback = 0.0,
@@ -87,18 +86,10 @@ std::vector<Entry> keys()
   };
 }
 
-/// One of two keys must be given.
-void require_one(const CaseReader& reader, const char* one, const char* other)
-{
-  if (!reader.has(one) && !reader.has(other))
-    reader.problems.add(reader.place(one), fmt::format("none of {} and {} is given; one is needed", one, other));
-}
-
 std::string read(const CaseReader& reader, Case& /*c*/, FrettingCase& /*f*/)
 {
-  require_one(reader, "fretting.load", "fretting.approach");
-  require_one(reader, "fretting.displacement", "fretting.force");
-  return reader.has("fretting.force") ? "fretting.force" : "fretting.displacement";
+  static_cast<void>(reader.only_one_of(press_group));
+  return reader.only_one_of(motion_group);
 }
 
 std::string amplitude_text(const FrettingCase& f)
@@ -109,11 +100,10 @@ std::string amplitude_text(const FrettingCase& f)
 
 std::string motion(const FrettingCase& f, const FrettingPlan& plan)
 {
-  const bool by_load = f.press.kind == Drive::Kind::load;
-  std::string text = fmt::format("# Fretting: {} = {:.6e} {}, then {} cycle{} of {} steps, {}\n"
+  std::string text = fmt::format("# Fretting: {}, then {} of {} steps, {}\n"
                                  "# Contact radius about {:.4e} m",
-                                 by_load ? "load" : "approach", f.press.value, by_load ? "N" : "m", f.cycles,
-                                 f.cycles == 1 ? "" : "s", f.steps_per_cycle, amplitude_text(f), plan.contact_radius);
+                                 text_of(f.press), count_text(f.cycles, "cycle", "cycles"), f.steps_per_cycle,
+                                 amplitude_text(f), plan.contact_radius);
   if (plan.sliding_displacement > 0.0)
     text +=
         fmt::format("; an elastic one slides everywhere from a displacement of {:.4e} m on", plan.sliding_displacement);
@@ -144,16 +134,10 @@ void summarise(Json& json, const Case& c, const FrettingCase& f, const FrettingP
   json["geometry"] = geometry_json(c);
   json["geometry"]["estimated_contact_radius_m"] = plan.contact_radius;
   json["geometry"]["estimated_sliding_displacement_m"] = plan.sliding_displacement;
-  json["drive"] = {{f.press.kind == Drive::Kind::load ? "load_N" : "approach_m", f.press.value},
-                   {f.kind == FrettingCase::Kind::force ? "force_N" : "displacement_m", f.amplitude}};
+  json["drive"] = drive_json(f.press);
+  json["drive"][f.kind == FrettingCase::Kind::force ? "force_N" : "displacement_m"] = f.amplitude;
   json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
-  json["cycles"] = Json::array();
-  for (const FrettingCycle& cycle : s.cycles)
-    json["cycles"].push_back(row_json(cycle));
-  json["energy"] = energy_json(s);
-  if (f.wear.wears())
-    json["wear"] = wear_json(s);
-  json["residual"] = residual_json(s);
+  json["cycles"] = rows_json(s.cycles);
 }
 
 /// The turns, and the ends of pressing and of each cycle.
@@ -198,7 +182,7 @@ struct DescriptionOf<FrettingCase>
                   "cycles[].dissipation_friction_J", "cycles[].slip_amplitude_m"};
         },
         .steps = "fretting.steps_per_cycle",
-        .imposed_load = [](const FrettingCase& f) { return f.press.kind == Drive::Kind::load ? f.press.value : 0.0; },
+        .drive_kept = &FrettingCase::press,
         .cite = cite,
     };
   }

@@ -27,9 +27,10 @@ auto fills(Drive::Kind kind)
   };
 }
 
+constexpr const char* drive_group = "indentation drive";
+
 std::vector<Entry> keys()
 {
-  constexpr const char* drive = "indentation drive";
   return {
       {.key = "indentation.normalised",
        .type = Type::boolean,
@@ -43,7 +44,7 @@ std::vector<Entry> keys()
        .unset = "indentation.approach",
        .text = "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off.",
        .excludes = "indentation.approach",
-       .one_of = drive,
+       .one_of = drive_group,
        .pure_if = "indentation.normalised",
        .fill = fills(Drive::Kind::load)},
       {.key = "indentation.approach",
@@ -53,7 +54,7 @@ std::vector<Entry> keys()
        .unset = "indentation.load",
        .text = "The same, imposed as approach of the bodies from the touch of the undeformed ones.",
        .excludes = "indentation.load",
-       .one_of = drive,
+       .one_of = drive_group,
        .pure_if = "indentation.normalised",
        .fill = fills(Drive::Kind::approach)},
       {.key = "indentation.pressure",
@@ -62,7 +63,7 @@ std::vector<Entry> keys()
        .range = at_least(0.0),
        .unset = "indentation.load or indentation.approach",
        .text = "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\".",
-       .one_of = drive,
+       .one_of = drive_group,
        .fill = fills(Drive::Kind::load)},
       {.key = "indentation.mean_gap",
        .type = Type::numbers,
@@ -72,13 +73,12 @@ std::vector<Entry> keys()
        .text = "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
                "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
                "them: [\"0.1 um\", \"5 um\"] presses and lifts off.",
-       .one_of = drive,
+       .one_of = drive_group,
        .fill = fills(Drive::Kind::mean_gap)},
       bound({.key = "indentation.steps",
              .range = between(1, 100000),
-             .text =
-                 "Steps from one entry of the list to the next, of equal approach or mean gap; of equal load^(2/3) if "
-                 "the load is imposed."},
+             .text = "Steps from one entry of the list to the next, of equal approach or mean gap; of equal load^(2/3) "
+                     "if the load is imposed."},
             &IndentationCase::steps),
       bound({.key = "indentation.cycles",
              .range = between(1, 10000),
@@ -91,23 +91,6 @@ std::vector<Entry> keys()
   };
 }
 
-/// The key that drives an indentation; empty, and a problem, if there is none or more than one.
-std::string driving_key(const CaseReader& reader)
-{
-  const auto given =
-      reader.given({"indentation.load", "indentation.approach", "indentation.pressure", "indentation.mean_gap"});
-  if (given.size() == 1)
-    return given.front();
-  if (given.empty())
-    reader.problems.add(
-        reader.place("indentation.load"),
-        "indentation needs one of indentation.load, indentation.approach, indentation.pressure and "
-        "indentation.mean_gap, a list as [\"10 N\", 0], [\"2 um\", 0], [\"50 MPa\", 0] or [\"0.1 um\"]");
-  else
-    reader.add(given[1], fmt::format("cannot stand together with {}; keep one of them", given[0]));
-  return {};
-}
-
 /// What a number of that key stands for [N], [m]; none, with the problem told, if it cannot stand in this case.
 std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, const IndentationCase& indentation,
                                     const std::string& key)
@@ -117,27 +100,27 @@ std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, con
   if (is_gap || key == "indentation.pressure")
   {
     if (reader.get<bool>("indentation.normalised"))
-      reader.add("indentation.normalised", fmt::format("goes with a load or an approach, and not with {}", key));
+      reader.add("indentation.normalised", "goes with a load or an approach, and not with {}", key);
     if (domain.is_periodic())
       return is_gap ? 1.0 : domain.x.size * domain.y.size;
-    reader.add(key, fmt::format("is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
-                                is_gap ? "indentation.approach" : "indentation.load"));
+    reader.add(key, "is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
+               is_gap ? "indentation.approach" : "indentation.load");
     return std::nullopt;
   }
   if (!reader.get<bool>("indentation.normalised"))
     return 1.0;
   if (c.first_yield)
     return key == "indentation.load" ? c.first_yield->critical.load : c.first_yield->critical.interference;
-  reader.add(key,
-             fmt::format("is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
-                         reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
-                         can_yield(indentation) ? "" : ", or a yield stress for a body"));
+  reader.add(key, "is in units of first yield, but {}; allowed: indentation.normalised = false with units{}",
+             reason_against_first_yield(indentation.lower, indentation.upper, domain).value(),
+             can_yield(indentation) ? "" : ", or a yield stress for a body");
   return std::nullopt;
 }
 
 std::string read(const CaseReader& reader, Case& c, IndentationCase& i)
 {
-  std::string key = driving_key(reader);
+  std::string key =
+      reader.only_one_of(drive_group, ", as a list: [\"10 N\", 0], [\"2 um\", 0], [\"50 MPa\", 0] or [\"0.1 um\"]");
   const auto unit = key.empty() ? std::nullopt : unit_of_drive(reader, c, i, key);
   if (!unit)
     return key;
@@ -154,8 +137,8 @@ std::string read(const CaseReader& reader, Case& c, IndentationCase& i)
 
 std::string motion(const IndentationCase& i, const IndentationPlan& plan)
 {
-  std::string text = fmt::format("# Indentation: {} steps at {} place{}; largest contact radius about {:.4e} m\n",
-                                 plan.steps, i.places.size(), i.places.size() == 1 ? "" : "s", plan.contact_radius);
+  std::string text = fmt::format("# Indentation: {} steps at {}; largest contact radius about {:.4e} m\n", plan.steps,
+                                 count_text(static_cast<int>(i.places.size()), "place", "places"), plan.contact_radius);
   if (!std::isnan(plan.touching_gap))
     text += fmt::format("# The surfaces first touch at a mean gap of {:.4e} m\n", plan.touching_gap);
   return text;
@@ -202,15 +185,10 @@ void summarise(Json& json, const Case& c, const IndentationCase& /*i*/, const In
   json["geometry"]["touching_gap_m"] = plan.touching_gap;
   json["geometry"]["rms_height_m"] = s.rms_height;
   json["geometry"]["rms_slope"] = s.rms_slope;
-  json["indents"] = Json::array();
+  json["indents"] = rows_json(s.indents);
   json["normalised"] = Json::array();
   for (const Indent& indent : s.indents)
-  {
-    json["indents"].push_back(row_json(indent));
     json["normalised"].push_back(normalised_indent_json(c, indent));
-  }
-  json["energy"] = energy_json(s);
-  json["residual"] = residual_json(s);
 }
 
 } // namespace

@@ -37,12 +37,11 @@ std::vector<Entry> creep_keys()
             .range = between(-largest_creepage, largest_creepage),
             .percent = true,
             .unset = "no stick: the surfaces slide everywhere, as slide_to_roll says",
-            .text =
-                "Creepages [longitudinal, lateral], or the first of them: speeds of the surface of the upper body "
-                "relative to that of the "
-                "lower one, towards +x and +y, over the mean speed at which the surfaces pass the contact. With it "
-                "the surfaces stick in places and slip in others, from rest to steady rolling. Needs "
-                "interface.friction; slide_to_roll, the first of them for surfaces that slide everywhere, is 0 then.",
+            .text = "Creepages [longitudinal, lateral], or the first of them: speeds of the surface of the upper body "
+                    "relative to that of the lower one, towards +x and +y, over the mean speed at which the surfaces "
+                    "pass the contact. With it the surfaces stick in places and slip in others, from rest to steady "
+                    "rolling. Needs interface.friction; slide_to_roll, the first of them for surfaces that slide "
+                    "everywhere, is 0 then.",
             .fill =
                 [](Case& c, const Value& value)
             {
@@ -52,7 +51,6 @@ std::vector<Entry> creep_keys()
               creepage.lateral = list.size() > 1 ? list[1] : 0.0;
             }},
       Entry{.key = "rolling.spin",
-            .type = Type::number,
             .dimension = {.length = -1},
             .unset = "none",
             .text = "Spin creepage: turn of the upper body past the lower one about the normal of the contact, from x "
@@ -61,21 +59,20 @@ std::vector<Entry> creep_keys()
   };
 }
 
+constexpr const char* drive_group = "rolling drive";
+
 std::vector<Entry> motion_keys()
 {
   const auto drive = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
   {
-    return Entry{.key = std::string("rolling.") + key,
-                 .type = Type::number,
-                 .dimension = dimension,
-                 .range = above(0.0),
-                 .unset = "not imposed",
-                 .text = text,
-                 .hint = "one of rolling.load, rolling.hertz_pressure and rolling.approach",
-                 .one_of = "rolling drive",
-                 .fill = [kind](Case& c, const Value& value) {
-                   std::get<RollingCase>(c.scenario).drive = {kind, std::get<double>(value)};
-                 }};
+    return drive_key({.key = std::string("rolling.") + key,
+                      .dimension = dimension,
+                      .range = above(0.0),
+                      .unset = "not imposed",
+                      .text = text,
+                      .hint = "one of rolling.load, rolling.hertz_pressure and rolling.approach",
+                      .one_of = drive_group},
+                     &RollingCase::drive, kind);
   };
   return {
       drive("load", dimension::force, Drive::Kind::load, "Load kept while rolling."),
@@ -98,9 +95,8 @@ std::vector<Entry> motion_keys()
       bound({.key = "rolling.slide_to_roll",
              .range = up_to(-2.0, 2.0),
              .text = "Difference over mean of the speeds at which the surfaces of lower and upper body pass the "
-                     "contact. 0: pure "
-                     "rolling; 2: the upper body slides without turning. Without friction unless interface.friction "
-                     "says otherwise."},
+                     "contact. 0: pure rolling; 2: the upper body slides without turning. Without friction unless "
+                     "interface.friction says otherwise."},
             &RollingCase::slide_to_roll),
       bound({.key = "rolling.passes",
              .range = between(1, 100000),
@@ -114,10 +110,9 @@ std::vector<Entry> motion_keys()
              .dimension = dimension::velocity,
              .range = above(0.0),
              .unset = "none; needed where friction heats",
-             .text =
-                 "Speed of the contact over the lower body, on which the heat of friction depends; with slide_to_roll "
-                 "it makes the speed at which the surfaces slide. A step of pressing on or lifting off takes as "
-                 "long as one of rolling, the way back from pass to pass as long as the way."},
+             .text = "Speed of the contact over the lower body, on which the heat of friction depends; with "
+                     "slide_to_roll it makes the speed at which the surfaces slide. A step of pressing on or lifting "
+                     "off takes as long as one of rolling, the way back from pass to pass as long as the way."},
             &RollingCase::speed),
   };
 }
@@ -139,9 +134,9 @@ double load_of_hertz_pressure(const CaseReader& reader, Case& c, const RollingCa
   const double pressure = reader.get<double>(key);
   constexpr double lowest = 1e-7; // over the contact modulus: a contact of a few nm under a ball of a cm
   if (pressure < lowest * c.contact_modulus)
-    c.warnings.push_back({"low_pressure", fmt::format("{} = {:g} Pa is next to nothing for these materials; is a unit "
-                                                      "missing, as in \"{:g} {}\"?",
-                                                      key, pressure, pressure, pressure < 100.0 ? "GPa" : "MPa")});
+    warn(c, "low_pressure",
+         "{} = {:g} Pa is next to nothing for these materials; is a unit missing, as in \"{:g} {}\"?", key, pressure,
+         pressure, pressure < 100.0 ? "GPa" : "MPa");
   const auto k = simulation::relative_curvature(rolling.lower.shape, rolling.upper.shape);
   const double length = simulation::line_length(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   if (k && (*k)[0] > 0.0 && (*k)[1] == 0.0 && std::isfinite(length))
@@ -158,13 +153,7 @@ double load_of_hertz_pressure(const CaseReader& reader, Case& c, const RollingCa
 
 std::string read(const CaseReader& reader, Case& c, RollingCase& r)
 {
-  const auto given = reader.given({"rolling.load", "rolling.hertz_pressure", "rolling.approach"});
-  if (given.size() != 1)
-    reader.problems.add(reader.place(given.empty() ? "rolling.load" : given[1]),
-                        fmt::format("{} of rolling.load, rolling.hertz_pressure and rolling.approach {}; one is needed",
-                                    given.empty() ? "none" : "more than one",
-                                    given.size() > 1 ? "are given" : "is given"));
-  else if (given.front() == "rolling.hertz_pressure")
+  if (reader.only_one_of(drive_group) == "rolling.hertz_pressure")
     r.drive.value = load_of_hertz_pressure(reader, c, r);
   if (reader.has("rolling.creepage") && reader.get<std::vector<double>>("rolling.creepage").size() > 2)
     reader.add("rolling.creepage", "has more than two numbers; allowed: [longitudinal, lateral], or the first of them");
@@ -181,12 +170,10 @@ std::string creepage_text(const RollingCase& r)
 
 std::string motion(const RollingCase& r, const RollingPlan& plan)
 {
-  return fmt::format("# Motion: {} steps of {:.6e} m, {}; {} = {:.6e} {}\n"
+  return fmt::format("# Motion: {} steps of {:.6e} m, {}; {}\n"
                      "# Contact: about {:.4e} x {:.4e} m wide\n",
-                     plan.rolling_steps, plan.shift, passes_text(r.passes),
-                     r.drive.kind == contact::Drive::Kind::load ? "load" : "approach", r.drive.value,
-                     r.drive.kind == contact::Drive::Kind::load ? "N" : "m", 2.0 * plan.half_width_x,
-                     2.0 * plan.half_width_y) +
+                     plan.rolling_steps, plan.shift, count_text(r.passes, "pass", "passes"), text_of(r.drive),
+                     2.0 * plan.half_width_x, 2.0 * plan.half_width_y) +
          creepage_text(r);
 }
 
@@ -245,7 +232,7 @@ void summarise(Json& json, const Case& c, const RollingCase& r, const RollingPla
   json["geometry"] = geometry_json(c);
   json["geometry"]["estimated_half_width_x_m"] = plan.half_width_x;
   json["geometry"]["estimated_half_width_y_m"] = plan.half_width_y;
-  json["drive"] = {{r.drive.kind == contact::Drive::Kind::load ? "load_N" : "approach_m", r.drive.value}};
+  json["drive"] = drive_json(r.drive);
   json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
   json["passes"] = Json::array();
   for (const RollingPass& pass : s.passes)
@@ -254,13 +241,6 @@ void summarise(Json& json, const Case& c, const RollingCase& r, const RollingPla
                      {"residual_xx_Pa", s.profile.residual_xx},
                      {"residual_yy_Pa", s.profile.residual_yy},
                      {"equivalent_plastic_strain", s.profile.equivalent_plastic_strain}};
-  json["energy"] = energy_json(s);
-  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0 || s.last.heat_of_plastic_work != 0.0)
-    json["heat"] = heat_json(r.heat.fraction, s, s.last, s.max_temperature);
-  if (r.wear.wears())
-    json["wear"] = wear_json(s);
-  json["residual"] = residual_json(s);
-  json["grid"]["shift_m"] = plan.shift;
 }
 
 void cite(Sources& sources, const RollingCase& r)
@@ -302,7 +282,7 @@ struct DescriptionOf<RollingCase>
           return names;
         },
         .steps = "rolling.shift",
-        .imposed_load = [](const RollingCase& r) { return r.drive.kind == Drive::Kind::load ? r.drive.value : 0.0; },
+        .drive_kept = &RollingCase::drive,
         .cite = cite,
     };
   }

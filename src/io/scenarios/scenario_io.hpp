@@ -56,7 +56,8 @@ struct ScenarioIo
   std::string_view aligned{}; ///< which ones, if not the middles of the passes: a clause for the schema
   std::string (*place)(const Case& c, const Record& record);     ///< where a step was, for the progress
   std::string (*results)(const Case& c, const Summary& summary); ///< lines for a terminal
-  /// Puts its numbers into summary.json, between what every summary begins with and what it ends with.
+  /// Puts its numbers into summary.json, between what every summary begins with and what it ends with: energies, heat, wear and
+  /// residual displacement. What it says of "energy" itself comes last there.
   void (*summarise)(Json& json, const Case& c, const ScenarioCase& scenario, const Plan& plan, const Summary& summary);
   /// Lists in the summary, and their columns.
   std::vector<std::pair<std::string, std::vector<NamedNumber>>> lists{};
@@ -67,8 +68,8 @@ struct ScenarioIo
   std::vector<std::string> (*key_numbers)(const ScenarioCase& scenario);
   /// The key by which steps become finer; those that it leaves alone go with the cells if it is not given.
   std::string_view steps{};
-  /// Beside which a force may be small [N].
-  double (*imposed_load)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return 0.0; };
+  /// What is imposed all the time, if it is one drive: beside a load another force may be small.
+  contact::Drive ScenarioCase::*drive_kept = nullptr;
 
   // --- Papers ---
   void (*cite)(Sources& sources, const ScenarioCase& scenario) = [](Sources&, const ScenarioCase&) {};

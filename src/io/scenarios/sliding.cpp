@@ -17,23 +17,20 @@ using simulation::SlidingRecord;
 using simulation::SlidingStroke;
 using simulation::SlidingSummary;
 
-constexpr const char* one_of_four = "one of sliding.load, sliding.pressure, sliding.mean_gap and sliding.approach";
+constexpr const char* press_group = "sliding drive";
 
 std::vector<Entry> keys()
 {
   const auto press = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
   {
-    return Entry{.key = std::string("sliding.") + key,
-                 .type = Type::number,
-                 .dimension = dimension,
-                 .range = kind == Drive::Kind::approach ? Range{} : above(0.0),
-                 .unset = "not imposed",
-                 .text = text,
-                 .hint = one_of_four,
-                 .one_of = "sliding drive",
-                 .fill = [kind](Case& c, const Value& value) {
-                   std::get<SlidingCase>(c.scenario).press = {kind, std::get<double>(value)};
-                 }};
+    return drive_key({.key = std::string("sliding.") + key,
+                      .dimension = dimension,
+                      .range = kind == Drive::Kind::approach ? Range{} : above(0.0),
+                      .unset = "not imposed",
+                      .text = text,
+                      .hint = "one of sliding.load, sliding.pressure, sliding.mean_gap and sliding.approach",
+                      .one_of = press_group},
+                     &SlidingCase::press, kind);
   };
   return {
       press("load", dimension::force, Drive::Kind::load, "Load that is reached first, and kept while sliding."),
@@ -62,9 +59,8 @@ std::vector<Entry> keys()
       bound({.key = "sliding.strokes", .range = between(1, 100000), .text = "How often it slides by the distance."},
             &SlidingCase::strokes),
       bound({.key = "sliding.to_and_fro",
-             .text =
-                 "Whether every other stroke goes back. Otherwise each goes on where the one before has ended, which "
-                 "takes a period along x."},
+             .text = "Whether every other stroke goes back. Otherwise each goes on where the one before has ended, "
+                     "which takes a period along x."},
             &SlidingCase::to_and_fro),
       bound({.key = "sliding.speed",
              .dimension = dimension::velocity,
@@ -78,57 +74,22 @@ std::vector<Entry> keys()
 
 std::string read(const CaseReader& reader, Case& /*c*/, SlidingCase& s)
 {
-  const auto given = reader.given({"sliding.load", "sliding.pressure", "sliding.mean_gap", "sliding.approach"});
-  if (given.size() != 1)
-  {
-    reader.problems.add(reader.place(given.empty() ? "sliding.load" : given[1]),
-                        fmt::format("{} of sliding.load, sliding.pressure, sliding.mean_gap and sliding.approach {}; "
-                                    "one is needed",
-                                    given.empty() ? "none" : "more than one",
-                                    given.empty() ? "is given" : "are given"));
-    return "sliding.distance";
-  }
-  const std::string& key = given.front();
+  std::string key = reader.only_one_of(press_group);
   if (key != "sliding.pressure" && key != "sliding.mean_gap")
     return key;
   if (!s.domain.is_periodic())
-    reader.add(key, fmt::format("is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
-                                key == "sliding.pressure" ? "sliding.load" : "sliding.approach"));
+    reader.add(key, "is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise {}",
+               key == "sliding.pressure" ? "sliding.load" : "sliding.approach");
   else if (key == "sliding.pressure")
     s.press.value *= s.domain.x.size * s.domain.y.size;
   return key;
 }
 
-/// What presses the bodies, as files and messages name it.
-struct Press
-{
-  const char *name, *unit;
-};
-Press press_of(Drive::Kind kind)
-{
-  switch (kind)
-  {
-  case Drive::Kind::load:
-    return {"load", "N"};
-  case Drive::Kind::approach:
-    return {"approach", "m"};
-  case Drive::Kind::mean_gap:
-    return {"mean_gap", "m"};
-  }
-  throw InternalError("a drive of no kind");
-}
-
-std::string strokes_text(int strokes)
-{
-  return fmt::format("{} stroke{}", strokes, strokes == 1 ? "" : "s");
-}
-
 std::string motion(const SlidingCase& s, const SlidingPlan& plan)
 {
-  const auto [name, unit] = press_of(s.press.kind);
   std::string text =
-      fmt::format("# Sliding: {} = {:.6e} {}, then {} steps of {:.6e} m, {}{}\n", name, s.press.value, unit,
-                  plan.sliding_steps, plan.shift, strokes_text(s.strokes), s.to_and_fro ? ", to and fro" : "");
+      fmt::format("# Sliding: {}, then {} steps of {:.6e} m, {}{}\n", text_of(s.press), plan.sliding_steps, plan.shift,
+                  count_text(s.strokes, "stroke", "strokes"), s.to_and_fro ? ", to and fro" : "");
   if (!std::isnan(plan.touching_gap))
     return text + fmt::format("# The surfaces first touch at a mean gap of {:.4e} m\n", plan.touching_gap);
   return text +
@@ -165,19 +126,9 @@ void summarise(Json& json, const Case& c, const SlidingCase& s, const SlidingPla
   json["geometry"]["touching_gap_m"] = plan.touching_gap;
   json["geometry"]["rms_height_m"] = summary.rms_height;
   json["geometry"]["rms_slope"] = summary.rms_slope;
-  const auto [name, unit] = press_of(s.press.kind);
-  json["drive"] = {{fmt::format("{}_{}", name, unit), s.press.value}};
+  json["drive"] = drive_json(s.press);
   json["max_share_at_shear_limit"] = summary.max_share_at_shear_limit;
-  json["strokes"] = Json::array();
-  for (const SlidingStroke& stroke : summary.strokes)
-    json["strokes"].push_back(row_json(stroke));
-  json["energy"] = energy_json(summary);
-  if (summary.last.heat_lower != 0.0 || summary.last.heat_upper != 0.0 || summary.last.heat_of_plastic_work != 0.0)
-    json["heat"] = heat_json(s.heat.fraction, summary, summary.last, summary.max_temperature);
-  if (s.wear.wears())
-    json["wear"] = wear_json(summary);
-  json["residual"] = residual_json(summary);
-  json["grid"]["shift_m"] = plan.shift;
+  json["strokes"] = rows_json(summary.strokes);
 }
 
 /// Pressed, and the middle of each stroke.
@@ -219,7 +170,7 @@ struct DescriptionOf<SlidingCase>
           return {"strokes[].friction", "strokes[].contact_area_m2", "strokes[].dissipation_plastic_J"};
         },
         .steps = "sliding.shift",
-        .imposed_load = [](const SlidingCase& s) { return s.press.kind == Drive::Kind::load ? s.press.value : 0.0; },
+        .drive_kept = &SlidingCase::press,
         .cite = cite,
     };
   }

@@ -30,28 +30,26 @@ std::vector<Entry> keys()
              .dimension = dimension::length,
              .range = above(0.0),
              .unset = "tugging.load",
-             .text = "Overlap of the undeformed bodies without their textures in height, when their centres are "
-                     "aligned along x; the height of the centres is constant. Without an offset it is their largest "
-                     "overlap.",
+             .text =
+                 "Overlap of the undeformed bodies without their textures in height, when their centres are aligned "
+                 "along x; the height of the centres is constant. Without an offset it is their largest overlap.",
              .excludes = "tugging.load",
              .pure_if = "tugging.normalised"},
             &TuggingCase::interference),
       bound({.key = "tugging.offset",
              .dimension = dimension::length,
-             .text =
-                 "Of the upper centre from the lower one, along y: the bodies pass beside each other. They overlap "
-                 "less then along the line of centres: by offset^2 / (2 (R1 + R2)), to second order. If normalised, "
-                 "in contact radii a_c at first yield. Not with a load.",
+             .text = "Of the upper centre from the lower one, along y: the bodies pass beside each other. They overlap "
+                     "less then along the line of centres: by offset^2 / (2 (R1 + R2)), to second order. If "
+                     "normalised, in contact radii a_c at first yield. Not with a load.",
              .pure_if = "tugging.normalised"},
             &TuggingCase::offset),
       bound({.key = "tugging.load",
              .dimension = dimension::force,
              .range = above(0.0),
              .unset = "tugging.interference",
-             .text =
-                 "Instead of the interference: a normal force that is kept while the upper body rides over the lower "
-                 "one; in critical loads P_c if normalised. It comes up in the first eighth of a pass and goes down in "
-                 "the last. Exact kinematics only.",
+             .text = "Instead of the interference: a normal force that is kept while the upper body rides over the "
+                     "lower one; in critical loads P_c if normalised. It comes up in the first eighth of a pass and "
+                     "goes down in the last. Exact kinematics only.",
              .excludes = "tugging.interference",
              .pure_if = "tugging.normalised"},
             &TuggingCase::load),
@@ -59,31 +57,28 @@ std::vector<Entry> keys()
              .dimension = dimension::length,
              .range = above(0.0),
              .unset = "one cell, dx",
-             .text =
-                 "Arc by which the contact moves on each body per step (mean of both bodies). Best a whole multiple of "
-                 "dx / 2: else "
-                 "the surfaces are interpolated between cells."},
+             .text = "Arc by which the contact moves on each body per step (mean of both bodies). Best a whole "
+                     "multiple of dx / 2: else the surfaces are interpolated between cells."},
             &TuggingCase::shift),
-      bound(
-          {.key = "tugging.kinematics",
-           .choices = {"exact", "paper"},
-           .text =
-               "Relation of arc and sliding distance. exact: X = omega tan(theta); paper: Eqs. 9-13 of Boucly, Nelias, "
-               "Green (2006)."},
-          &TuggingCase::kinematics),
+      bound({.key = "tugging.kinematics",
+             .choices = {"exact", "paper"},
+             .text = "Relation of arc and sliding distance. exact: X = omega tan(theta); paper: Eqs. 9-13 of Boucly, "
+                     "Nelias, Green (2006)."},
+            &TuggingCase::kinematics),
       bound(
           {.key = "tugging.passes",
            .range = between(1, 10000),
            .text = "How often the upper body passes; after each pass it returns to the start, and both meet deformed."},
           &TuggingCase::passes),
-      bound({.key = "tugging.speed",
-             .dimension = dimension::velocity,
-             .range = above(0.0),
-             .unset = "none; needed where friction heats",
-             .text = "Speed of the upper surface over the lower one: that at which the contact moves over both bodies "
-                     "together. The heat of friction depends on it. The way back from pass to pass takes as long as a "
-                     "pass."},
-            &TuggingCase::speed),
+      bound(
+          {.key = "tugging.speed",
+           .dimension = dimension::velocity,
+           .range = above(0.0),
+           .unset = "none; needed where friction heats",
+           .text =
+               "Speed of the upper surface over the lower one: that at which the contact moves over both bodies "
+               "together. The heat of friction depends on it. The way back from pass to pass takes as long as a pass."},
+          &TuggingCase::speed),
   };
 }
 
@@ -102,21 +97,20 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
   const std::string key = by_load ? "tugging.load" : "tugging.interference";
   if (!reader.has(key))
   {
-    reader.problems.add(reader.place(key),
-                        "tugging.interference is missing; allowed: number > 0 in critical interferences, or with "
-                        "tugging.normalised = false a length; or tugging.load instead");
+    reader.missing(
+        "tugging.interference",
+        "number > 0 in critical interferences, or with tugging.normalised = false a length; or tugging.load instead");
     return;
   }
   const bool normalised = reader.get<bool>("tugging.normalised");
   if (normalised && !c.first_yield)
   {
-    reader.add(key,
-               fmt::format(
-                   "is in units of the critical {}, but {}, so there is none; allowed: tugging.normalised = false with "
-                   "a {}{}",
-                   by_load ? "load P_c" : "interference alpha_c",
-                   reason_against_first_yield(tugging.lower, tugging.upper, tugging.domain).value(),
-                   by_load ? "force" : "length", can_yield(tugging) ? "" : ", or a yield stress for a body"));
+    reader.add(
+        key,
+        "is in units of the critical {}, but {}, so there is none; allowed: tugging.normalised = false with a {}{}",
+        by_load ? "load P_c" : "interference alpha_c",
+        reason_against_first_yield(tugging.lower, tugging.upper, tugging.domain).value(), by_load ? "force" : "length",
+        can_yield(tugging) ? "" : ", or a yield stress for a body");
     return;
   }
   if (normalised && by_load)
@@ -136,11 +130,9 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
   const double limit =
       std::min(*simulation::passing_radius(tugging.lower.shape), *simulation::passing_radius(tugging.upper.shape));
   if (!(tugging.interference < limit))
-    reader.add(key, fmt::format("makes {:.4g} m, more than the radius of a body; allowed: < {:.4g} m{}",
-                                tugging.interference, limit,
-                                normalised && !by_load
-                                    ? fmt::format(" = {:.4g} alpha_c", limit / c.first_yield->critical.interference)
-                                    : ""));
+    reader.add(
+        key, "makes {:.4g} m, more than the radius of a body; allowed: < {:.4g} m{}", tugging.interference, limit,
+        normalised && !by_load ? fmt::format(" = {:.4g} alpha_c", limit / c.first_yield->critical.interference) : "");
 }
 
 /// Whether the bodies touch at all beside each other the plan tells.
@@ -171,7 +163,7 @@ std::string motion(const TuggingCase& t, const TuggingPlan& plan)
 {
   return fmt::format("# Motion: from X = -{:.6e} m, {} steps per pass of {:.6e} m, {}\n"
                      "# Contact: elastic contact radius {:.4e} m{}\n",
-                     plan.start_distance, plan.steps_per_pass, plan.shift, passes_text(t.passes),
+                     plan.start_distance, plan.steps_per_pass, plan.shift, count_text(t.passes, "pass", "passes"),
                      plan.elastic_contact_radius,
                      plan.elastic_contact_radius == plan.elastic_contact_radius_y
                          ? ""
@@ -199,9 +191,9 @@ std::string results(const Case& c, const TuggingSummary& s)
 {
   const double X = s.X_at_peak_F_X / c.equivalent_radius.value_or(1.0);
   if (!c.first_yield)
-    return fmt::format("peak F_X  {:>13.6e} N at X/R = {:+.5f}\nmin F_X   {:>13.6e} N\npeak F_Z  {:>13.6e} N\nnet work "
-                       " {:>13.6e} J\n",
-                       s.peak_F_X, X, s.min_F_X, s.peak_F_Z, s.work);
+    return fmt::format(
+        "peak F_X  {:>13.6e} N at X/R = {:+.5f}\nmin F_X   {:>13.6e} N\npeak F_Z  {:>13.6e} N\nnet work  {:>13.6e} J\n",
+        s.peak_F_X, X, s.min_F_X, s.peak_F_Z, s.work);
   const auto& critical = c.first_yield->critical;
   return fmt::format("peak F_X  {:>11.5f} P_c at X/R = {:+.5f}\nmin F_X   {:>11.5f} P_c\npeak F_Z  {:>11.5f} P_c\n"
                      "net work  {:>11.5f} U_c\n",
@@ -258,12 +250,7 @@ void summarise(Json& json, const Case& c, const TuggingCase& t, const TuggingPla
   json["max_share_at_shear_limit"] = s.max_share_at_shear_limit;
   json["load_ratio"] = {{"aligned", s.load_ratio_aligned}, {"end", s.load_ratio_end}};
   json["forces"] = forces_json(t, s);
-  if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0 || s.last.heat_of_plastic_work != 0.0)
-    json["heat"] = heat_json(t.heat.fraction, s, s.last, s.max_temperature);
-  json["energy"] = energy_json(s);
   json["energy"]["work_to_alignment_J"] = s.work_to_alignment;
-  json["residual"] = residual_json(s);
-  json["grid"]["shift_m"] = plan.shift;
 }
 
 void cite(Sources& sources, const TuggingCase& t)

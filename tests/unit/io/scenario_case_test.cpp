@@ -322,7 +322,8 @@ TEST(ScenarioCase, SaysWhatIsMissingOrTooMuch)
 {
   const std::pair<std::string, const char*> refusals[] = {
       {refusal(indentation("")),
-       "needs one of indentation.load, indentation.approach, indentation.pressure and indentation.mean_gap"},
+       "none of indentation.load, indentation.approach, indentation.pressure and indentation.mean_gap is given; one is "
+       "needed, as a list"},
       {refusal(indentation("load = [1, 0]\napproach = [1, 0]\n")), "cannot stand together"},
       {refusal(indentation("load = [0, 0]\n")), "never presses the bodies together"},
       {refusal(indentation("load = [-1]\n")), "out of range"},
@@ -335,7 +336,7 @@ TEST(ScenarioCase, SaysWhatIsMissingOrTooMuch)
        "upper.shape.type = \"flat\" and the lower body touch neither"},
       {refusal(indentation("load = [1]\n"), {"tugging.passes=2"}), "applies only with scenario"},
       {refusal(rolling("distance = 1e-4\n")), "none of rolling.load"},
-      {refusal(rolling("distance = 1e-4\nload = 1\napproach = 1e-6\n")), "more than one of rolling.load"},
+      {refusal(rolling("distance = 1e-4\nload = 1\napproach = 1e-6\n")), "cannot stand together with rolling.load"},
       {refusal(rolling("load = 1\n")), "rolling.distance is missing"},
       {refusal(rolling("distance = 1e3\nload = 1\n")), "cells"},
       {refusal(rolling("distance = 1e-4\nload = 1\nslide_to_roll = -2\n")), "out of range"},
