@@ -135,7 +135,9 @@ void Anderson::remember(std::span<const double> x, std::span<const double> g, st
     }
     return sums;
   };
-  const Products sums = sum_of_pieces(x.size(), take);
+  Products sums = sum_of_pieces(x.size(), take);
+  if (x.empty())
+    sums.of.setZero(static_cast<Eigen::Index>(known), Products::count);
   for (std::size_t d = 0; d < known; ++d)
   {
     const auto row = static_cast<Eigen::Index>(d);
