@@ -55,7 +55,7 @@ void add_passages(const Passage& along, double diffusivity, double duration, std
 {
   const double speed = std::abs(along.velocity), passage = along.size / speed, extent = along.cells * along.size;
   constexpr double negligible = 7.0; ///< spreads
-  for (int n = 0;;)
+  for (double n = 0.0;;)             // cells passed: of slow motion more than an int counts
   {
     const double time = (n + 0.5) * passage, spread = std::sqrt(4.0 * diffusivity * time);
     const bool is_over = along.is_periodic ? spread > 2.0 * extent : speed * time > extent + negligible * spread;
@@ -65,7 +65,7 @@ void add_passages(const Passage& along, double diffusivity, double duration, std
     for (const double widths : {0.5, 1.5, 4.0})
       if (widths * spread < 0.5 * along.size)
         ends.insert(ends.end(), {time - widths * spread / speed, time + widths * spread / speed});
-    n += std::max(1, static_cast<int>(spread / along.size));
+    n += std::max(1.0, std::floor(spread / along.size));
   }
 }
 

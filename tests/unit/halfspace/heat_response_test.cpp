@@ -159,6 +159,21 @@ TEST(HeatResponse, SquareForEver)
   EXPECT_NEAR(at_middle(g, T) * body.conductivity, 4.0 / pi * std::asinh(1.0), 1e-7);
 }
 
+TEST(HeatResponse, SlowMotionEndsAtRest)
+{
+  // e^{-V (r + x)/2 kappa} lies V D/kappa below 1 on a grid with the diagonal D. Of motion as slow as this, cells passed while heat
+  // is remembered are more than an int counts.
+  const SurfaceGrid g{11, 9, 0.1, 0.12, open, open};
+  const Field flux(g.size(), 1.0), at_rest = temperature(g, {forever, 0.0}, flux);
+  for (const double velocity : {1e-3, 1e-12})
+  {
+    const Field moving = temperature(g, {forever, velocity}, flux);
+    const double allowed = std::max(1e-9, velocity * std::hypot(g.nx * g.dx, g.ny * g.dy) / 0.5);
+    for (std::size_t i = 0; i < moving.size(); ++i)
+      EXPECT_NEAR(moving[i] / at_rest[i], 1.0, allowed) << velocity;
+  }
+}
+
 TEST(HeatResponse, MovingHertzianSourceAtAnySpeed)
 {
   const double kappa = body.diffusivity();
