@@ -75,7 +75,7 @@ def test_only_a_sliding_has_strokes(run: Run) -> None:
     ("arguments", "message"),
     [
         ({"pressure": None}, "one is needed"),
-        ({"load": "1 N"}, "more than one"),
+        ({"load": "1 N"}, "cannot stand together"),
         ({"distance": 0}, "distance"),
         ({"strokes": 0}, "strokes"),
         ({"pressure": None, "mean_gap": "1 mm"}, "first touch"),

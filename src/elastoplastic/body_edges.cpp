@@ -18,8 +18,8 @@ Edges Body::reached_edges() const
     return edges;
   double largest = 0.0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
-  for (std::size_t cell = 0; cell < state_.equivalent.size(); ++cell)
-    largest = std::max(largest, state_.equivalent[cell]);
+  for (const double equivalent : state_.equivalent)
+    largest = std::max(largest, equivalent);
   for (std::size_t a = 0; a < active_.size(); ++a)
     largest = std::max(largest, state_.equivalent[active_.cell(a)] + active_.equivalent(a));
   const double limit =
