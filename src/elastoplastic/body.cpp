@@ -44,6 +44,7 @@ void BodyState::exchange(Archive& archive)
   archive("locked_in_energy", locked_in_energy);
   archive.list("thermal_stress", thermal_stress);
   archive("thermal_work", thermal_work);
+  archive.list("softening", softening);
 }
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
@@ -106,6 +107,7 @@ void Body::exchange(Archive& archive)
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
   thermal_stress_ = state_.thermal_stress;
+  softening_ = state_.softening;
   if (archive.gives())
     take_up_guess();
 }
@@ -118,6 +120,8 @@ void Body::set_softening(std::span<const double> factor)
     if (!(of_cell > 0.0 && std::isfinite(of_cell)))
       throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", of_cell));
   softening_.assign(factor.begin(), factor.end());
+  if (!in_increment_)
+    state_.softening = softening_;
 }
 
 void Body::begin(int shift, double stiffness_share)
@@ -145,6 +149,7 @@ void Body::restore()
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
   thermal_stress_ = state_.thermal_stress;
+  softening_ = state_.softening;
   if (!in_increment_)
     return;
   in_increment_ = false;
@@ -334,6 +339,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   }
   state_.thermal_work += thermal_work_of_trial();
   state_.thermal_stress = thermal_stress_;
+  state_.softening = softening_;
   for_pieces(stress_.size(), [&](std::size_t first, std::size_t last)
              { std::copy(stress_.begin() + first, stress_.begin() + last, state_.stress.begin() + first); });
   state_.residual_displacement = displacement_;

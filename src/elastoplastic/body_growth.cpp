@@ -28,6 +28,12 @@ void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector
       }
 }
 
+/// Where no heat has come.
+double softening_far_away(const constitutive::Material& material)
+{
+  return material.softening ? constitutive::softening_factor(*material.softening, material.temperature) : 1.0;
+}
+
 } // namespace
 
 void Body::continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load)
@@ -42,6 +48,9 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   state_.thermal_stress.assign(history.thermal_stress.empty() ? 0 : Deviator::size * grid().size(), 0.0);
   embed(history.thermal_stress, from, state_.thermal_stress, grid());
   thermal_stress_ = state_.thermal_stress;
+  state_.softening.assign(history.softening.empty() ? 0 : grid().size(), softening_far_away(material_));
+  embed(history.softening, from, state_.softening, grid());
+  softening_ = state_.softening;
   prepare_trial();
   work_ = half_space_->make_work();
   const halfspace::Displacements wanted = found_at_once();

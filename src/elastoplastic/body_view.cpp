@@ -45,7 +45,8 @@ BodyState BodyView::state() const
           solved.dissipation,
           solved.locked_in_energy,
           deviators(&BodyState::thermal_stress),
-          solved.thermal_work};
+          solved.thermal_work,
+          scalars(&BodyState::softening)};
 }
 
 void BodyView::turn(std::vector<double>& deviators, std::vector<double>& scalars) const

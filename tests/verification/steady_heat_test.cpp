@@ -143,20 +143,26 @@ TEST(SteadyHeat, WhatThereIsNotIsRefused)
 
 TEST(SteadyHeat, GoesOnFromACheckpointToTheLastDigit)
 {
-  RollingCase c = skidding_ball(HeatRegime::steady, 1.5);
-  c.resolution = 3.0;
-  simulation::Run<RollingCase> whole(c);
-  std::vector<Archive::Fields> checkpoints;
-  while (!whole.is_done())
+  for (const HeatRegime regime : {HeatRegime::steady, HeatRegime::transient})
   {
-    whole.step();
-    checkpoints.push_back(whole.checkpoint());
+    RollingCase c = skidding_ball(regime, 1.5);
+    c.resolution = 3.0;
+    simulation::Run<RollingCase> whole(c);
+    std::vector<Archive::Fields> checkpoints;
+    while (!whole.is_done())
+    {
+      whole.step();
+      checkpoints.push_back(whole.checkpoint());
+    }
+    for (std::size_t step = 0; step + 1 < checkpoints.size(); ++step)
+    {
+      simulation::Run<RollingCase> later(c, {}, &checkpoints[step]);
+      later.step();
+      const Archive::Fields now = later.checkpoint();
+      for (const auto& [name, values] : checkpoints[step + 1])
+        EXPECT_TRUE(now.at(name) == values) << name << ", from step " << step << " on";
+    }
   }
-  simulation::Run<RollingCase> later(c, {}, &checkpoints[checkpoints.size() / 2]);
-  while (!later.is_done())
-    later.step();
-  EXPECT_EQ(later.snapshot().lower.residual_displacement, whole.snapshot().lower.residual_displacement);
-  EXPECT_EQ(later.summary().last.heat_upper, whole.summary().last.heat_upper);
 }
 
 TEST(SteadyHeat, Energy)

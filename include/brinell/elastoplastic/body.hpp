@@ -32,6 +32,7 @@ struct BodyState
   double locked_in_energy = 0.0;        ///< elastic energy of the residual stress [J]
   std::vector<double> thermal_stress{}; ///< its deviator at the end of the last increment [Pa]; empty without heat
   double thermal_work = 0.0;            ///< of the thermal stress on the plastic strain since the start [J]
+  std::vector<double> softening{}; ///< factors on the yield stress of the cells, as they are now; empty: 1 everywhere
 
   void exchange(Archive& archive);
 };
@@ -81,8 +82,8 @@ public:
   [[nodiscard]] bool has_energy() const { return material_.kinematic.empty(); }
 
   /// Sets the factor that the yield stress of each cell has beside the one over depth, as by its temperature
-  /// (constitutive/softening.hpp). It holds from now on; within an increment from the next `integrate` on. It is no part of the
-  /// state: who computes temperatures sets it before each increment, and anew after `exchange` and on other grids.
+  /// (constitutive/softening.hpp). It holds from now on; within an increment from the next `integrate` on, and no longer than it if
+  /// it is restored. It is a part of the state: an increment begins with it, and one that takes no time has no other.
   /// @param factor  > 0, one per cell; empty: 1 everywhere
   void set_softening(std::span<const double> factor);
 
@@ -204,7 +205,7 @@ private:
   std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain of the present trial
   BodyState state_;
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
-  std::vector<double> softening_;                     ///< of the cells; empty: none
+  std::vector<double> softening_;                     ///< at the end of the increment at hand; empty: none
   std::vector<double> thermal_stress_;                ///< at the end of the increment at hand; empty without heat
   double stiffness_ = 0.0;                            ///< c [Pa]
   bool shortcuts_;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -160,6 +161,63 @@ TEST(SofteningTest, TheSurfaceBearsLessShearWhereItIsHot)
   const std::vector<double> strength = press.contact().lower().shear_strength(1.0);
   for (std::size_t cell = 0; cell < strength.size(); ++cell)
     EXPECT_NEAR(strength[cell], factor[cell] * SpherePress::yield_stress / std::sqrt(3.0), 1e-3);
+}
+
+TEST(SofteningTest, ACheckpointHasIt)
+{
+  SpherePress press, taken_up;
+  soften(press, hot_spot(press.volume(), 0.0, 0.5));
+  Archive given;
+  press.contact().exchange(given);
+  Archive stored(given.fields());
+  taken_up.contact().exchange(stored);
+  EXPECT_EQ(taken_up.contact().lower().shear_strength(1.0), press.contact().lower().shear_strength(1.0));
+  EXPECT_EQ(taken_up.contact().upper().state().softening, press.contact().upper().state().softening);
+}
+
+/// A body of its own, softened by its temperature.
+Body warm_body(const VolumeGrid& grid)
+{
+  constitutive::Material material = SpherePress().material();
+  material.softening = constitutive::LinearSoftening{20.0, 1020.0};
+  material.temperature = 120.0;
+  return {grid, std::make_shared<const halfspace::HalfSpace>(grid, material.elastic), material};
+}
+
+TEST(SofteningTest, AnIncrementThatFailsLeavesThatOfBefore)
+{
+  const VolumeGrid grid = SpherePress().volume();
+  Body body = warm_body(grid);
+  body.set_softening(hot_spot(grid, 0.0, 0.5));
+  const std::vector<double> strength = body.shear_strength(1.0);
+  body.begin(0, 0.6);
+  body.set_softening(Factors(grid.size(), 0.3));
+  EXPECT_NE(body.shear_strength(1.0), strength);
+  body.restore();
+  EXPECT_EQ(body.shear_strength(1.0), strength);
+  EXPECT_EQ(body.state().softening, hot_spot(grid, 0.0, 0.5));
+}
+
+TEST(SofteningTest, LargerGridsKeepIt)
+{
+  const VolumeGrid small = SpherePress().volume();
+  VolumeGrid large = small;
+  large.surface.nx += 4;
+  large.surface.ny += 2;
+  Body body = warm_body(small), grown = warm_body(large);
+  body.set_softening(hot_spot(small, 0.0, 0.5));
+  const std::vector<double> no_pressure(large.surface.size(), 0.0);
+  grown.continue_from(body.state(), small, {.pressure = no_pressure});
+  const std::vector<double> before = body.shear_strength(1.0), now = grown.shear_strength(1.0);
+  for (int j = 0; j < large.surface.ny; ++j)
+    for (int i = 0; i < large.surface.nx; ++i)
+    {
+      const bool is_new = i < 2 || i >= small.surface.nx + 2 || j < 1 || j > small.surface.ny;
+      // Beyond the smaller grid the bulk is as warm as ever.
+      EXPECT_DOUBLE_EQ(now[large.surface.index(i, j)], is_new ? 0.9 * SpherePress::yield_stress / std::sqrt(3.0)
+                                                              : before[small.surface.index(i - 2, j - 1)])
+          << i << ", " << j;
+    }
 }
 
 } // namespace
