@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The steady regime: bodies that swell, yield and soften under a source that has always moved as it does.
@@ -143,10 +144,12 @@ TEST(SteadyHeat, WhatThereIsNotIsRefused)
 
 TEST(SteadyHeat, GoesOnFromACheckpointToTheLastDigit)
 {
-  for (const HeatRegime regime : {HeatRegime::steady, HeatRegime::transient})
+  // At 0.9 the shear reaches the limit of the softened surfaces.
+  for (const auto& [regime, coefficient] : {std::pair{HeatRegime::steady, 0.15}, {HeatRegime::transient, 0.9}})
   {
     RollingCase c = skidding_ball(regime, 1.5);
     c.resolution = 3.0;
+    c.friction.coefficient = coefficient;
     simulation::Run<RollingCase> whole(c);
     std::vector<Archive::Fields> checkpoints;
     while (!whole.is_done())
