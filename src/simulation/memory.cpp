@@ -86,20 +86,23 @@ double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& ma
 /// The heat of a body, on a grid a third longer and wider than its own: some sixty waves in depth, on lattices that take
 /// together three and a half times the first one; all of it three times: as it is, for when an increment fails, and while
 /// fields are read; and stress, now and before, and softening. With symmetry half of the waves are kept, and all of some
-/// fields. The heat of plastic work adds the layers of the body and some fifteen beneath, likewise three times.
+/// fields. The heat of plastic work adds the layers of the body and some fifteen beneath, likewise three times; on lattices
+/// that take off images at least two layers are one.
 double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, Symmetry symmetry)
 {
   if (!material.thermal)
     return 0.0;
-  const double waves = 60.0 + (material.is_plastic() ? grid.nz + 15.0 : 0.0);
+  const double layers = material.is_plastic() ? grid.nz + 15.0 : 0.0;
   const double fields = material.softening ? 16.0 : 15.0;
-  constexpr double lattices = 3.5, copies = 3.0, wider = 4.0 / 3.0;
+  constexpr double waves = 60.0, lattices = 3.5, of_layers = 1.0 + 0.5 * (lattices - 1.0), copies = 3.0,
+                   wider = 4.0 / 3.0;
   SurfaceGrid surface = grid.surface;
   surface.nx = static_cast<int>(surface.is_periodic_x() ? surface.nx : wider * surface.nx);
   surface.ny = static_cast<int>(surface.is_periodic_y() ? surface.ny : wider * surface.ny);
   const PaddedLengths padded = padded_lengths(surface);
   const double share = symmetry == Symmetry::none ? 1.0 : 0.6;
-  return share * waves * lattices * copies * padded.x * padded.y * sizeof(double) + field_bytes(grid, fields);
+  const double spectra = waves * lattices + layers * of_layers;
+  return share * spectra * copies * padded.x * padded.y * sizeof(double) + field_bytes(grid, fields);
 }
 
 /// Fields of the contact's solver and of what is read from it, and its transforms.
