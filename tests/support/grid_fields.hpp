@@ -82,4 +82,12 @@ template <typename Function>
                  });
 }
 
+inline double largest_difference(const Field& a, const Field& b)
+{
+  double value = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    value = std::max(value, std::abs(a[n] - b[n]));
+  return value;
+}
+
 } // namespace brinell::test

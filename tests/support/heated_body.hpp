@@ -42,14 +42,6 @@ inline Field displacement_of(const halfspace::ThermalField& field, double durati
   return result;
 }
 
-inline double largest_difference(const Field& a, const Field& b)
-{
-  double value = 0.0;
-  for (std::size_t n = 0; n < a.size(); ++n)
-    value = std::max(value, std::abs(a[n] - b[n]));
-  return value;
-}
-
 /// Integral over the time since heat entered, from 0 to `duration`, of f(t): f may go like 1/sqrt(t).
 template <typename Function>
 double over_past(double duration, Function f)

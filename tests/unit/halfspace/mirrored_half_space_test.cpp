@@ -19,6 +19,7 @@ namespace
 
 using test::largest;
 using Field = std::vector<double>;
+using test::largest_difference;
 
 const Elastic elastic{1.3, 0.28};
 
@@ -80,14 +81,6 @@ Answer answer(const HalfSpace& half_space, const Field& strain, const SurfaceLoa
     complete_in_y(grid, result.stress);
   }
   return result;
-}
-
-double largest_difference(const Field& a, const Field& b)
-{
-  double difference = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-  return difference;
 }
 
 class MirroredHalfSpaceTest : public testing::TestWithParam<VolumeGrid>

@@ -29,6 +29,7 @@ const Elastic soft{1.3, 0.28}, stiff{4.0, 0.1};
 
 using test::Field;
 using test::hertz;
+using test::largest_difference;
 using test::sampled;
 
 /// z, x, y: of a load (pressure, shears) or of a displacement.
@@ -53,14 +54,6 @@ Fields random_load(std::size_t cells, unsigned seed)
 double dot(const Fields& a, const Fields& b)
 {
   return test::dot(a.z, b.z) + test::dot(a.x, b.x) + test::dot(a.y, b.y);
-}
-
-double largest_difference(const Field& a, const Field& b)
-{
-  double value = 0.0;
-  for (std::size_t n = 0; n < a.size(); ++n)
-    value = std::max(value, std::abs(a[n] - b[n]));
-  return value;
 }
 
 class TractionComplianceTest : public testing::TestWithParam<SurfaceGrid>

@@ -19,6 +19,7 @@ namespace
 {
 
 using Field = std::vector<double>;
+using test::largest_difference;
 
 TEST(UsedCells, AreTheSmallestRectangle)
 {
@@ -79,14 +80,6 @@ Answer answer(const HalfSpace& half_space, const Field& strain, Symmetry symmetr
   loaded.displacement({.z = result.displacement});
   loaded.stress({}, result.stress);
   return result;
-}
-
-double largest_difference(const Field& a, const Field& b)
-{
-  double difference = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-  return difference;
 }
 
 class StrainInFewCellsTest : public testing::TestWithParam<VolumeGrid>
