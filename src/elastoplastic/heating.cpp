@@ -50,12 +50,44 @@ private:
 
 } // namespace
 
+namespace
+{
+
+/// What the heat of both bodies is made for, and kept on.
+struct Plan
+{
+  std::array<Heating::Partner, 2> bodies; ///< as they were when the run began
+  HeatedRun run;
+  Twin twin;
+  HeatNumerics numerics;
+};
+
+/// The grids of a run that is taken up may have grown before, but not those of the heat, which are made from the first ones.
+void exchange_grids(Archive& archive, std::array<Heating::Partner, 2>& bodies)
+{
+  constexpr int most = 1 << 20;
+  for (const auto& [name, body] : {std::pair{"lower", &bodies[0]}, {"upper", &bodies[1]}})
+  {
+    const SurfaceGrid now = body->grid.surface;
+    for (const auto& [part, cells] : {std::pair{".columns", &body->grid.surface.nx},
+                                      {".rows", &body->grid.surface.ny},
+                                      {".layers", &body->grid.nz}})
+      archive(std::string(name) + part, *cells, 1, most);
+    if ((now.nx - body->grid.surface.nx) % 2 != 0 || (now.ny - body->grid.surface.ny) % 2 != 0)
+      throw InputError(fmt::format("the stored state has heat on a grid of {} x {} cells, which does not fit",
+                                   body->grid.surface.nx, body->grid.surface.ny));
+  }
+}
+
+} // namespace
+
 struct Heating::State
 {
   SurfaceGrid contact;
-  HeatSettings settings;
+  Plan plan;
   std::array<HeatedSide, 2> sides;
   double twins; ///< bodies for which one that is solved stands
+  HeatSettings settings = plan.run.settings;
   /// What a flux into both bodies adds to the sum of their temperatures, for a pair of motions.
   struct BothResponses
   {
@@ -90,14 +122,16 @@ void require_conductors(const std::array<Heating::Partner, 2>& bodies)
       throw InputError("Heating: a body that deforms has no thermal constants");
 }
 
-std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const std::array<Heating::Partner, 2>& bodies,
-                                   const HeatedRun& run, Twin twin, const HeatNumerics& numerics)
+std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const Plan& plan)
 {
-  const auto heat_of = [&](const Heating::Partner& body)
-  { return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, run, numerics) : nullptr; };
+  const auto& bodies = plan.bodies;
+  const auto heat_of = [&](const Heating::Partner& body) {
+    return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, plan.run, plan.numerics)
+                                 : nullptr;
+  };
   const std::shared_ptr<BodyHeat> lower = heat_of(bodies[0]);
-  const bool is_twin = twin != Twin::none;
-  const std::optional<double>& reference = run.settings.reference;
+  const bool is_twin = plan.twin != Twin::none;
+  const std::optional<double>& reference = plan.run.settings.reference;
   return {HeatedSide(contact, bodies[0].material, lower, false, reference),
           HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1]), is_twin, reference)};
 }
@@ -112,8 +146,8 @@ Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodie
     throw InternalError("Heating: bodies that are alike do not slide on each other");
   if (twin != Twin::none && run.settings.share() != 0.5)
     throw InternalError("Heating: twins have equal shares in the heat");
-  state_ = make_hidden<State>(contact, run.settings, sides_of(contact, bodies, run, twin, numerics),
-                              twin == Twin::none ? 1.0 : 2.0);
+  const Plan plan{bodies, run, twin, numerics};
+  state_ = make_hidden<State>(contact, plan, sides_of(contact, plan), twin == Twin::none ? 1.0 : 2.0);
 }
 
 void Heating::begin(const Start& start)
@@ -333,6 +367,13 @@ void Heating::layers(std::size_t side, const VolumeGrid& body, const Layers& out
 void Heating::exchange(Archive& archive)
 {
   State& s = *state_;
+  const std::array<Partner, 2> planned = s.plan.bodies;
+  exchange_grids(archive, s.plan.bodies);
+  if (s.plan.bodies[0].grid != planned[0].grid || s.plan.bodies[1].grid != planned[1].grid)
+  {
+    s.sides = sides_of(s.contact, s.plan);
+    s.planned.clear();
+  }
   archive("lower", s.sides[0]);
   archive("upper", s.sides[1]);
   archive("heat_of_friction", s.heat_of_friction);

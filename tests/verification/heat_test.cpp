@@ -118,6 +118,32 @@ TEST(Heat, GridsThatGrowKeepTheHeat)
   EXPECT_NEAR((grown.summary.max_temperature[0] - 20.0) / (ample.summary.max_temperature[0] - 20.0), 1.0, 2e-3);
 }
 
+/// The heat stays on the grids that it began on: a run that is taken up makes these again.
+TEST(Heat, ARunWhoseGridsGrewIsTakenUp)
+{
+  TuggingCase t = warm_spheres(perfect_material(), 8.0, 1.0, 4.0);
+  t.extent = 0.62;
+  simulation::Run<TuggingCase> whole(t);
+  Archive::Fields checkpoint;
+  while (!whole.is_done())
+  {
+    if (whole.summary().grid_changes.empty())
+      checkpoint.clear();
+    else if (checkpoint.empty())
+      checkpoint = whole.checkpoint();
+    static_cast<void>(whole.step());
+  }
+  ASSERT_FALSE(checkpoint.empty());
+  t.extent = 0.7; // of grids that are made anew it may be another one
+  simulation::Run<TuggingCase> second(t, {}, &checkpoint);
+  while (!second.is_done())
+    static_cast<void>(second.step());
+  const TuggingRecord a = whole.summary().last, b = second.summary().last;
+  for (const auto& column : simulation::columns<TuggingRecord>)
+    EXPECT_EQ(column.value(a), column.value(b)) << column.name;
+  EXPECT_EQ(whole.summary().max_temperature, second.summary().max_temperature);
+}
+
 /// Largest temperature that a Hertzian flux of so much heat has made by the end of a way at constant speed.
 double flash_temperature(double heat, double radius, double speed, double distance)
 {
