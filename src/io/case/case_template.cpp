@@ -6,7 +6,6 @@
 #include "io/embedded.hpp"
 #include "io/files.hpp"
 #include "io/scenarios/scenario_io.hpp"
-#include "template_sections.hpp"
 #include "value_text.hpp"
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <iterator>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace brinell::io
 {
@@ -94,6 +94,66 @@ bool has_any_shape(std::string_view scenario)
   return has;
 }
 
+using Lines = std::vector<std::string>;
+
+/// Lines that give one key, in use or as a comment; those of no key are the keys that have no line of their own:
+/// "#   key such as ...:".
+struct KeyLines
+{
+  std::string key;
+  Lines lines;
+};
+
+struct Section
+{
+  std::string table; ///< empty: the root
+  std::string ruler; ///< the line before its name, if there is one
+  std::vector<KeyLines> keys{{}};
+
+  [[nodiscard]] Lines lines_of(std::string_view key) const
+  {
+    const auto found = std::find_if(keys.begin(), keys.end(), [&](const KeyLines& k) { return k.key == key; });
+    return found == keys.end() ? Lines{} : found->lines;
+  }
+};
+
+/// @param text  TOML of which each key takes one line; "#   " goes on with the key before it. Other comments are left out: the
+///              schema tells what a key means
+std::vector<Section> sections_of(std::string_view text)
+{
+  static const std::regex section_line(R"(\[([a-z.@]+)\].*)"), key_line(R"((?:# )?([a-z_]+) = .*)");
+  std::istringstream stream{std::string(text)};
+  std::vector<Section> sections(1);
+  std::string ruler; // of the table that comes
+  std::smatch match;
+  for (std::string line; std::getline(stream, line);)
+  {
+    std::vector<KeyLines>& keys = sections.back().keys;
+    const bool goes_on = line.starts_with("#   ") || (line.starts_with("# ") && line.ends_with(':'));
+    if (std::regex_match(line, match, section_line))
+      sections.push_back({match.str(1), std::exchange(ruler, {})});
+    else if (std::regex_match(line, match, key_line))
+    {
+      if (keys.back().key != match.str(1))
+        keys.push_back({match.str(1), {}});
+      keys.back().lines.push_back(line);
+    }
+    else if (line.starts_with("# ---"))
+      ruler = line;
+    else if (goes_on && !sections.back().table.empty())
+      keys.back().lines.push_back(line);
+  }
+  return sections;
+}
+
+/// "cone" of `shape = { type = "cone", ... }`; empty if the line chooses nothing.
+std::string choice_of(const std::string& line)
+{
+  static const std::regex choice(R"(.*\{ (?:type|law) = "([a-z_]+)\".*)");
+  std::smatch match;
+  return std::regex_match(line, match, choice) ? match.str(1) : "";
+}
+
 /// Writes the case of the folder cases/NAME of a scenario, table by table, in each table followed by what else it may have as
 /// comments: "# key = example" (src/io/case/template.toml), "# key = default" (the schema), and last the keys that have neither, as
 /// "#   key:". The text of the schema goes before the first line of each key, and behind those that have none. The keys of the
@@ -102,9 +162,8 @@ class Writer
 {
 public:
   explicit Writer(std::string_view scenario)
-      : scenario_(scenario), text_of_case_(embedded_text(fmt::format("cases/{}/case.toml", scenario))),
-        of_case_(sections_of(text_of_case_)),
-        shows_shapes_(has_any_shape(scenario) && !(find("grid") && find("grid")->find("size"))) // without a period
+      : scenario_(scenario), of_case_(sections_of(embedded_text(fmt::format("cases/{}/case.toml", scenario)))),
+        shows_shapes_(has_any_shape(scenario) && section("grid").lines_of("size").empty()) // without a period
   {
   }
 
@@ -112,21 +171,23 @@ public:
   {
     for (const KeyLines& key : of_case_.front().keys)
       put(key);
-    for (Section menu : sections_of(embedded_text("src/io/case/template.toml")))
+    std::vector<Section> menus = sections_of(embedded_text("src/io/case/template.toml"));
+    for (Section& menu : menus)
+    {
+      menu.table = menu.table == "@" ? scenario_ : menu.table;
       if (!menu.table.empty())
-      {
-        if (menu.table == "@")
-        {
-          menu.table = scenario_;
-          menu.head.back() = fmt::format("[{}]", scenario_);
-        }
         put(menu);
-      }
+    }
     return text_;
   }
 
 private:
-  [[nodiscard]] const Section* find(std::string_view table) const { return find_section(of_case_, table); }
+  [[nodiscard]] Section section(std::string_view table) const
+  {
+    const auto found =
+        std::find_if(of_case_.begin(), of_case_.end(), [&](const Section& s) { return s.table == table; });
+    return found == of_case_.end() ? Section{} : *found;
+  }
 
   /// A key that has no line of its own is explained behind its name.
   void put(const Lines& lines)
@@ -146,6 +207,8 @@ private:
 
   void put(const KeyLines& key)
   {
+    if (key.key.empty()) // put with the keys that have no line of their own
+      return;
     if (!table_.starts_with("upper"))
     {
       text_ += key_.empty() ? "" : "\n"; // between the keys of a section
@@ -157,34 +220,32 @@ private:
 
   void put(const Section& menu)
   {
-    const Section none, &own = find(menu.table) ? *find(menu.table) : none;
-    const bool is_explained = menu.table.starts_with("upper"); // at the lower body
-    const Lines names = is_explained ? Lines{} : keys_in(menu.table);
-    if (own.keys.empty() && names.empty())
+    const Section own = section(menu.table);
+    const Lines names = menu.table.starts_with("upper") ? Lines{} : keys_in(menu.table); // explained at the lower body
+    if (own.keys.size() == 1 && names.empty())
       return;
-    text_ += '\n';
-    put(menu.head);
+    text_ += fmt::format("\n{}{}[{}]\n", menu.ruler, menu.ruler.empty() ? "" : "\n\n", menu.table);
     table_ = menu.table + ".";
     key_.clear();
     for (const KeyLines& key : own.keys)
     {
       put(key);
-      if (const KeyLines* examples = menu.find(key.key))
-        put_examples(*examples, choice_of(key.lines.front()));
+      put_examples(key, menu.lines_of(key.key));
     }
     for (const KeyLines& key : menu.keys)
-      if (!own.find(key.key) && std::find(names.begin(), names.end(), key.key) != names.end())
+      if (own.lines_of(key.key).empty() && std::find(names.begin(), names.end(), key.key) != names.end())
         put(key);
     put_rest(menu, own, names);
   }
 
   /// Of a key in use, for which something else may be chosen.
-  void put_examples(const KeyLines& examples, const std::string& chosen)
+  void put_examples(const KeyLines& key, const Lines& examples)
   {
-    if (chosen.empty() || (examples.key == "shape" && !shows_shapes_))
+    const std::string chosen = key.lines.empty() ? "" : choice_of(key.lines.front());
+    if (chosen.empty() || (key.key == "shape" && !shows_shapes_))
       return;
     Lines others;
-    std::copy_if(examples.lines.begin(), examples.lines.end(), std::back_inserter(others),
+    std::copy_if(examples.begin(), examples.end(), std::back_inserter(others),
                  [&](const std::string& line) { return choice_of(line) != chosen; });
     put(others);
   }
@@ -193,19 +254,19 @@ private:
   void put_rest(const Section& menu, const Section& own, const Lines& names)
   {
     Lines added;
+    const Lines examples = menu.lines_of("");
     for (const std::string& name : names)
     {
-      const Entry* entry = find_entry(fmt::format("{}.{}", menu.table, name));
-      if (own.find(name) || menu.find(name))
+      if (!own.lines_of(name).empty() || !menu.lines_of(name).empty())
         continue;
+      const Entry* entry = find_entry(fmt::format("{}.{}", menu.table, name));
       const auto fallback = entry ? fallback_of(*entry, scenario_) : std::nullopt;
-      const auto example = std::find_if(menu.added.begin(), menu.added.end(),
+      const auto example = std::find_if(examples.begin(), examples.end(),
                                         [&](const std::string& line) { return line.starts_with("#   " + name + " "); });
-      const bool is_excluded = entry && own.find(entry->excludes.substr(entry->excludes.rfind('.') + 1));
-      if (fallback && !is_excluded)
+      if (fallback && own.lines_of(last_part(entry->excludes)).empty())
         put(KeyLines{name, {fmt::format("# {} = {}", name, toml_text(*fallback))}});
       else
-        added.push_back(example != menu.added.end() ? *example : fmt::format("#   {}:", name));
+        added.push_back(example != examples.end() ? *example : fmt::format("#   {}:", name));
     }
     if (!added.empty())
       text_ += "\n# May be added:\n";
@@ -218,20 +279,20 @@ private:
     Lines names;
     for (const Entry& entry : case_schema())
     {
+      const auto& scenarios = entry.when.values;
       const bool is_of_another =
-          entry.when.key == "scenario" &&
-          std::find(entry.when.values.begin(), entry.when.values.end(), scenario_) == entry.when.values.end();
+          entry.when.key == "scenario" && std::find(scenarios.begin(), scenarios.end(), scenario_) == scenarios.end();
       if (!entry.key.starts_with(table + ".") || is_of_another)
         continue;
       const std::string rest = entry.key.substr(table.size() + 1), name = rest.substr(0, rest.find('.'));
-      if (!find(fmt::format("{}.{}", table, name)) && std::find(names.begin(), names.end(), name) == names.end())
+      if (section(fmt::format("{}.{}", table, name)).table.empty() &&
+          std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
     }
     return names;
   }
 
   std::string scenario_;
-  std::string_view text_of_case_;
   std::vector<Section> of_case_;
   bool shows_shapes_;
   std::string table_, key_; ///< where the text is: the table with a dot, and the last key in it

@@ -3,132 +3,94 @@
 
 #include "brinell/io/schema.hpp"
 
-#include <algorithm>
-
 namespace brinell::io
 {
 
 namespace
 {
 
-constexpr std::string_view each = "[]."; // behind the list of tables of whose entries one member is meant
-
-bool is_of_list(const std::string& key, const std::string& list)
+/// The list of tables of whose entries one member is meant, and that member; of other names the key alone.
+std::pair<std::string, std::string> list_and_member(const OldName& name)
 {
-  return key.starts_with(list + "[") || key.starts_with(list + ".");
+  constexpr std::string_view each = "[].";
+  const auto at = name.key.find(each);
+  return {std::string(name.key.substr(0, at)),
+          at == name.key.npos ? "" : std::string(name.key.substr(at + each.size()))};
 }
 
-class Renaming
+std::string key_of(const std::string& list, std::size_t i, const std::string& member)
 {
-public:
-  Renaming(const GivenByOldName& item, RawCase& raw_case, Problems& problems)
-      : name_(*item.name), given_(item.given), raw_(raw_case), problems_(problems)
-  {
-    given_.old_name = name_.old_key;
-  }
+  return fmt::format("{}[{}].{}", list, i, member);
+}
 
-  void take()
+/// Of what an earlier layer gives, new names are replaced as a whole, old ones member by member.
+void take_list(const OldName& name, const Given& given, RawCase& raw_case)
+{
+  const auto [list, member] = list_and_member(name);
+  std::erase_if(raw_case.values,
+                [&](const auto& item)
+                {
+                  const auto& [key, other] = item;
+                  return (key.starts_with(list + "[") || key.starts_with(list + ".")) &&
+                         (other.old_name.empty() || other.old_name == name.old_key);
+                });
+  std::size_t count = 0;
+  for (const Raw& item : std::get<std::vector<Raw>>(given.raw.value))
+    raw_case.values.insert_or_assign(key_of(list, count++, member),
+                                     Given{item, given.place, given.from_command_line, name.old_key});
+  const auto has = [&](std::size_t i) // another member
   {
-    const auto at = name_.key.find(each);
-    if (at == name_.key.npos)
-      take_value(std::string(name_.key));
-    else
-      take_list(std::string(name_.key.substr(0, at)), std::string(name_.key.substr(at + each.size())));
-  }
-
-private:
-  /// Whether a value stands in the same layer: in the file beside the old name, or in the very same override.
-  [[nodiscard]] bool is_beside(const Given& other) const
-  {
-    return given_.from_command_line ? other.place == given_.place : !other.from_command_line;
-  }
-
-  [[nodiscard]] bool clashes(std::string_view key, const Given& other)
-  {
-    if (!is_beside(other) || other.old_name == name_.old_key)
-      return false;
-    problems_.add(given_.place,
-                  fmt::format("{} is an old name of {}, which is given, too; keep {}", name_.old_key, key, key));
-    return true;
-  }
-
-  void take_value(const std::string& key)
-  {
-    if (const Given* other = raw_.find(key); other && clashes(key, *other))
-      return;
-    raw_.values.insert_or_assign(key, given_);
-    raw_.by_old_name.insert_or_assign(std::string(name_.old_key), 1);
-  }
-
-  void take_list(const std::string& list, const std::string& member)
-  {
-    const auto* items = std::get_if<std::vector<Raw>>(&given_.raw.value);
-    if (!items || items->empty())
-    {
-      problems_.add(given_.place,
-                    fmt::format("{} = {} is {}; allowed: a list with an entry per table of {}", name_.old_key,
-                                shown(given_.raw), items ? "empty" : type_name(given_.raw), list));
-      return;
-    }
-    for (const auto& [key, other] : raw_.values)
-      if (is_of_list(key, list) && other.old_name.empty() && clashes(list, other))
-        return;
-    // Of what an earlier layer gives, new names are replaced as a whole, old ones member by member, as they were.
-    std::erase_if(raw_.values,
-                  [&](const auto& item) {
-                    return is_of_list(item.first, list) &&
-                           (item.second.old_name.empty() || item.first.ends_with("]." + member));
-                  });
-    for (std::size_t i = 0; i < items->size(); ++i)
-    {
-      Given entry = given_;
-      entry.raw = (*items)[i];
-      raw_.values.insert_or_assign(fmt::format("{}[{}].{}", list, i, member), std::move(entry));
-    }
-    const auto count = static_cast<int>(items->size());
-    raw_.by_old_name.insert_or_assign(std::string(name_.old_key), count);
-    int& length = raw_.lists[list];
-    length = count;
-    for (const OldName& other : old_names()) // members of the same tables
-      if (other.key.starts_with(list + "[") && raw_.by_old_name.contains(other.old_key))
-        length = std::max(length, raw_.by_old_name.find(other.old_key)->second);
-  }
-
-  const OldName& name_;
-  Given given_;
-  RawCase& raw_;
-  Problems& problems_;
-};
+    const auto next = raw_case.values.lower_bound(key_of(list, i, ""));
+    return next != raw_case.values.end() && next->first.starts_with(key_of(list, i, ""));
+  };
+  while (has(count))
+    ++count;
+  raw_case.lists[list] = static_cast<int>(count);
+}
 
 } // namespace
 
-void take_old_names(const std::vector<GivenByOldName>& given, RawCase& raw_case, Problems& problems)
+void take_old_name(const OldName& name, Given given, RawCase& raw_case, Problems& problems)
 {
-  for (const GivenByOldName& item : given)
+  given.old_name = name.old_key;
+  raw_case.warnings.push_back(
+      {"old_name", fmt::format("{} is now called {}: the old name is understood in this version still, not in the "
+                               "next one",
+                               name.old_key, new_name_text(name))});
+  const auto [key, member] = list_and_member(name);
+  const auto* items = std::get_if<std::vector<Raw>>(&given.raw.value);
+  if (!member.empty() && (!items || items->empty()))
+    return problems.add(given.place,
+                        fmt::format("{} = {} is {}; allowed: a list with an entry per table of {}", name.old_key,
+                                    shown(given.raw), items ? "empty" : type_name(given.raw), key));
+  for (const auto& [other_key, other] : raw_case.values)
   {
-    Renaming(item, raw_case, problems).take();
-    raw_case.warnings.push_back(
-        {"old_name", fmt::format("{} is now called {}: the old name is understood in this version still, not in the "
-                                 "next one",
-                                 item.name->old_key, new_name_text(*item.name))});
+    const bool is_beside = given.from_command_line ? other.place == given.place : !other.from_command_line;
+    const bool is_same =
+        member.empty() ? other_key == key : other_key.starts_with(key + "[") || other_key.starts_with(key + ".");
+    if (is_same && is_beside && other.old_name.empty())
+      return problems.add(given.place,
+                          fmt::format("{} is an old name of {}, which is given, too; keep {}", name.old_key, key, key));
   }
+  if (member.empty())
+    raw_case.values.insert_or_assign(key, std::move(given));
+  else
+    take_list(name, given, raw_case);
 }
 
 void check_old_lists(const RawCase& raw_case, Problems& problems)
 {
   for (const OldName& name : old_names())
   {
-    const auto at = name.key.find(each);
-    const auto used = raw_case.by_old_name.find(name.old_key);
-    if (at == name.key.npos || used == raw_case.by_old_name.end())
-      continue;
-    const auto list = raw_case.lists.find(name.key.substr(0, at));
-    const auto first =
-        raw_case.values.find(fmt::format("{}[0].{}", name.key.substr(0, at), name.key.substr(at + each.size())));
-    if (list != raw_case.lists.end() && first != raw_case.values.end() && first->second.old_name == name.old_key &&
-        list->second != used->second)
-      problems.add(first->second.place, fmt::format("{} has {} of {} entries: one for each table of {} is needed",
-                                                    name.old_key, used->second, list->second, list->first));
+    const auto [list, member] = list_and_member(name);
+    const Given* by_old_name = nullptr;
+    int count = 0;
+    for (; const Given* given = raw_case.find(key_of(list, static_cast<std::size_t>(count), member)); ++count)
+      if (given->old_name == name.old_key)
+        by_old_name = given;
+    if (by_old_name && raw_case.lists.find(list)->second != count)
+      problems.add(by_old_name->place, fmt::format("{} has {} of {} entries: one for each table of {} is needed",
+                                                   name.old_key, count, raw_case.lists.find(list)->second, list));
   }
 }
 

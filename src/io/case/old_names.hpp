@@ -7,16 +7,9 @@
 namespace brinell::io
 {
 
-/// What stands under an old name in one layer of a case: its file, or one override.
-struct GivenByOldName
-{
-  const OldName* name;
-  Given given;
-};
-
-/// Puts what was given by old names under the new ones, as if it had been written so.
-/// @param given  of one layer, of which `raw_case` has the rest already: both names in one layer are a problem
-void take_old_names(const std::vector<GivenByOldName>& given, RawCase& raw_case, Problems& problems);
+/// Puts what was given by an old name under the new one, as if it had been written so. Both names in one layer, the file or one
+/// override, are a problem: keys are taken in the order of the alphabet, in which the new name comes first.
+void take_old_name(const OldName& name, Given given, RawCase& raw_case, Problems& problems);
 
 /// Lists by old names, of which each holds one member of a list of tables, must be of one length.
 void check_old_lists(const RawCase& raw_case, Problems& problems);

@@ -63,7 +63,6 @@ struct Target
   Problems& problems;
   std::string override_place; ///< empty for the file itself
   std::string scenario{};     ///< as the file has it, right or not
-  std::vector<GivenByOldName> by_old_names{};
 
   [[nodiscard]] std::string suggestion_for(const std::string& unknown_key) const
   {
@@ -112,7 +111,7 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
     if (key.str().find('[') != key.str().npos) // in quotes: the number of a table is not for a file to write
       target.problems.add(place, fmt::format("unknown key {}; {}", path, target.suggestion_for(path)));
     else if (const OldName* old = find_old_name(path))
-      target.by_old_names.push_back({old, {raw_value(node), place, !target.override_place.empty()}});
+      take_old_name(*old, {raw_value(node), place, !target.override_place.empty()}, target.raw_case, target.problems);
     else if (find_entry(path))
       target.raw_case.values.insert_or_assign(path, Given{raw_value(node), place, !target.override_place.empty()});
     else if (is_table(path) && node.is_table())
@@ -165,7 +164,7 @@ void forget_table(RawCase& raw_case, const std::string& key)
 {
   std::erase_if(raw_case.values, [&](const auto& item)
                 { return item.first.starts_with(key + ".") || item.first.starts_with(key + "["); });
-  raw_case.lists.erase(key);
+  std::erase_if(raw_case.lists, [&](const auto& item) { return (item.first + ".").starts_with(key + "."); });
 }
 
 /// The table of a key in which there is a list of tables, or may be; empty if there is none.
@@ -237,15 +236,12 @@ void apply_override(const std::string& text, const std::string& scenario, RawCas
   if (node.is_table() && is_table(key))
   {
     forget_table(raw_case, key);
-    flatten(*node.as_table(), key + ".", target);
-    take_old_names(target.by_old_names, raw_case, problems);
-    return;
+    return flatten(*node.as_table(), key + ".", target);
   }
   toml::table wrapped; // the same checks as for a key of the file, whose last part alone is a key here
   const auto dot = key.rfind('.');
   wrapped.insert(dot == key.npos ? key : key.substr(dot + 1), node);
   flatten(wrapped, dot == key.npos ? "" : key.substr(0, dot + 1), target);
-  take_old_names(target.by_old_names, raw_case, problems);
 }
 
 } // namespace
@@ -319,7 +315,6 @@ RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
   const toml::table tree = parse_toml(text, file.string());
   Target target{raw_case, problems, "", tree["scenario"].value_or(std::string())};
   flatten(tree, "", target);
-  take_old_names(target.by_old_names, raw_case, problems);
   for (const std::string& item : overrides)
     apply_override(item, target.scenario, raw_case, problems);
   check_lists(raw_case, problems);

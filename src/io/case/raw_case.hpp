@@ -53,8 +53,7 @@ struct RawCase
 
   std::map<std::string, int, std::less<>> lists; ///< tables that stand several times, and how often
 
-  std::map<std::string, int, std::less<>> by_old_name; ///< old keys that were given, with the lengths of their lists
-  std::vector<simulation::Warning> warnings;           ///< of old names
+  std::vector<simulation::Warning> warnings; ///< of old names
 
   [[nodiscard]] const Given* find(std::string_view key) const;
   /// The table itself, or each one of its list.

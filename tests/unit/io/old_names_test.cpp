@@ -51,6 +51,7 @@ TEST(OldNames, EachLeadsToAKeyAndIsNone)
         list == name.key.npos ? std::string(name.key) : std::string(name.key).replace(list, 2, "[0]");
     EXPECT_NE(find_entry(key), nullptr) << key;
     EXPECT_EQ(find_entry(name.old_key), nullptr) << name.old_key;
+    EXPECT_LT(name.key, name.old_key) << "that both are given would not be told";
     EXPECT_EQ(schema_markdown().find(name.old_key.substr(name.old_key.rfind('.') + 1)), std::string::npos);
     EXPECT_EQ(schema_json().find(name.old_key.substr(name.old_key.rfind('.') + 1)), std::string::npos);
     EXPECT_THROW(static_cast<void>(schema_text(name.old_key)), InputError);
