@@ -82,7 +82,7 @@ std::vector<double> by_rows(const std::vector<double>& by_columns, std::size_t r
 
 } // namespace
 
-NumberTable read_npy(const std::filesystem::path& file)
+HeightTable read_npy(const std::filesystem::path& file)
 {
   const std::string content = input_text(file, largest_table);
   const std::optional<Head> head = head_of(content);

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/io/case_file.hpp"
+
 #include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
 /// Files of NumPy with one table of numbers (.npy): measured heights, which as text take three times the room and a hundred times
 /// the time.
 namespace brinell::io
 {
 
-struct NumberTable
-{
-  std::vector<double> values; ///< row after row
-  std::size_t columns = 0;
-};
-
 /// @throws InputError without the file's name: it is no such file, has no rows and columns of real numbers, or numbers that are
 /// not finite; IoError
-[[nodiscard]] NumberTable read_npy(const std::filesystem::path& file);
+[[nodiscard]] HeightTable read_npy(const std::filesystem::path& file);
 
 /// What to say of heights that are not finite. @param first  where the first of them stands
 [[nodiscard]] std::string not_measured(const std::string& first, std::size_t count);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/foundation/error.hpp"
-#include "chosen_option.hpp"
-#include "curve_file.hpp"
+#include "case_reader.hpp"
+#include "measured_files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,12 +36,6 @@ constitutive::HardeningLaw hardening_law(const CaseReader& reader, const std::st
   }
 }
 
-/// A list, empty if it is not given.
-std::vector<double> numbers(const CaseReader& reader, const std::string& key)
-{
-  return reader.has(key) ? reader.get<std::vector<double>>(key) : std::vector<double>{};
-}
-
 /// One term per table of the list; a table without a modulus is a problem, none at all is none.
 std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseReader& reader, const std::string& list)
 {
@@ -51,8 +44,7 @@ std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseReader& reade
   {
     const bool has_recall = reader.has(table + ".recall");
     if (reader.has(table + ".modulus"))
-      terms.push_back(
-          {reader.get<double>(table + ".modulus"), has_recall ? reader.get<double>(table + ".recall") : 0.0});
+      terms.push_back({reader.get<double>(table + ".modulus"), reader.get_or(table + ".recall", 0.0)});
     else if (has_recall || reader.raw.lists.contains(list))
       reader.problems.add(
           reader.place(has_recall ? table + ".recall" : table + ".modulus"),
@@ -63,11 +55,9 @@ std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseReader& reade
 
 constitutive::DepthProfile profile(const CaseReader& reader, const std::string& table, const char* value)
 {
-  std::vector<double> depth = numbers(reader, table + "depth");
-  std::vector<double> at_depth = numbers(reader, table + value);
-  if (depth.empty() && at_depth.empty())
+  if (!reader.has(table + "depth") && !reader.has(table + value))
     return {};
-  return {std::move(depth), std::move(at_depth)};
+  return {reader.get_or(table + "depth", std::vector<double>()), reader.get_or(table + value, std::vector<double>())};
 }
 
 /// A material that yields before it is loaded is none. Both profiles are linear between their points: look at these.
@@ -128,8 +118,8 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
 /// Puts the points of hardening.file in its place.
 void load_curve(CaseValues& values, const CaseReader& reader, const std::string& table)
 {
-  const auto word = [&](const char* key, const char* otherwise)
-  { return reader.has(table + key) ? reader.get<std::string>(table + key) : std::string(otherwise); };
+  const auto word = [&](const char* key, std::string otherwise)
+  { return reader.get_or(table + key, std::move(otherwise)); };
   if (reader.has(table + "stress"))
     reader.problems.add(reader.place(table + "stress"),
                         fmt::format("{0}stress cannot stand together with {0}file; keep one of them", table));
@@ -138,7 +128,7 @@ void load_curve(CaseValues& values, const CaseReader& reader, const std::string&
   try
   {
     const std::string stress_unit = word(key, "Pa");
-    require_unit_of_stress(stress_unit);
+    static_cast<void>(size_of_unit(stress_unit, dimension::pressure, "stress, such as \"MPa\""));
     key = "file";
     curve = read_curve(reader.raw.folder / word(key, ""), word("strain_unit", "1"), stress_unit);
   }
@@ -167,7 +157,7 @@ void load_hardening_file(CaseValues& values, const RawCase& raw, const std::stri
         reader.add(table + unit, "is the unit of a file; it goes with {}file only", table);
       values.replace(table + unit, {});
     }
-  if (reader.has(table + "monotone") && reader.get<bool>(table + "monotone") && reader.has(table + "stress"))
+  if (reader.get_or(table + "monotone", false) && reader.has(table + "stress"))
   {
     auto stress = reader.get<std::vector<double>>(table + "stress");
     for (std::size_t i = 1; i < stress.size(); ++i)

@@ -65,7 +65,7 @@ const std::vector<Option<Texture>>& texture_options()
        },
        "ville1999"},
       {"height_map", {"x", "y"}},
-      {"sinusoid", {"amplitude", "wavelength_x", "wavelength_y", "x", "y"}},
+      {"sinusoid", {"amplitude", "wavelength_x", "wavelength_y", "x", "y"}, of<Texture, Sinusoid, 0, 1, 2, 3, 4>},
       {"random", {"hurst", "rms_height", "rms_slope", "rolloff", "cutoff", "size", "seed"}, nullptr, "jacobs2017"},
   };
   return options;

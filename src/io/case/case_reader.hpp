@@ -8,6 +8,7 @@
 #include "value_text.hpp"
 
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace brinell::io
@@ -28,6 +29,12 @@ struct CaseReader
   [[nodiscard]] const T& get(std::string_view key) const
   {
     return values.get<T>(key);
+  }
+  /// Of a key that may stay unset.
+  template <class T>
+  [[nodiscard]] T get_or(std::string_view key, T otherwise) const
+  {
+    return has(key) ? get<T>(key) : std::move(otherwise);
   }
   [[nodiscard]] int integer(std::string_view key) const { return static_cast<int>(get<std::int64_t>(key)); }
   [[nodiscard]] bool has(std::string_view key) const { return values.find(key) != nullptr; }
@@ -84,6 +91,28 @@ catch (const InputError& error)
   reader.add(key, "does not fit: {}", error.what());
 }
 
+/// The option that a key names.
+template <typename Product>
+const Option<Product>& chosen(const CaseReader& reader, const std::string& key,
+                              const std::vector<Option<Product>>& options)
+{
+  const auto& name = reader.get<std::string>(key);
+  for (const Option<Product>& option : options)
+    if (option.name == name)
+      return option;
+  throw InternalError(fmt::format("{} = {} is in the schema, but is not built", key, name));
+}
+
+/// What it makes of its numbers in a table, which ends with a dot.
+template <typename Product>
+Product made(const CaseReader& reader, const std::string& table, const Option<Product>& option)
+{
+  std::vector<double> numbers;
+  for (const std::string& key : option.keys) // a length that is not given has no end
+    numbers.push_back(reader.get_or(table + key, std::numeric_limits<double>::infinity()));
+  return option.make(numbers.data());
+}
+
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
 
@@ -101,9 +130,6 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
 /// Constants that no solid has, and those that nothing uses.
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
                      Case& c);
-
-/// Coefficients that no solid has.
-void warn_of_wear(const elastoplastic::WearLaw& wear, Case& c);
 
 /// The boundaries of a domain, and its period along the axes that have one.
 /// @param both  whether the scenario can be computed with both axes periodic, or with x alone

@@ -6,6 +6,7 @@
 #include "io/embedded.hpp"
 #include "io/files.hpp"
 #include "io/scenarios/scenario_io.hpp"
+#include "suggestion.hpp"
 #include "value_text.hpp"
 
 #include <algorithm>
@@ -221,7 +222,10 @@ private:
   void put(const Section& menu)
   {
     const Section own = section(menu.table);
-    const Lines names = menu.table.starts_with("upper") ? Lines{} : keys_in(menu.table); // explained at the lower body
+    Lines names =
+        menu.table.starts_with("upper") ? Lines{} : children(menu.table, scenario_); // explained at the lower body
+    std::erase_if(names, [&](const std::string& name)
+                  { return !section(fmt::format("{}.{}", menu.table, name)).table.empty(); });
     if (own.keys.size() == 1 && names.empty())
       return;
     text_ += fmt::format("\n{}{}[{}]\n", menu.ruler, menu.ruler.empty() ? "" : "\n\n", menu.table);
@@ -271,25 +275,6 @@ private:
     if (!added.empty())
       text_ += "\n# May be added:\n";
     put(added);
-  }
-
-  /// First parts of the keys in a table that the scenario knows, without those that are tables of the template.
-  [[nodiscard]] Lines keys_in(const std::string& table) const
-  {
-    Lines names;
-    for (const Entry& entry : case_schema())
-    {
-      const auto& scenarios = entry.when.values;
-      const bool is_of_another =
-          entry.when.key == "scenario" && std::find(scenarios.begin(), scenarios.end(), scenario_) == scenarios.end();
-      if (!entry.key.starts_with(table + ".") || is_of_another)
-        continue;
-      const std::string rest = entry.key.substr(table.size() + 1), name = rest.substr(0, rest.find('.'));
-      if (section(fmt::format("{}.{}", table, name)).table.empty() &&
-          std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    }
-    return names;
   }
 
   std::string scenario_;

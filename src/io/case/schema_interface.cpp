@@ -12,17 +12,27 @@ namespace brinell::io
 namespace
 {
 
+/// Scenarios whose rows tell of something.
+template <typename Part>
+std::vector<std::string> scenarios_that_tell_of()
+{
+  return scenarios_with([]<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
+                        { return std::derived_from<typename ScenarioCase::Record, Part>; });
+}
+
+/// A key of one part of what all scenarios have.
+template <typename Part, typename Member>
+Entry of_part(Entry given, const std::vector<std::string>& scenarios, Part part, Member member)
+{
+  given.when = {"scenario", scenarios};
+  return bound(std::move(given), part, member);
+}
+
 std::vector<Entry> friction_entries()
 {
   using elastoplastic::Friction;
-  const auto slides = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
-  { return std::derived_from<typename ScenarioCase::Record, simulation::FrictionRecord>; };
-  const Condition sliding{"scenario", scenarios_with(slides)};
-  const auto entry = [&](Entry given, auto member)
-  {
-    given.when = sliding;
-    return bound(std::move(given), &simulation::Numerics::friction, member);
-  };
+  const auto entry = [all = scenarios_that_tell_of<simulation::FrictionRecord>()](Entry given, auto member)
+  { return of_part(std::move(given), all, &simulation::Numerics::friction, member); };
   return {
       entry({.key = "interface.friction",
              .range = at_least(0.0),
@@ -44,22 +54,12 @@ std::vector<Entry> friction_entries()
   };
 }
 
-/// A key of the heat of friction, in scenarios whose rows tell of it.
+/// A key of the heat of friction.
 template <typename Member>
 Entry of_heat(Entry given, Member member)
 {
-  const auto warms = []<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
-  { return std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>; };
-  given.when = {"scenario", scenarios_with(warms)};
-  return bound(std::move(given), &simulation::Numerics::heat, member);
-}
-
-std::vector<Entry> heat_fraction_entries()
-{
-  return {of_heat({.key = "interface.heat_fraction",
-                   .range = between(0.0, 1.0),
-                   .text = "Share of the friction power that warms the two bodies, where they have thermal constants."},
-                  &elastoplastic::HeatSettings::fraction)};
+  return of_part(std::move(given), scenarios_that_tell_of<simulation::HeatedRecord>(), &simulation::Numerics::heat,
+                 member);
 }
 
 /// Wear, in scenarios whose rows tell of it.
@@ -71,12 +71,8 @@ std::vector<Entry> wear_entries()
     const auto& all = simulation::columns<typename ScenarioCase::Record>;
     return std::any_of(all.begin(), all.end(), [](const auto& column) { return column.name == "worn_volume_lower"; });
   };
-  const Condition wearing{"scenario", scenarios_with(wears)};
-  const auto entry = [&](Entry given, auto member)
-  {
-    given.when = wearing;
-    return bound(std::move(given), &simulation::Numerics::wear, member);
-  };
+  const auto entry = [all = scenarios_with(wears)](Entry given, auto member)
+  { return of_part(std::move(given), all, &simulation::Numerics::wear, member); };
   const auto coefficient = [&](const char* key, const char* text, auto member)
   {
     return entry({.key = std::string("interface.wear.") + key,
@@ -105,10 +101,13 @@ std::vector<Entry> wear_entries()
 
 std::vector<Entry> interface_entries()
 {
-  std::vector<Entry> entries = friction_entries();
-  for (auto part : {heat_fraction_entries(), wear_entries()})
-    entries.insert(entries.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
-  return entries;
+  return joined({friction_entries(),
+                 {of_heat({.key = "interface.heat_fraction",
+                           .range = between(0.0, 1.0),
+                           .text = "Share of the friction power that warms the two bodies, where they have thermal "
+                                   "constants."},
+                          &elastoplastic::HeatSettings::fraction)},
+                 wear_entries()});
 }
 
 std::vector<Entry> heat_entries()

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace brinell::io
 {
@@ -72,14 +73,19 @@ Json table()
   return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
 }
 
-/// Tables of which there may be several, as one table or as a list.
-std::vector<std::string> lists_of_tables()
+/// Of a key or table; the tables around it are made if they are not there.
+Json& place_of(Json& root, std::string_view key)
 {
-  std::vector<std::string> lists;
-  for (const Entry& entry : case_schema())
-    if (!entry.list.empty() && (lists.empty() || lists.back() != entry.list))
-      lists.push_back(entry.list);
-  return lists;
+  Json* place = &root;
+  while (!key.empty())
+  {
+    if (place->is_null())
+      *place = table();
+    const std::string_view name = key.substr(0, key.find('.'));
+    place = &(*place)["properties"][std::string(name)];
+    key.remove_prefix(std::min(key.size(), name.size() + 1));
+  }
+  return *place;
 }
 
 } // namespace
@@ -87,32 +93,18 @@ std::vector<std::string> lists_of_tables()
 std::string schema_json()
 {
   Json root = table();
+  std::set<std::string> lists; // tables of which there may be several, as one table or as a list
   for (const Entry& entry : case_schema())
   {
-    Json* parent = &root;
-    std::string_view key = entry.key;
-    for (auto dot = key.find('.'); dot != key.npos; dot = key.find('.'))
-    {
-      Json& properties = (*parent)["properties"];
-      const std::string name(key.substr(0, dot));
-      if (!properties.contains(name))
-        properties[name] = table();
-      parent = &properties[name];
-      key.remove_prefix(dot + 1);
-    }
-    (*parent)["properties"][std::string(key)] = entry_schema(entry);
+    place_of(root, entry.key) = entry_schema(entry);
+    if (!entry.list.empty())
+      lists.insert(entry.list);
   }
-  for (const std::string& list : lists_of_tables())
+  for (const std::string& list : lists)
   {
-    Json* place = &root;
-    std::string_view rest = list;
-    for (std::string_view name; !rest.empty(); rest.remove_prefix(std::min(rest.size(), name.size() + 1)))
-    {
-      name = rest.substr(0, rest.find('.'));
-      place = &(*place)["properties"][std::string(name)];
-    }
-    const Json one = *place;
-    *place = {{"anyOf", Json::array({one, {{"type", "array"}, {"items", one}}})}};
+    Json& place = place_of(root, list);
+    const Json one = place;
+    place = {{"anyOf", Json::array({one, {{"type", "array"}, {"items", one}}})}};
   }
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "A case of brinell"}};
   schema.update(root);

@@ -103,16 +103,10 @@ Entry parameter(const std::string& choice, const std::vector<Option<Product>>& o
 /// Keys of a material. @param material  its table, ends with a dot
 [[nodiscard]] std::vector<Entry> material_entries(const std::string& material);
 
-/// What a material has to do with heat. @param material  its table, ends with a dot
-[[nodiscard]] std::vector<Entry> thermal_entries(const std::string& material);
-
 /// What is between the surfaces: friction, its heat, wear.
 [[nodiscard]] std::vector<Entry> interface_entries();
 /// What the heat of friction does, the table `thermal`.
 [[nodiscard]] std::vector<Entry> heat_entries();
-
-/// How its yield stress falls with temperature. @param yields  the condition that it has one
-[[nodiscard]] std::vector<Entry> softening_entries(const std::string& material, const Condition& yields);
 
 // Intervals of a number.
 inline Range above(double min)

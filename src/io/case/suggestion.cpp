@@ -20,22 +20,6 @@ std::pair<std::string_view, std::string_view> split(std::string_view key)
   return dot == key.npos ? std::pair{std::string_view{}, key} : std::pair{key.substr(0, dot), key.substr(dot + 1)};
 }
 
-std::vector<std::string> children(std::string_view parent)
-{
-  std::vector<std::string> names;
-  const std::string prefix = parent.empty() ? "" : fmt::format("{}.", plain_key(parent));
-  for (const Entry& entry : case_schema())
-  {
-    if (!entry.key.starts_with(prefix))
-      continue;
-    std::string name = entry.key.substr(prefix.size());
-    name = name.substr(0, name.find('.'));
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      names.push_back(name);
-  }
-  return names;
-}
-
 /// Symbols of the theory that are written for a key.
 constexpr std::pair<std::string_view, std::string_view> symbols[] = {
     {"E", "young_modulus"}, {"nu", "poisson_ratio"},     {"R", "radius"}, {"S_y", "yield_stress"},
@@ -86,6 +70,24 @@ std::string misplaced(std::string_view key, std::string_view scenario)
 }
 
 } // namespace
+
+std::vector<std::string> children(std::string_view parent, std::string_view scenario)
+{
+  std::vector<std::string> names;
+  const std::string prefix = parent.empty() ? "" : fmt::format("{}.", plain_key(parent));
+  for (const Entry& entry : case_schema())
+  {
+    const auto& scenarios = entry.when.values;
+    const bool is_of_another = !scenario.empty() && entry.when.key == "scenario" &&
+                               std::find(scenarios.begin(), scenarios.end(), scenario) == scenarios.end();
+    if (!entry.key.starts_with(prefix) || is_of_another)
+      continue;
+    const std::string rest = entry.key.substr(prefix.size()), name = rest.substr(0, rest.find('.'));
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  }
+  return names;
+}
 
 int edit_distance(std::string_view a, std::string_view b)
 {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/foundation/error.hpp"
-#include "brinell/io/units.hpp"
-#include "chosen_option.hpp"
-#include "io/npy.hpp"
-#include "number_lines.hpp"
+#include "case_reader.hpp"
+#include "measured_files.hpp"
 
 #include <array>
 #include <iterator>
@@ -15,30 +12,6 @@ namespace brinell::io
 
 namespace
 {
-
-InputError wrong_line(const NumberLine& line, const std::string& allowed)
-{
-  return InputError(fmt::format("has in line {} \"{}\"; allowed: {}", line.number, line.text.substr(0, 40), allowed));
-}
-
-/// Heights in m, in text a line per row; and how many make a row.
-NumberTable read_heights(const std::filesystem::path& file)
-{
-  if (file.extension() == ".npy")
-    return read_npy(file);
-  std::vector<double> heights;
-  std::size_t columns = 0;
-  for (const NumberLine& line : number_lines(file))
-  {
-    if (line.values.empty() || (columns > 0 && line.values.size() != columns))
-      throw wrong_line(line, fmt::format("{} heights in m", columns > 0 ? std::to_string(columns) : "one or more"));
-    columns = line.values.size();
-    heights.insert(heights.end(), line.values.begin(), line.values.end());
-  }
-  if (heights.empty())
-    throw InputError("has no heights");
-  return {std::move(heights), columns};
-}
 
 /// Smooth, with the problem told, if the keys do not fit together.
 simulation::Texture height_map(const CaseReader& reader, const std::string& table)
@@ -69,24 +42,6 @@ simulation::Texture height_map(const CaseReader& reader, const std::string& tabl
                                .y = reader.get<double>(table + "y"),
                                .heights = heights,
                                .periodic = reader.get<bool>(table + "periodic")};
-}
-
-/// Smooth, with the problem told, if no wavelength is given.
-simulation::Texture sinusoid(const CaseReader& reader, const std::string& table)
-{
-  simulation::Sinusoid waves{.amplitude = reader.get<double>(table + "amplitude"),
-                             .x = reader.get<double>(table + "x"),
-                             .y = reader.get<double>(table + "y")};
-  if (!reader.has(table + "wavelength_x") && !reader.has(table + "wavelength_y"))
-  {
-    reader.add(table + "type", "needs {0}wavelength_x or {0}wavelength_y, or both", table);
-    return {};
-  }
-  if (reader.has(table + "wavelength_x"))
-    waves.wavelength_x = reader.get<double>(table + "wavelength_x");
-  if (reader.has(table + "wavelength_y"))
-    waves.wavelength_y = reader.get<double>(table + "wavelength_y");
-  return waves;
 }
 
 /// Period of the grid along x and along y, where it is given.
@@ -137,7 +92,7 @@ simulation::Texture random_surface(const CaseReader& reader, const std::string& 
   simulation::SelfAffine p{.hurst = reader.get<double>(table + "hurst"),
                            .rms_height = number("rms_height"),
                            .rms_slope = number("rms_slope"),
-                           .rolloff = number("rolloff").value_or(std::numeric_limits<double>::infinity()),
+                           .rolloff = reader.get_or(table + "rolloff", std::numeric_limits<double>::infinity()),
                            .cutoff = reader.get<double>(table + "cutoff"),
                            .seed = static_cast<std::uint64_t>(reader.get<std::int64_t>(table + "seed"))};
   if (!p.rms_height && !p.rms_slope)
@@ -175,10 +130,11 @@ simulation::Texture read_texture(const CaseReader& reader, const std::string& ke
   {
     const std::string table = name + ".";
     const auto& option = chosen(reader, table + "type", texture_options());
-    simulation::Texture part = option.make                 ? made(reader, table, option)
-                               : option.name == "random"   ? random_surface(reader, table)
-                               : option.name == "sinusoid" ? sinusoid(reader, table)
-                                                           : height_map(reader, table);
+    if (option.name == "sinusoid" && !reader.has(table + "wavelength_x") && !reader.has(table + "wavelength_y"))
+      reader.add(table + "type", "needs {0}wavelength_x or {0}wavelength_y, or both", table);
+    simulation::Texture part = option.make               ? made(reader, table, option)
+                               : option.name == "random" ? random_surface(reader, table)
+                                                         : height_map(reader, table);
     std::move(part.parts.begin(), part.parts.end(), std::back_inserter(sum.parts));
   }
   return sum;
@@ -188,12 +144,10 @@ namespace
 {
 
 /// Of a table in memory, or of a file.
-NumberTable named_heights(const RawCase& raw, const std::string& name)
+HeightTable named_heights(const RawCase& raw, const std::string& name)
 {
-  if (raw.height_tables)
-    if (const auto found = raw.height_tables->find(name); found != raw.height_tables->end())
-      return {found->second.heights, found->second.columns};
-  return read_heights(raw.folder / name);
+  const auto found = raw.height_tables ? raw.height_tables->find(name) : HeightTables::const_iterator();
+  return raw.height_tables && found != raw.height_tables->end() ? found->second : read_heights(raw.folder / name);
 }
 
 /// What the unit of a file of heights is in m; 1 with the problem told if it is none. What is resolved has no unit.
@@ -209,11 +163,7 @@ double metres_of_unit(CaseValues& values, const CaseReader& reader, const std::s
   else
     try
     {
-      const auto [size, dimension] = quantity("1 " + reader.get<std::string>(key));
-      if (dimension != dimension::length)
-        throw InputError(
-            fmt::format("is a unit of {}; allowed: a unit of length, such as \"um\"", dimension_name(dimension)));
-      metres = size;
+      metres = size_of_unit(reader.get<std::string>(key), dimension::length, "length, such as \"um\"");
     }
     catch (const InputError& error)
     {

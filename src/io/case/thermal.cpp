@@ -19,8 +19,7 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
       const Entry& entry = *find_entry(table + key);
       reader.missing(entry.key, fmt::format("{}; {}", allowed_values(entry), entry.hint));
     }
-  const auto number = [&](const char* key, double otherwise)
-  { return has(key) ? reader.get<double>(table + key) : otherwise; };
+  const auto number = [&](const char* key, double otherwise) { return reader.get_or(table + key, otherwise); };
   material.thermal = Thermal{.conductivity = number("conductivity", 0.0),
                              .density = number("density", 0.0),
                              .specific_heat = number("specific_heat", 0.0),
@@ -37,9 +36,7 @@ std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader
     return constitutive::TabulatedSoftening(reader.get<std::vector<double>>(table + "temperature"),
                                             reader.get<std::vector<double>>(table + "factor"));
   const double melting = reader.get<double>(table + "melting_temperature");
-  const double reference = reader.has(table + "reference_temperature")
-                               ? reader.get<double>(table + "reference_temperature")
-                               : constitutive::LinearSoftening{}.reference;
+  const double reference = reader.get_or(table + "reference_temperature", constitutive::LinearSoftening{}.reference);
   if (!(melting > reference))
     throw InputError(fmt::format("melting_temperature = {:g} degC is not above reference_temperature = {:g} degC",
                                  melting, reference));

@@ -80,80 +80,58 @@ std::vector<std::string> key_names(const Scenario& scenario, const Numbers& numb
   return names;
 }
 
-/// What is large for a number: a small share of the largest force, energy or length that the run has. Below it a number is as
-/// good as zero, as the net energy of elastic bodies.
-class ScaleOf
+/// The longest unit that the name ends with: N/m is no length. Empty for a pure number.
+std::string_view unit_of(const std::string& name)
 {
-public:
-  ScaleOf(const Case& c, const Numbers& numbers)
-  {
-    for (const auto& [name, value] : numbers)
-      largest_[unit_of(name)] = std::max(largest_[unit_of(name)], std::abs(value));
-    std::visit(
-        [&](const auto& scenario)
-        {
-          const simulation::Plan plan = simulation::plan(scenario);
-          largest_["_m"] = std::max(largest_["_m"], plan.scales.gap);
-          const auto drive = io_of(scenario).drive_kept;
-          if (drive && (scenario.*drive).kind == contact::Drive::Kind::load)
-            largest_["_N"] = std::max(largest_["_N"], (scenario.*drive).value);
-        },
-        c.scenario);
-  }
+  std::string_view longest;
+  for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_Nm", "_N_per_m"})
+    if (name.ends_with(unit) && unit.size() > longest.size())
+      longest = unit;
+  return longest;
+}
 
-  [[nodiscard]] double operator()(const std::string& name) const
-  {
-    constexpr double strain = 1e-4, ratio = 1e-3;
-    if (const auto unit = unit_of(name); !unit.empty())
-      return (unit == "_J" ? 1e-2 : 1e-3) * largest_.at(unit);
-    return name.starts_with("load_ratio") ? ratio : strain;
-  }
-
-private:
-  /// The longest unit that the name ends with: N/m is no length. Empty for a pure number.
-  [[nodiscard]] static std::string_view unit_of(std::string_view name)
-  {
-    std::string_view longest;
-    for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_Nm", "_N_per_m"})
-      if (name.ends_with(unit) && unit.size() > longest.size())
-        longest = unit;
-    return longest;
-  }
-
-  std::map<std::string_view, double> largest_;
-};
-
-/// What numbers of such a run are usually off by, from the tables that every run tells its error from.
-class ExpectedErrors
+/// The largest force, energy, length, ... that the run has.
+std::map<std::string_view, double> largest_by_unit(const Case& c, const Numbers& numbers)
 {
-public:
-  /// @param c  with the finest cells of the series
-  explicit ExpectedErrors(const Case& c)
-      : errors_(std::visit([](const auto& s)
-                           { return expected_quality(s, simulation::plan(s)).resolution.expected_errors; },
-                           c.scenario))
-  {
-  }
+  std::map<std::string_view, double> largest;
+  for (const auto& [name, value] : numbers)
+    largest[unit_of(name)] = std::max(largest[unit_of(name)], std::abs(value));
+  std::visit(
+      [&](const auto& scenario)
+      {
+        largest["_m"] = std::max(largest["_m"], simulation::plan(scenario).scales.gap);
+        const auto drive = io_of(scenario).drive_kept;
+        if (drive && (scenario.*drive).kind == contact::Drive::Kind::load)
+          largest["_N"] = std::max(largest["_N"], (scenario.*drive).value);
+      },
+      c.scenario);
+  return largest;
+}
 
-  [[nodiscard]] double operator()(std::string_view name) const
-  {
-    for (const simulation::ExpectedError& e : errors_)
-      if (matches(e.name, name))
-        return e.relative;
-    return 0.0;
-  }
+/// What is large for a number: a small share of the largest one of its unit. Below it a number is as good as zero, as the net energy
+/// of elastic bodies.
+double scale_of_number(const std::string& name, const std::map<std::string_view, double>& largest)
+{
+  constexpr double strain = 1e-4, ratio = 1e-3;
+  if (const auto unit = unit_of(name); !unit.empty())
+    return (unit == "_J" ? 1e-2 : 1e-3) * largest.at(unit);
+  return name.starts_with("load_ratio") ? ratio : strain;
+}
 
-private:
-  static bool matches(std::string_view pattern, std::string_view name)
+/// What a number of such a run is usually off by, from the tables that every run tells its error from.
+double expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
+{
+  for (const auto& [quantity, pattern, relative] : errors)
   {
     const auto star = pattern.find('*');
-    if (star == pattern.npos)
-      return !pattern.empty() && name == pattern;
-    return name.starts_with(pattern.substr(0, star)) && name.ends_with(pattern.substr(star + 1));
+    const bool matches = star == pattern.npos
+                             ? !pattern.empty() && name == pattern
+                             : name.starts_with(pattern.substr(0, star)) && name.ends_with(pattern.substr(star + 1));
+    if (matches)
+      return relative;
   }
-
-  std::vector<simulation::ExpectedError> errors_;
-};
+  return 0.0;
+}
 
 /// A cylinder is an odd number of cells long.
 double fitting_dy(const Scenario& scenario, double dy)
@@ -213,8 +191,11 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
   std::vector<double> cells(levels.size());
   std::transform(levels.begin(), levels.end(), cells.begin(), [](const Level& level) { return level.cells; });
   const Numbers& finest = levels.back().numbers;
-  const ScaleOf scale(c, finest);
-  const ExpectedErrors expected(with_cells(c, levels.back().cells));
+  const auto largest = largest_by_unit(c, finest);
+  const auto errors = std::visit([](const auto& scenario)
+                                 { return simulation::expected_quality(scenario, simulation::plan(scenario)); },
+                                 with_cells(c, levels.back().cells).scenario)
+                          .resolution.expected_errors;
   for (const auto& [name, value] : finest)
   {
     std::vector<double> values;
@@ -222,7 +203,8 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
       if (const auto found = level.numbers.find(name); found != level.numbers.end() && std::isfinite(found->second))
         values.push_back(found->second);
     if (values.size() == levels.size())
-      accuracy.numbers[name] = simulation::convergence(cells, values, scale(name), expected(name));
+      accuracy.numbers[name] =
+          simulation::convergence(cells, values, scale_of_number(name, largest), expected_error(errors, name));
   }
   accuracy.key_numbers = key_names(c.scenario, finest);
   std::erase_if(accuracy.key_numbers, [&](const std::string& name) { return !accuracy.numbers.contains(name); });

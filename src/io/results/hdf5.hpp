@@ -36,6 +36,13 @@ private:
   hid_t id_;
 };
 
+/// Errors of HDF5 as exceptions. @param what  was to be done: "read the dataset X"
+/// @throws IoError always, with what HDF5 tells
+[[noreturn]] void fail(std::string_view what);
+[[nodiscard]] Handle checked(hid_t id, std::string_view what);
+void check(herr_t status, std::string_view what);
+[[nodiscard]] Handle properties(hid_t kind);
+
 /// A new file, replacing what is there.
 /// @throws IoError (all of this header)
 [[nodiscard]] Handle create_file(const std::filesystem::path& path);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deflated.hpp"
-#include "hdf5_checks.hpp"
+#include "hdf5.hpp"
 
 #include "brinell/foundation/error.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <fmt/format.h>
+#include <zlib.h>
 
 /// Attributes and datasets.
 namespace brinell::io::h5
@@ -191,6 +192,24 @@ std::vector<double> numbers_of(const Chunk& chunk, std::span<const hsize_t> shap
   return numbers;
 }
 
+/// A chunk as the filters shuffle and deflate of HDF5 leave it: the first bytes of all numbers, then their second ones and so on, as a
+/// zlib stream. HDF5 does one chunk at a time; this may be called by several threads.
+std::vector<unsigned char> shuffled_and_deflated(std::span<const double> numbers)
+{
+  const std::span<const std::byte> bytes = std::as_bytes(numbers);
+  std::vector<unsigned char> shuffled(bytes.size());
+  for (std::size_t byte = 0; byte < sizeof(double); ++byte)
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      shuffled[byte * numbers.size() + i] = std::to_integer<unsigned char>(bytes[i * sizeof(double) + byte]);
+  uLongf size = compressBound(shuffled.size());
+  std::vector<unsigned char> deflated(size);
+  if (compress2(deflated.data(), &size, shuffled.data(), shuffled.size(), deflate_level) != Z_OK)
+    throw InternalError("a field cannot be deflated");
+  deflated.resize(size);
+  deflated.shrink_to_fit();
+  return deflated;
+}
+
 } // namespace
 
 void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
@@ -211,7 +230,7 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
   for (Chunk& chunk : chunks_of_all)
     try
     {
-      chunk.stored = shuffled_and_deflated(numbers_of(chunk, dims, sides), deflate_level);
+      chunk.stored = shuffled_and_deflated(numbers_of(chunk, dims, sides));
     }
     catch (...)
     {

@@ -16,6 +16,7 @@ namespace
 {
 
 using Shape = std::vector<hsize_t>;
+using Body = BodyLayout StateLayout::*;
 
 /// The order in which VTK has the components of a symmetric tensor.
 constexpr std::array components{"xx", "yy", "zz", "xy", "yz", "xz"};
@@ -104,51 +105,37 @@ public:
     h5::write_virtual_dataset(*data_, name, all, fill, parts);
   }
 
-  using Body = BodyLayout StateLayout::*;
-
+  enum class Kind
+  {
+    of_surface,
+    of_volume,
+    tensor
+  };
   /// A field of a body. The image has the grid of the last state; those of earlier ones may be smaller.
   /// @param beyond  value where these do not reach
-  void add_volume(const char* name, Body body, double beyond)
-  {
-    add_field(name, body, beyond, [](const BodyLayout& b) { return cells(b.grid); });
-  }
-  void add_surface(const char* name, Body body, double beyond)
-  {
-    add_field(name, body, beyond, [](const BodyLayout& b) { return cells(b.grid.surface); });
-  }
-
-  template <typename ShapeOf>
-  void add_field(const char* name, Body body, double beyond, const ShapeOf& shape_of)
+  void add_field(const char* name, Kind kind, Body body, double beyond)
   {
     const BodyLayout& all = states_.back().layout.*body;
-    add(name, shape_of(all), beyond,
-        [&](const StateLayout& l)
-        {
-          const Shape shape = shape_of(l.*body);
-          return std::vector{
-              Part{fmt::format("{}/{}", body_, name), shape, whole(shape), place_of(shape, all, l.*body)}};
-        });
-  }
-
-  void add_tensor(const char* name, Body body, double beyond)
-  {
-    const BodyLayout& all = states_.back().layout.*body;
-    Shape with_components = cells(all.grid);
-    with_components.push_back(components.size());
-    add(name, with_components, beyond,
-        [&](const StateLayout& l)
-        {
-          const Shape shape = cells((l.*body).grid);
-          std::vector<Part> parts;
-          for (hsize_t c = 0; c < components.size(); ++c)
-          {
-            h5::Box target = place_of(shape, all, l.*body);
-            target.start.push_back(c);
-            target.count.push_back(1);
-            parts.push_back({fmt::format("{}/{}/{}", body_, name, components[c]), shape, whole(shape), target});
-          }
-          return parts;
-        });
+    const std::size_t count = kind == Kind::tensor ? components.size() : 1;
+    const auto shape_of = [&](const BodyLayout& b)
+    { return kind == Kind::of_surface ? cells(b.grid.surface) : cells(b.grid); };
+    const auto parts_of = [&](const StateLayout& layout)
+    {
+      const Shape shape = shape_of(layout.*body);
+      std::vector<Part> parts(
+          count, {fmt::format("{}/{}", body_, name), shape, whole(shape), place_of(shape, all, layout.*body)});
+      for (hsize_t c = 0; count > 1 && c < count; ++c)
+      {
+        parts[c].dataset += fmt::format("/{}", components[c]);
+        parts[c].target.start.push_back(c);
+        parts[c].target.count.push_back(1);
+      }
+      return parts;
+    };
+    Shape shape = shape_of(all);
+    if (count > 1)
+      shape.push_back(count);
+    add(name, shape, beyond, parts_of);
   }
 
   /// Readers of VTK 9.7 see the time axis of a composite only if /VTKHDF itself has a group Steps. Each of its groups is a block
@@ -185,8 +172,6 @@ private:
   std::optional<h5::Handle> data_;
 };
 
-using Body = BodyLayout StateLayout::*;
-
 /// Of fields that are not zero beyond a grid but were not computed there.
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -200,16 +185,16 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
   block.begin("CellData");
   if (body.has_plastic_strain)
   {
-    block.add_volume("equivalent_plastic_strain", which, 0.0);
-    block.add_tensor("plastic_strain", which, 0.0);
+    block.add_field("equivalent_plastic_strain", Block::Kind::of_volume, which, 0.0);
+    block.add_field("plastic_strain", Block::Kind::tensor, which, 0.0);
   }
   if (body.has_stress)
   {
-    block.add_volume("von_mises_stress", which, unknown);
-    block.add_tensor("stress", which, unknown);
+    block.add_field("von_mises_stress", Block::Kind::of_volume, which, unknown);
+    block.add_field("stress", Block::Kind::tensor, which, unknown);
   }
   if (body.has_temperature)
-    block.add_volume("temperature", which, unknown);
+    block.add_field("temperature", Block::Kind::of_volume, which, unknown);
 }
 
 /// The cells of the contact that lie on the lower body's grid, placed on that of `all`. @returns none if the grids are apart.
@@ -244,11 +229,11 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
   block.place({s.nx - 1, s.ny - 1, 0}, {body.x0, body.y0, 0.0}, {s.dx, s.dy, body.grid.dz});
   block.begin("PointData");
   if (body.has_residual_displacement)
-    block.add_surface("residual_displacement", which, unknown);
+    block.add_field("residual_displacement", Block::Kind::of_surface, which, unknown);
   if (body.has_worn_depth)
-    block.add_surface("worn_depth", which, unknown);
+    block.add_field("worn_depth", Block::Kind::of_surface, which, unknown);
   if (body.has_height)
-    block.add_surface("height", which, unknown);
+    block.add_field("height", Block::Kind::of_surface, which, unknown);
   if (contact == nullptr)
     return;
   const auto add = [&](const char* name, double elsewhere)

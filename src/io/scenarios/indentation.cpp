@@ -17,17 +17,28 @@ using simulation::IndentationPlan;
 using simulation::IndentationRecord;
 using simulation::IndentationSummary;
 
-/// The numbers of a list are the sequence.
-auto fills(Drive::Kind kind)
-{
-  return [kind](Case& c, const Value& value)
-  {
-    for (const double number : std::get<std::vector<double>>(value))
-      std::get<IndentationCase>(c.scenario).sequence.push_back({kind, number});
-  };
-}
-
 constexpr const char* drive_group = "indentation drive";
+
+/// The numbers of a list are the sequence.
+/// @param other  what is given instead, and may be normalised like this one; empty: a mean over a period
+Entry drive(const std::string& key, Dimension dimension, Drive::Kind kind, const std::string& other, const char* text)
+{
+  const std::string table = "indentation.";
+  return {.key = table + key,
+          .type = Type::numbers,
+          .dimension = dimension,
+          .range = kind == Drive::Kind::mean_gap ? above(0.0) : at_least(0.0),
+          .unset = other.empty() ? "indentation.load or indentation.approach" : table + other,
+          .text = text,
+          .excludes = other.empty() ? "" : table + other,
+          .one_of = drive_group,
+          .pure_if = other.empty() ? "" : "indentation.normalised",
+          .fill = [kind](Case& c, const Value& value)
+          {
+            for (const double number : std::get<std::vector<double>>(value))
+              std::get<IndentationCase>(c.scenario).sequence.push_back({kind, number});
+          }};
+}
 
 std::vector<Entry> keys()
 {
@@ -37,44 +48,16 @@ std::vector<Entry> keys()
        .fallback = false,
        .text = "Whether load and approach are given in their values at first yield, P_c and alpha_c; needs round "
                "bodies, or cylinders in plane strain, of which one can yield."},
-      {.key = "indentation.load",
-       .type = Type::numbers,
-       .dimension = dimension::force,
-       .range = at_least(0.0),
-       .unset = "indentation.approach",
-       .text = "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off.",
-       .excludes = "indentation.approach",
-       .one_of = drive_group,
-       .pure_if = "indentation.normalised",
-       .fill = fills(Drive::Kind::load)},
-      {.key = "indentation.approach",
-       .type = Type::numbers,
-       .dimension = dimension::length,
-       .range = at_least(0.0),
-       .unset = "indentation.load",
-       .text = "The same, imposed as approach of the bodies from the touch of the undeformed ones.",
-       .excludes = "indentation.load",
-       .one_of = drive_group,
-       .pure_if = "indentation.normalised",
-       .fill = fills(Drive::Kind::approach)},
-      {.key = "indentation.pressure",
-       .type = Type::numbers,
-       .dimension = dimension::pressure,
-       .range = at_least(0.0),
-       .unset = "indentation.load or indentation.approach",
-       .text = "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\".",
-       .one_of = drive_group,
-       .fill = fills(Drive::Kind::load)},
-      {.key = "indentation.mean_gap",
-       .type = Type::numbers,
-       .dimension = dimension::length,
-       .range = above(0.0),
-       .unset = "indentation.load or indentation.approach",
-       .text = "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
-               "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
-               "them: [\"0.1 um\", \"5 um\"] presses and lifts off.",
-       .one_of = drive_group,
-       .fill = fills(Drive::Kind::mean_gap)},
+      drive("load", dimension::force, Drive::Kind::load, "approach",
+            "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off."),
+      drive("approach", dimension::length, Drive::Kind::approach, "load",
+            "The same, imposed as approach of the bodies from the touch of the undeformed ones."),
+      drive("pressure", dimension::pressure, Drive::Kind::load, "",
+            "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\"."),
+      drive("mean_gap", dimension::length, Drive::Kind::mean_gap, "",
+            "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
+            "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
+            "them: [\"0.1 um\", \"5 um\"] presses and lifts off."),
       bound({.key = "indentation.steps",
              .range = between(1, 100000),
              .text = "Steps from one entry of the list to the next, of equal approach or mean gap; of equal load^(2/3) "

@@ -33,7 +33,7 @@ std::string file_of(const std::string& header, const std::vector<Number>& number
 class Npy : public testing::Test
 {
 protected:
-  NumberTable read(const std::string& content)
+  HeightTable read(const std::string& content)
   {
     const auto file = folder.path() / "map.npy";
     std::ofstream(file, std::ios::binary) << content;
@@ -59,15 +59,15 @@ TEST_F(Npy, TypesAndOrders)
 {
   const std::vector<double> rows{1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
   const auto doubles = read(file_of("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }  \n", rows));
-  EXPECT_EQ(doubles.values, rows);
+  EXPECT_EQ(doubles.heights, rows);
   EXPECT_EQ(doubles.columns, 3U);
   const auto floats = read(
       file_of("{'descr': '<f4', 'fortran_order': False, 'shape': (3, 2), }\n", std::vector<float>{1, 2, 3, 4, 5, 6}));
-  EXPECT_EQ(floats.values, rows);
+  EXPECT_EQ(floats.heights, rows);
   EXPECT_EQ(floats.columns, 2U);
   const auto by_columns = read(
       file_of("{'descr': '<f8', 'fortran_order': True, 'shape': (2, 3), }\n", std::vector<double>{1, 4, 2, 5, 3, 6}));
-  EXPECT_EQ(by_columns.values, rows);
+  EXPECT_EQ(by_columns.heights, rows);
 }
 
 TEST_F(Npy, WrittenIsRead)
@@ -75,8 +75,8 @@ TEST_F(Npy, WrittenIsRead)
   const std::vector<double> rows{1e-9, -2.0, 3.5, 0.1, 1e300, -0.0};
   const std::string content = npy_content(rows, 2);
   EXPECT_EQ((content.size() - rows.size() * sizeof(double)) % 64, 0U); // as NumPy aligns it
-  const NumberTable table = read(content);
-  EXPECT_EQ(table.values, rows);
+  const HeightTable table = read(content);
+  EXPECT_EQ(table.heights, rows);
   EXPECT_EQ(table.columns, 2U);
 }
 
