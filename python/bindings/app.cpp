@@ -100,7 +100,7 @@ void bind_commands(nb::module_& m)
   nb::class_<io::Entry>(m, "SchemaKey")
       .def_ro("key", &io::Entry::key)
       .def_ro("choices", &io::Entry::choices)
-      .def_prop_ro("is_list", [](const io::Entry& e) { return e.type == io::Type::numbers; })
+      .def_prop_ro("is_list", [](const io::Entry& e) { return e.of.type == io::Type::numbers; })
       .def_ro("text", &io::Entry::text);
   nb::class_<io::OldName>(m, "OldName").def_ro("old_key", &io::OldName::old_key).def_ro("key", &io::OldName::key);
   m.def("old_names", &io::old_names, nb::rv_policy::copy);

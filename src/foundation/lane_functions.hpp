@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <span>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -107,6 +108,14 @@ inline void fetch_soon(const ComplexLanes* value)
 {
   fetch_soon(&value->re);
   fetch_soon(&value->im);
+}
+
+/// The same of many values, which need not be in the nearest cache.
+inline void fetch_soon(std::span<const double> values)
+{
+  constexpr std::size_t cache_line = 64 / sizeof(double);
+  for (std::size_t i = 0; i < values.size(); i += cache_line)
+    __builtin_prefetch(values.data() + i, 0, 2);
 }
 
 /// The same, to be written.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "half_space_operators.hpp"
 
+#include "foundation/lane_functions.hpp"
+
 #include <algorithm>
 #include <omp.h>
 

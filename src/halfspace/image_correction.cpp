@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspace/image_correction.hpp"
 
-#include "foundation/lane_functions.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,13 +21,6 @@ constexpr int enlargements = 3;
 /// Parities of the moments: 1 for what is odd in x, 2 for what is odd in y.
 constexpr int odd_in_x_alone = 1;
 constexpr int odd_in_both = 3;
-
-/// Place of x^a y^b among the monomials.
-int monomial(int a, int b)
-{
-  const int n = a + b;
-  return n * (n + 1) / 2 + b;
-}
 
 /// Powers of one coordinate: of the parity of the first one.
 struct PowerRange
@@ -113,11 +104,6 @@ std::vector<images::WaveRow> waves_of_images(Period x, Period y, double largest_
     y.length *= y.enlarged();
   }
   return rows;
-}
-
-void subtract_lanes(const Lanes& value, std::size_t used, double* from)
-{
-  store_lanes(load_lanes(from, used) - value, used, from);
 }
 
 /// Periods of the lattice that is left when CrosswiseImages has taken off those beside a long grid.
@@ -247,156 +233,6 @@ void ImageCorrection::find_moments(int layers, Response& response) const
         for (int p = 0; p < powers; ++p)
           response.moments[static_cast<std::size_t>((e * depth_.count + q) * powers + p)] +=
               depth_.means(layer, q) * of_layer(e, layer)[p];
-}
-
-ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component, Symmetry symmetry)
-{
-  if (symmetry == Symmetry::none)
-    return PowersOfY::all;
-  return is_odd_in_y(component) ? PowersOfY::odd : PowersOfY::even;
-}
-
-void ImageCorrection::take(const double* strain, const CellRectangle& used, int component, int layer, Symmetry symmetry,
-                           Response& response) const
-{
-  if (!has_images_)
-    return;
-  switch (powers_of_y(component, symmetry))
-  {
-  case PowersOfY::all:
-    return take_powers<PowersOfY::all>(strain, used, component, layer, response);
-  case PowersOfY::even:
-    return take_powers<PowersOfY::even>(strain, used, component, layer, response);
-  case PowersOfY::odd:
-    return take_powers<PowersOfY::odd>(strain, used, component, layer, response);
-  }
-}
-
-/// Rows at the same distance from the middle are taken together: their sum has even powers of y, their difference odd ones.
-template <ImageCorrection::PowersOfY has>
-void ImageCorrection::take_powers(const double* strain, const CellRectangle& cells, int component, int layer,
-                                  Response& response) const
-{
-  constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
-  constexpr int next = has == PowersOfY::all ? 1 : 2;
-  const SurfaceGrid& s = grid_.surface;
-  CrosswiseImages::Columns columns = CrosswiseImages::Columns::Zero(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
-  std::array<Lanes, powers> sum{};
-  const int begin = cells.first_x / lane_count * lane_count; // lanes as without a rectangle: the same sums
-  const int first_row = has == PowersOfY::all ? std::min(cells.first_y, s.ny - cells.end_y) : cells.first_y;
-  for (int first = begin; first < cells.end_x; first += lane_count)
-  {
-    const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
-    std::array<Lanes, degree + 1> of_columns{};
-    for (int j = first_row; 2 * j < s.ny; ++j)
-    {
-      const int mirrored = s.ny - 1 - j;
-      const Lanes here = load_lanes(strain + s.nx * j + first, used);
-      std::array<Lanes, 2> value{mirrored == j ? here : 2.0 * here, mirrored == j ? Lanes{} : 2.0 * here};
-      if (has == PowersOfY::all)
-      {
-        const Lanes there = mirrored == j ? Lanes{} : load_lanes(strain + s.nx * mirrored + first, used);
-        value = {here + there, here - there};
-      }
-      for (int b = first_power; b <= degree; b += next)
-        of_columns[static_cast<std::size_t>(b)] += y_(j, b) * value[static_cast<std::size_t>(b % 2)];
-    }
-    for (int a = 0; a <= degree; ++a)
-    {
-      const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);
-      for (int b = first_power; a + b <= degree; b += next)
-        sum[static_cast<std::size_t>(monomial(a, b))] += x * of_columns[static_cast<std::size_t>(b)];
-    }
-    for (int b = first_power; crosswise_ && b < CrosswiseImages::powers; b += next)
-      store_lanes(of_columns[static_cast<std::size_t>(b)], used, columns.col(b).data() + first);
-  }
-  double* moment = response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers);
-  std::fill_n(moment, powers, 0.0);
-  for (int a = 0; a <= degree; ++a)
-    for (int b = first_power; a + b <= degree; b += next)
-      for (std::size_t lane = 0; lane < lane_count; ++lane)
-        moment[monomial(a, b)] += sum[static_cast<std::size_t>(monomial(a, b))][lane];
-  if (crosswise_ && crosswise_->is_along_x())
-    crosswise_->take(columns, cells.first_x, cells.end_x, component, layer, response.crosswise);
-  else if (crosswise_)
-    crosswise_->take(along_y(strain, has), 0, s.ny, component, layer, response.crosswise);
-}
-
-/// Of a grid that is long in y: sums over x, times powers of x.
-CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY has) const
-{
-  const SurfaceGrid& s = grid_.surface;
-  const int told = told_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
-  CrosswiseImages::Columns sums(s.ny, CrosswiseImages::powers);
-  sums.topRows(told).noalias() =
-      Eigen::Map<const Eigen::MatrixXd>(field, s.nx, told).transpose() * x_.leftCols(CrosswiseImages::powers);
-  for (int j = told; j < s.ny; ++j)
-    sums.row(j) = (has == PowersOfY::odd ? -1.0 : 1.0) * sums.row(s.ny - 1 - j);
-  return sums;
-}
-
-void ImageCorrection::subtract(const Response& response, int component, int layer, Symmetry symmetry,
-                               double* stress) const
-{
-  if (!has_images_)
-    return;
-  switch (powers_of_y(component, symmetry))
-  {
-  case PowersOfY::all:
-    return subtract_powers<PowersOfY::all>(response, component, layer, stress);
-  case PowersOfY::even:
-    return subtract_powers<PowersOfY::even>(response, component, layer, stress);
-  case PowersOfY::odd:
-    return subtract_powers<PowersOfY::odd>(response, component, layer, stress);
-  }
-}
-
-template <ImageCorrection::PowersOfY has>
-void ImageCorrection::subtract_powers(const Response& response, int component, int layer, double* stress) const
-{
-  constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
-  constexpr int next = has == PowersOfY::all ? 1 : 2;
-  const SurfaceGrid& s = grid_.surface;
-  Eigen::VectorXd along_x;
-  if (crosswise_ && crosswise_->is_along_x())
-    along_x = crosswise_->amplitudes(response.crosswise, component, layer);
-  else if (crosswise_)
-  {
-    const int told = told_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
-    Eigen::Map<Eigen::MatrixXd>(stress, s.nx, told).noalias() -=
-        x_.leftCols(CrosswiseImages::powers) *
-        crosswise_->stress(response.crosswise, component, layer).topRows(told).transpose();
-  }
-  std::array<double, powers> of_depth{};
-  for (int q = 0; q < depth_.count; ++q)
-    for (int p = 0; p < powers; ++p)
-      of_depth[static_cast<std::size_t>(p)] +=
-          depth_.means(layer, q) *
-          response.stress[static_cast<std::size_t>((component * depth_.count + q) * powers + p)];
-  for (int first = 0; first < s.nx; first += lane_count)
-  {
-    const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
-    std::array<Lanes, degree + 1> of_columns{}; // coefficients of the powers of y
-    for (int b = first_power; along_x.size() > 0 && b < CrosswiseImages::powers; b += next)
-      of_columns[static_cast<std::size_t>(b)] =
-          crosswise_->sum_of_waves(along_x.data() + static_cast<std::ptrdiff_t>(b) * crosswise_->waves(), first, used);
-    for (int a = 0; a <= degree; ++a)
-    {
-      const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);
-      for (int b = first_power; a + b <= degree; b += next)
-        of_columns[static_cast<std::size_t>(b)] += of_depth[static_cast<std::size_t>(monomial(a, b))] * x;
-    }
-    for (int j = 0; 2 * j < s.ny; ++j)
-    {
-      std::array<Lanes, 2> sum{}; // of even and of odd powers
-      for (int b = first_power; b <= degree; b += next)
-        sum[static_cast<std::size_t>(b % 2)] += y_(j, b) * of_columns[static_cast<std::size_t>(b)];
-      const int mirrored = s.ny - 1 - j;
-      subtract_lanes(sum[0] + sum[1], used, stress + s.nx * j + first);
-      if (has == PowersOfY::all && mirrored != j)
-        subtract_lanes(sum[0] - sum[1], used, stress + s.nx * mirrored + first);
-    }
-  }
 }
 
 } // namespace brinell::halfspace

@@ -59,6 +59,8 @@ public:
 private:
   static constexpr int degree = 10;                              ///< largest power of x - x' and y - y' together
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
+  /// Place of x^a y^b among them.
+  [[nodiscard]] static constexpr int monomial(int a, int b) { return (a + b) * (a + b + 1) / 2 + b; }
 
   void fit(const Elastic& elastic, double period_x, double period_y);
   [[nodiscard]] MomentCoupling empty_coupling() const;

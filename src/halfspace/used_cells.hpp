@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 /// Where a field is not zero, so that work on the rest can be left out without a change of any sum.
 namespace brinell::halfspace
@@ -26,14 +25,6 @@ struct CellRectangle
   for (int i = 0; i < count; ++i)
     bits |= std::bit_cast<std::uint64_t>(values[i]);
   return bits << 1U != 0; // all but the sign
-}
-
-/// Starts to load values into the cache.
-inline void fetch_soon(std::span<const double> values)
-{
-  constexpr std::size_t cache_line = 64 / sizeof(double);
-  for (std::size_t i = 0; i < values.size(); i += cache_line)
-    __builtin_prefetch(values.data() + i, 0, 2);
 }
 
 /// The smallest rectangle that holds all values of a plane that are not zero. All are read, one after the other: that

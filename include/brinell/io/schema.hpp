@@ -70,6 +70,40 @@ struct Range
   [[nodiscard]] std::string text() const;
 };
 
+/// What a number without dimension may be given as, too.
+enum class Notation
+{
+  plain,
+  share,      ///< "1 %"
+  angle,      ///< in degrees: "1.2 rad"
+  temperature ///< in degC: "293.15 K"
+};
+
+/// The kind of values of a key, and which of them are allowed.
+struct ValueKind
+{
+  Type type = Type::number;
+  Dimension dimension{};
+  Notation notation = Notation::plain;
+  Range range{};
+
+  [[nodiscard]] constexpr ValueKind list() const { return {Type::numbers, dimension, notation, range}; }
+  [[nodiscard]] constexpr ValueKind in(const Range& allowed) const { return {type, dimension, notation, allowed}; }
+  [[nodiscard]] constexpr ValueKind above(double min) const { return in({.min = min, .min_allowed = false}); }
+  [[nodiscard]] constexpr ValueKind at_least(double min) const { return in({.min = min}); }
+  [[nodiscard]] constexpr ValueKind between(double min, double max) const { return in({.min = min, .max = max}); }
+  /// More than `min`, up to `max`.
+  [[nodiscard]] constexpr ValueKind up_to(double min, double max) const
+  {
+    return in({.min = min, .max = max, .min_allowed = false});
+  }
+  [[nodiscard]] constexpr ValueKind inside(double min, double max) const
+  {
+    return in({.min = min, .max = max, .min_allowed = false, .max_allowed = false});
+  }
+  [[nodiscard]] constexpr ValueKind nonzero() const { return in({.zero_allowed = false}); }
+};
+
 /// The entry applies if another key has one of these values ("true", "false" for a boolean). No key: always.
 struct Condition
 {
@@ -83,16 +117,11 @@ struct Case;
 struct Entry
 {
   std::string key; ///< dotted, from the root of the file
-  Type type = Type::number;
-  Dimension dimension{};
-  Range range{};
-  bool percent = false; ///< a pure number that may also be given as "1 %"
-  std::vector<std::string> choices{};
-  bool degrees = false;            ///< an angle in degrees, that may also be given as "1.2 rad"
-  bool celsius = false;            ///< a temperature in degC, that may also be given as "293.15 K"
-  bool per_axis = false;           ///< a choice that may also be given as a list, along x and along y
-  bool required = false;           ///< where the condition holds
-  std::optional<Value> fallback{}; ///< default; a key without one and not required may stay unset
+  ValueKind of{};
+  std::vector<std::string> choices{}; ///< if there are any, the value is one of them
+  bool per_axis = false;              ///< a choice that may also be given as a list, along x and along y
+  bool required = false;              ///< where the condition holds
+  std::optional<Value> fallback{};    ///< default; a key without one and not required may stay unset
   std::vector<std::pair<std::string, Value>> fallback_in{}; ///< defaults that a scenario has instead
   std::string unset{};                                      ///< what happens then
   std::string text;                                         ///< meaning
@@ -101,7 +130,7 @@ struct Entry
   std::string excludes{}; ///< a key that cannot stand beside this one
   std::string one_of{};   ///< name of a group of keys of which one is given: one on the command line counts alone
   std::string list{};     ///< its table, if there may be several of them, as in [[lower.texture]]
-  std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity of `dimension`
+  std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity
   std::function<void(Case&, const Value&)> fill{}; ///< puts the value where it belongs; empty: a reader does
 };
 

@@ -195,7 +195,7 @@ _DECIMAL_COMMA = re.compile(r"[-+]?(?:\d+(?:,\d+)?(?:e[-+]?\d+)?|nan|inf|infinit
 def _has_decimal_commas(lines: list[str]) -> bool:
     """Whether commas stand in the numbers of a text and something else between them, in every line.
 
-    The same holds in texture.file of a case (src/io/case/number_lines.cpp).
+    The same holds in texture.file of a case (src/io/case/measured_files.cpp).
     """
     words = [line.replace(";", " ").split() for line in lines]
     return (

@@ -28,13 +28,13 @@ std::string case_name(const std::filesystem::path& file)
 /// Unit of a value, as a comment; none for what has no dimension.
 std::string unit_comment(const CaseValues& values, const Entry& entry)
 {
-  if (entry.celsius)
+  if (entry.of.notation == Notation::temperature)
     return " # degC";
-  if (entry.dimension == dimension::none)
+  if (entry.of.dimension == dimension::none)
     return "";
   if (!entry.pure_if.empty() && values.get<bool>(entry.pure_if))
-    return entry.dimension == dimension::force ? " # P_c" : " # alpha_c";
-  return fmt::format(" # {}", si_unit(entry.dimension));
+    return entry.of.dimension == dimension::force ? " # P_c" : " # alpha_c";
+  return fmt::format(" # {}", si_unit(entry.of.dimension));
 }
 
 } // namespace

@@ -60,7 +60,7 @@ std::string_view last_part(std::string_view key)
 std::string meaning(const Entry& entry)
 {
   std::string text = entry.text;
-  if (entry.type == Type::snapshots)
+  if (entry.of.type == Type::snapshots)
     text += fmt::format(" Allowed: {}.", allowed_values(entry));
   if (!entry.fallback && !entry.unset.empty() && entry.unset != entry.excludes)
     text += fmt::format(" Without it: {}.", entry.unset);
@@ -79,7 +79,7 @@ std::string meaning(const std::string& key)
   {
     if (!entry.key.starts_with(key + "."))
       continue;
-    if (entry.type == Type::choice)
+    if (entry.of.type == Type::choice)
       return meaning(entry);
     text += fmt::format("{}: {} ", last_part(entry.key), entry.text);
   }

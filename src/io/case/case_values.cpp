@@ -20,14 +20,14 @@ std::string allowed(const Entry& entry, bool pure)
   Entry plain = entry;
   plain.pure_if.clear();
   if (pure)
-    plain.dimension = dimension::none;
+    plain.of.dimension = dimension::none;
   return fmt::format("allowed: {}{}{}", allowed_values(plain), entry.hint.empty() ? "" : "; ", entry.hint);
 }
 
 InputError wrong_type(const Raw& raw, const Entry& entry, bool pure)
 {
   const bool is_list = std::holds_alternative<std::vector<Raw>>(raw.value);
-  const bool is_one = entry.type == Type::number || entry.type == Type::integer;
+  const bool is_one = entry.of.type == Type::number || entry.of.type == Type::integer;
   return InputError(fmt::format(
       "is {}; {}{}", type_name(raw), allowed(entry, pure),
       is_list && is_one ? "; one value is wanted: for several, run the case for each, as brinell sweep does" : ""));
@@ -36,13 +36,13 @@ InputError wrong_type(const Raw& raw, const Entry& entry, bool pure)
 double from_quantity(const std::string& text, const Entry& entry, bool pure)
 {
   const Quantity given = quantity(text);
-  if (pure && given.dimension == entry.dimension)
+  if (pure && given.dimension == entry.of.dimension)
     throw InputError(fmt::format("is a {}, but {} = true; allowed: a number without unit, or {} = false",
                                  dimension_name(given.dimension), entry.pure_if, entry.pure_if));
   if (given.dimension == dimension::none)
     throw InputError(fmt::format("has no unit; allowed: a number in {} without quotes, or with a unit as in \"{}\"",
-                                 si_unit(entry.dimension), example_quantity(entry.dimension)));
-  if (given.dimension != entry.dimension)
+                                 si_unit(entry.of.dimension), example_quantity(entry.of.dimension)));
+  if (given.dimension != entry.of.dimension)
     throw InputError(fmt::format("is a {}; {}", dimension_name(given.dimension), allowed(entry, pure)));
   return given.value;
 }
@@ -56,20 +56,21 @@ double from_share_or_angle(const std::string& text, const Raw& raw, const Entry&
   while (rest != end && *rest == ' ')
     ++rest;
   const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-  if (error == std::errc{} && entry.percent && (unit.empty() || unit == "%"))
+  if (error == std::errc{} && entry.of.notation == Notation::share && (unit.empty() || unit == "%"))
     return unit.empty() ? x : x / 100.0;
-  if (error == std::errc{} && entry.degrees && (unit == "deg" || unit == "\u00b0" || unit == "rad"))
+  if (error == std::errc{} && entry.of.notation == Notation::angle &&
+      (unit == "deg" || unit == "\u00b0" || unit == "rad"))
     return unit == "rad" ? x * 180.0 / std::numbers::pi : x;
   throw wrong_type(raw, entry, true);
 }
 
 double from_text(const std::string& text, const Raw& raw, const Entry& entry, bool pure)
 {
-  if (entry.percent || entry.degrees)
+  if (entry.of.notation == Notation::share || entry.of.notation == Notation::angle)
     return from_share_or_angle(text, raw, entry);
-  if (entry.celsius)
+  if (entry.of.notation == Notation::temperature)
     return degrees_celsius(text);
-  if (entry.dimension == dimension::none)
+  if (entry.of.dimension == dimension::none)
     throw wrong_type(raw, entry, pure);
   return from_quantity(text, entry, pure);
 }
@@ -87,12 +88,13 @@ double number(const Raw& raw, const Entry& entry, bool pure)
     throw wrong_type(raw, entry, pure);
   if (!std::isfinite(x))
     throw InputError(fmt::format("is not a finite number; {}", allowed(entry, pure)));
-  if (!entry.range.contains(x))
-    throw InputError(
-        fmt::format("is out of range; {}{}", allowed(entry, pure),
-                    entry.percent && !std::holds_alternative<std::string>(raw.value) && entry.range.contains(x / 100.0)
-                        ? fmt::format("; did you mean \"{:g} %\"?", x)
-                        : ""));
+  if (!entry.of.range.contains(x))
+    throw InputError(fmt::format("is out of range; {}{}", allowed(entry, pure),
+                                 entry.of.notation == Notation::share &&
+                                         !std::holds_alternative<std::string>(raw.value) &&
+                                         entry.of.range.contains(x / 100.0)
+                                     ? fmt::format("; did you mean \"{:g} %\"?", x)
+                                     : ""));
   return x;
 }
 
@@ -103,7 +105,7 @@ std::int64_t integer(const Raw& raw, const Entry& entry)
     throw wrong_type(raw, entry, false);
   if (!i)
     throw InputError(fmt::format("is {}, not an integer; {}", type_name(raw), allowed(entry, false)));
-  if (!entry.range.contains(static_cast<double>(*i)))
+  if (!entry.of.range.contains(static_cast<double>(*i)))
     throw InputError(fmt::format("is out of range; {}", allowed(entry, false)));
   return *i;
 }
@@ -113,7 +115,7 @@ std::vector<double> numbers(const Raw& raw, const Entry& entry, bool pure)
   const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
   if (const auto* text = std::get_if<std::string>(&raw.value); text && text->starts_with('[')) // of --set
     throw InputError("is text and no list: in a list, text stands between quotes, as in '[\"10 N\", 0]'");
-  if (!items && entry.type == Type::numbers)
+  if (!items && entry.of.type == Type::numbers)
     return {number(raw, entry, pure)};
   if (!items)
     throw wrong_type(raw, entry, pure);
@@ -127,7 +129,7 @@ std::vector<double> numbers(const Raw& raw, const Entry& entry, bool pure)
     {
       throw InputError(fmt::format("has the element {}, which {}", shown(item), error.what()));
     }
-  if (result.empty() || (entry.type == Type::vector3 && result.size() != 3))
+  if (result.empty() || (entry.of.type == Type::vector3 && result.size() != 3))
     throw InputError(fmt::format("has {} elements; {}", result.size(), allowed(entry, pure)));
   return result;
 }
@@ -206,7 +208,7 @@ SnapshotRule snapshot_rule(const Raw& raw, const Entry& entry)
 /// @throws InputError; its text continues a sentence that begins with "key = value"
 Value converted(const Raw& raw, const Entry& entry, bool pure)
 {
-  switch (entry.type)
+  switch (entry.of.type)
   {
   case Type::text:
     if (const auto* text = std::get_if<std::string>(&raw.value))

@@ -150,8 +150,12 @@ bool may_have_decimal_commas(const Line& line)
   const std::vector<std::string> fields = split(line.text, between_decimal_commas);
   const auto fits = [](const std::string& field)
   {
+    constexpr std::string_view digits = "0123456789";
+    const auto comma = field.find(',');
+    const bool is_between = comma == field.npos || (comma > 0 && digits.find(field[comma - 1]) != digits.npos &&
+                                                    digits.find(field.c_str()[comma + 1]) != digits.npos);
     return is_missing(field) ||
-           (field.find('.') == field.npos && !has_comma_at_end(field) && plain_number(with_points({field}).front()));
+           (is_between && field.find('.') == field.npos && plain_number(with_points({field}).front()));
   };
   return (fields.size() > 1 || line.text.find(';') != line.text.npos) &&
          std::all_of(fields.begin(), fields.end(), fits);

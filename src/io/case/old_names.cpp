@@ -26,7 +26,8 @@ std::string key_of(const std::string& list, std::size_t i, const std::string& me
 /// Of what an earlier layer gives, new names are replaced as a whole, old ones member by member.
 void take_list(const OldName& name, const Given& given, RawCase& raw_case)
 {
-  const auto [list, member] = list_and_member(name);
+  const auto parts = list_and_member(name);
+  const std::string &list = parts.first, &member = parts.second; // which clang 14 lets a lambda see
   std::erase_if(raw_case.values,
                 [&](const auto& item)
                 {

@@ -14,20 +14,13 @@ Entries shape_entries(const std::string& table)
 {
   const std::string type = table + "type";
   const auto length = [&](const char* key, const char* text)
-  {
-    return parameter(type, shape_options(),
-                     {.key = key, .dimension = dimension::length, .range = above(0.0), .text = text});
-  };
+  { return parameter(type, shape_options(), {.key = key, .of = kind::length.above(0.0), .text = text}); };
   const auto radius = [&](const char* key, const char* text)
-  {
-    return parameter(type, shape_options(),
-                     {.key = key, .dimension = dimension::length, .range = nonzero(), .text = text});
-  };
+  { return parameter(type, shape_options(), {.key = key, .of = kind::length.nonzero(), .text = text}); };
   return in_table(
       table, {},
       {
           {.key = "type",
-           .type = Type::choice,
            .choices = names_of(shape_options()),
            .required = true,
            .text = "Shape of the surface where it touches; near the apex, so a sphere is the paraboloid r^2/(2 R). "
@@ -41,21 +34,18 @@ Entries shape_entries(const std::string& table)
                              "a ball bearing."),
           parameter(type, shape_options(),
                     {.key = "length",
-                     .dimension = dimension::length,
-                     .range = above(0.0),
+                     .of = kind::length.above(0.0),
                      .unset = "none, with a grid that is periodic along y",
                      .text = "Length of the cylinder, which has plane ends. Without one it has no end, in plane strain "
                              "for example."}),
           parameter(type, shape_options(),
                     {.key = "half_angle",
-                     .range = inside(0.0, 90.0),
-                     .degrees = true,
+                     .of = kind::angle.inside(0.0, 90.0),
                      .text = "Angle between axis and flank of the cone, in degrees.",
                      .hint = "a blunt cone keeps strains small, as 70.3 of the same area as a Vickers pyramid"}),
           parameter(type, shape_options(),
                     {.key = "tip_radius",
-                     .dimension = dimension::length,
-                     .range = at_least(0.0),
+                     .of = kind::length.at_least(0.0),
                      .fallback = 0.0,
                      .text = "Radius of the ball that rounds the tip, and the edges of a pyramid."}),
       });
@@ -68,32 +58,28 @@ Entries map_entries(const std::string& table)
       table, {table + "type", {"height_map"}},
       {
           {.key = "file",
-           .type = Type::text,
+           .of = kind::text,
            .unset = "heights and columns",
            .text = "File of heights in m, or in unit, outwards positive; from the folder of the case. .npy: an array "
                    "[y, x] of NumPy, binary; any other: text, a line per row along x, all of one length, one row after "
                    "the other along y.",
            .excludes = "heights"},
-          {.key = "unit", .type = Type::text, .unset = "m", .text = "Unit of the heights in the file, as \"um\"."},
+          {.key = "unit", .of = kind::text, .unset = "m", .text = "Unit of the heights in the file, as \"um\"."},
           {.key = "heights",
-           .type = Type::numbers,
-           .dimension = dimension::length,
+           .of = kind::length.list(),
            .unset = "from file",
            .text = "The heights themselves, outwards positive, row after row: along x first, then along y.",
            .excludes = "file"},
           {.key = "columns",
-           .type = Type::integer,
-           .range = between(1, 1000000),
+           .of = kind::integer.between(1, 1000000),
            .unset = "from file",
            .text = "How many of the heights make a row along x."},
           {.key = "spacing",
-           .type = Type::numbers,
-           .dimension = dimension::length,
-           .range = above(0.0),
+           .of = kind::length.list().above(0.0),
            .required = true,
            .text = "Distances [dx, dy] of the heights; linear between them, zero outside."},
           {.key = "periodic",
-           .type = Type::boolean,
+           .of = kind::boolean,
            .fallback = false,
            .text = "Whether the map covers the surface, again and again, instead of being zero outside; its periods "
                    "are the numbers of points times their distances."},
@@ -103,23 +89,19 @@ Entries map_entries(const std::string& table)
 /// Waves.
 Entries wave_entries(const std::string& table)
 {
-  return in_table(table, {table + "type", {"sinusoid"}},
-                  {
-                      {.key = "amplitude",
-                       .dimension = dimension::length,
-                       .required = true,
-                       .text = "Height of the crests above the mean."},
-                      {.key = "wavelength_x",
-                       .dimension = dimension::length,
-                       .range = above(0.0),
-                       .unset = "no waves along x",
-                       .text = "Wavelength along x."},
-                      {.key = "wavelength_y",
-                       .dimension = dimension::length,
-                       .range = above(0.0),
-                       .unset = "no waves along y",
-                       .text = "Wavelength along y."},
-                  });
+  return in_table(
+      table, {table + "type", {"sinusoid"}},
+      {
+          {.key = "amplitude", .of = kind::length, .required = true, .text = "Height of the crests above the mean."},
+          {.key = "wavelength_x",
+           .of = kind::length.above(0.0),
+           .unset = "no waves along x",
+           .text = "Wavelength along x."},
+          {.key = "wavelength_y",
+           .of = kind::length.above(0.0),
+           .unset = "no waves along y",
+           .text = "Wavelength along y."},
+      });
 }
 
 /// Roughness.
@@ -129,39 +111,33 @@ Entries random_entries(const std::string& table)
       table, {table + "type", {"random"}},
       {
           {.key = "hurst",
-           .range = between(0.0, 1.0),
+           .of = kind::number.between(0.0, 1.0),
            .fallback = 0.8,
            .text = "Exponent of Hurst; the smaller, the rougher are short waves."},
           {.key = "rms_height",
-           .dimension = dimension::length,
-           .range = at_least(0.0),
+           .of = kind::length.at_least(0.0),
            .unset = "from rms_slope",
            .text = "Root mean square of the height over a period, exactly.",
            .excludes = "rms_slope"},
           {.key = "rms_slope",
-           .range = at_least(0.0),
+           .of = kind::number.at_least(0.0),
            .unset = "from rms_height",
            .text = "Root mean square of the length of the gradient over a period, exactly.",
            .excludes = "rms_height"},
           {.key = "rolloff",
-           .dimension = dimension::length,
-           .range = above(0.0),
+           .of = kind::length.above(0.0),
            .unset = "none: self-affine up to the size",
            .text = "Wavelength from which on longer waves are not higher any more."},
           {.key = "cutoff",
-           .dimension = dimension::length,
-           .range = above(0.0),
+           .of = kind::length.above(0.0),
            .required = true,
            .text = "Shortest wavelength, whatever the cells; eight cells or more."},
           {.key = "size",
-           .type = Type::numbers,
-           .dimension = dimension::length,
-           .range = above(0.0),
+           .of = kind::length.list().above(0.0),
            .unset = "grid.size along axes that are periodic, otherwise 8 rolloff",
            .text = "Period [along x, along y], which is the longest wavelength: up to 4096 times the cutoff."},
           {.key = "seed",
-           .type = Type::integer,
-           .range = at_least(0.0),
+           .of = kind::integer.at_least(0.0),
            .fallback = std::int64_t{0},
            .text = "Other numbers give other surfaces of the same spectrum. The heights depend neither on the cells "
                    "nor on the machine."},
@@ -173,21 +149,14 @@ Entries texture_entries(const std::string& table)
 {
   const std::string type = table + "type";
   const auto length = [&](const char* key, const char* text)
-  {
-    return parameter(type, texture_options(),
-                     {.key = key, .dimension = dimension::length, .range = above(0.0), .text = text});
-  };
+  { return parameter(type, texture_options(), {.key = key, .of = kind::length.above(0.0), .text = text}); };
   const auto centre = [&](const char* key, const char* text)
-  {
-    return parameter(type, texture_options(),
-                     {.key = key, .dimension = dimension::length, .fallback = 0.0, .text = text});
-  };
+  { return parameter(type, texture_options(), {.key = key, .of = kind::length, .fallback = 0.0, .text = text}); };
   Entries entries = joined(
       {in_table(
            table, {},
            {
                {.key = "type",
-                .type = Type::choice,
                 .choices = names_of(texture_options()),
                 .fallback = "smooth",
                 .text =

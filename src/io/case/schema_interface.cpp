@@ -35,15 +35,14 @@ std::vector<Entry> friction_entries()
   { return of_part(std::move(given), all, &simulation::Numerics::friction, member); };
   return {
       entry({.key = "interface.friction",
-             .range = at_least(0.0),
+             .of = kind::number.at_least(0.0),
              .text = "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
                      "pressure on each of them, against its motion over the other, as far as it can carry it. In "
                      "rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
                      "lifted off. In fretting the surfaces stick where less shear is enough."},
             &Friction::coefficient),
       entry({.key = "interface.shear_limit",
-             .dimension = dimension::pressure,
-             .range = above(0.0),
+             .of = kind::pressure.above(0.0),
              .unset = "the shear yield stress of the softer surface as it is, hardening included",
              .text = "Largest shear that a surface can carry."},
             &Friction::shear_limit),
@@ -76,8 +75,7 @@ std::vector<Entry> wear_entries()
   const auto coefficient = [&](const char* key, const char* text, auto member)
   {
     return entry({.key = std::string("interface.wear.") + key,
-                  .dimension = dimension::wear,
-                  .range = at_least(0.0),
+                  .of = kind::wear.at_least(0.0),
                   .text = text,
                   .hint = "dry steel on steel has 1e-9 to 1e-4 mm^3/(N m), which is 1e-18 to 1e-13 1/Pa"},
                  member);
@@ -103,7 +101,7 @@ std::vector<Entry> interface_entries()
 {
   return joined({friction_entries(),
                  {of_heat({.key = "interface.heat_fraction",
-                           .range = between(0.0, 1.0),
+                           .of = kind::number.between(0.0, 1.0),
                            .text = "Share of the friction power that warms the two bodies, where they have thermal "
                                    "constants."},
                           &elastoplastic::HeatSettings::fraction)},
@@ -115,14 +113,13 @@ std::vector<Entry> heat_entries()
   using elastoplastic::HeatSettings;
   return {
       of_heat({.key = "thermal.partition",
-               .range = between(0.0, 1.0),
+               .of = kind::number.between(0.0, 1.0),
                .unset = "both surfaces have one temperature where they touch",
                .text = "Share of the lower body in the heat of friction, everywhere in the contact, before any passes "
                        "from one surface to the other by the conductance. Between two bodies that conduct."},
               &HeatSettings::partition),
       of_heat({.key = "thermal.conductance",
-               .dimension = dimension::conductance,
-               .range = at_least(0.0),
+               .of = kind::conductance.at_least(0.0),
                .unset = "nothing resists the heat, and both surfaces have one temperature where they touch; with a "
                         "partition nothing passes",
                .text = "Thermal conductance of the contact: heat per area and time that passes from one surface to the "
@@ -137,8 +134,7 @@ std::vector<Entry> heat_entries()
                        "along x, and of bodies that yield without heat_of_plastic_work."},
               &HeatSettings::regime),
       of_heat({.key = "thermal.reference",
-               .dimension = dimension::length,
-               .range = above(0.0),
+               .of = kind::length.above(0.0),
                .unset = "a steady flux that rests on a body, which swells, is refused",
                .text = "Distance from the contact at which the surface of a body that rests under a steady flux counts "
                        "as not displaced: what it swells by grows with the logarithm of the distance. An imposed "
@@ -146,7 +142,7 @@ std::vector<Entry> heat_entries()
                .hint = "the size of the body: some radius of its surface"},
               &HeatSettings::reference),
       of_heat({.key = "thermal.heat_of_plastic_work",
-               .range = between(0.0, 1.0),
+               .of = kind::number.between(0.0, 1.0),
                .text = "Share of the plastic work that becomes heat, in the cells in which it is done, where the heat "
                        "of friction is computed. 0: plastic work does not heat. Of metals some 0.9; the rest stays in "
                        "the material."},

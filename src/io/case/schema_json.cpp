@@ -20,20 +20,20 @@ using Json = nlohmann::ordered_json;
 Json number_schema(const Entry& entry, const char* type)
 {
   Json number{{"type", type}};
-  if (!entry.range.zero_allowed)
+  if (!entry.of.range.zero_allowed)
     number["not"] = {{"const", 0}};
-  if (std::isfinite(entry.range.min))
-    number[entry.range.min_allowed ? "minimum" : "exclusiveMinimum"] = entry.range.min;
-  if (std::isfinite(entry.range.max))
-    number[entry.range.max_allowed ? "maximum" : "exclusiveMaximum"] = entry.range.max;
-  if (entry.dimension == dimension::none && !entry.percent && !entry.degrees && !entry.celsius)
+  if (std::isfinite(entry.of.range.min))
+    number[entry.of.range.min_allowed ? "minimum" : "exclusiveMinimum"] = entry.of.range.min;
+  if (std::isfinite(entry.of.range.max))
+    number[entry.of.range.max_allowed ? "maximum" : "exclusiveMaximum"] = entry.of.range.max;
+  if (entry.of.dimension == dimension::none && entry.of.notation == Notation::plain)
     return number;
   return {{"anyOf", Json::array({number, {{"type", "string"}}})}};
 }
 
 Json value_schema(const Entry& entry)
 {
-  switch (entry.type)
+  switch (entry.of.type)
   {
   case Type::text:
     return {{"type", "string"}};

@@ -24,25 +24,23 @@ Entries elastic_entries(const std::string& table)
   return joined(
       {in_table(table, {},
                 {{.key = "rigid",
-                  .type = Type::boolean,
+                  .of = kind::boolean,
                   .fallback = false,
                   .text = "Whether the body does not deform at all."}}),
        in_table(
            table, deforms,
            {
                {.key = "young_modulus",
-                .dimension = dimension::pressure,
-                .range = above(0.0),
+                .of = kind::pressure.above(0.0),
                 .required = true,
                 .text = "Young's modulus E.",
                 .hint = "a steel has about 200 GPa"},
                {.key = "poisson_ratio",
-                .range = inside(-1.0, 0.5),
+                .of = kind::number.inside(-1.0, 0.5),
                 .required = true,
                 .text = "Poisson's ratio nu.",
                 .hint = "a steel has about 0.3"},
                {.key = "hardening.law",
-                .type = Type::choice,
                 .choices = law_names(),
                 .fallback = "none",
                 .text =
@@ -61,35 +59,31 @@ Entries curve_entries(const std::string& table)
       table, {table + "law", {"table"}},
       {
           {.key = "file",
-           .type = Type::text,
+           .of = kind::text,
            .unset = "plastic_strain and stress",
            .text = "Text file with a point per line, plastic strain and stress; from the folder of the case. "
                    "Columns between commas, semicolons, tabs or blanks; decimal commas where something else "
                    "stands between the columns; lines of titles may come first.",
            .excludes = "plastic_strain"},
           {.key = "strain_unit",
-           .type = Type::choice,
            .choices = {"1", "%"},
            .unset = "1",
            .text = "Unit of the plastic strain in the file."},
           {.key = "stress_unit",
-           .type = Type::text,
+           .of = kind::text,
            .unset = "Pa",
            .text = "Unit of the stress in the file, as \"MPa\"."},
           {.key = "plastic_strain",
-           .type = Type::numbers,
-           .range = at_least(0.0),
+           .of = kind::number.list().at_least(0.0),
            .unset = "from file",
            .text = "Equivalent plastic strains of the points, ascending from 0.",
            .excludes = "file"},
           {.key = "stress",
-           .type = Type::numbers,
-           .dimension = dimension::pressure,
-           .range = above(0.0),
+           .of = kind::pressure.list().above(0.0),
            .unset = "from file",
            .text = "Yield stresses of the points, as many; they must not fall."},
           {.key = "monotone",
-           .type = Type::boolean,
+           .of = kind::boolean,
            .fallback = false,
            .text = "Whether a stress below an earlier one, as the scatter of a measurement has it, becomes that one."},
       });
@@ -103,28 +97,22 @@ Entries hardening_entries(const std::string& table, const Condition& yields)
       table, yields,
       {
           of_law({.key = "yield_stress",
-                  .dimension = dimension::pressure,
-                  .range = above(0.0),
+                  .of = kind::pressure.above(0.0),
                   .text = "Yield stress S_y in uniaxial tension, before any plastic strain.",
                   .hint = "law = \"none\" keeps the body elastic"}),
           of_law({.key = "modulus",
-                  .dimension = dimension::pressure,
-                  .range = at_least(0.0),
+                  .of = kind::pressure.at_least(0.0),
                   .text = "Growth of the yield stress per unit of equivalent plastic strain."}),
-          of_law({.key = "coefficient",
-                  .dimension = dimension::pressure,
-                  .range = above(0.0),
-                  .text = "Factor of the power law."}),
+          of_law({.key = "coefficient", .of = kind::pressure.above(0.0), .text = "Factor of the power law."}),
           of_law({.key = "offset",
-                  .range = above(0.0),
+                  .of = kind::number.above(0.0),
                   .text = "Strain at which the power law begins; in millionths with swift_microstrain."}),
-          of_law({.key = "exponent", .range = up_to(0.0, 1.0), .text = "Exponent of the power law."}),
-          of_law({.key = "saturation",
-                  .dimension = dimension::pressure,
-                  .range = at_least(0.0),
-                  .text = "Largest rise of the yield stress."}),
+          of_law({.key = "exponent", .of = kind::number.up_to(0.0, 1.0), .text = "Exponent of the power law."}),
           of_law(
-              {.key = "rate", .range = above(0.0), .text = "How fast the yield stress saturates with plastic strain."}),
+              {.key = "saturation", .of = kind::pressure.at_least(0.0), .text = "Largest rise of the yield stress."}),
+          of_law({.key = "rate",
+                  .of = kind::number.above(0.0),
+                  .text = "How fast the yield stress saturates with plastic strain."}),
       });
 }
 
@@ -135,15 +123,14 @@ Entries back_stress_entries(const std::string& list, const Condition& yields)
       in_table(list + ".", yields,
                {
                    {.key = "modulus",
-                    .dimension = dimension::pressure,
-                    .range = at_least(0.0),
+                    .of = kind::pressure.at_least(0.0),
                     .unset = "no back stress",
                     .text = "Kinematic hardening beside any law: modulus C of a back stress, d alpha = 2/3 C d eps - "
                             "recall alpha d e (Armstrong and Frederick). Several of them (Chaboche) are a list of "
                             "tables: back_stresses = [{modulus = \"90 GPa\", recall = 600}, {modulus = \"10 GPa\", "
                             "recall = 50}]; --set then names one as back_stresses[0].modulus."},
                    {.key = "recall",
-                    .range = at_least(0.0),
+                    .of = kind::number.at_least(0.0),
                     .unset = "0: linear (Prager)",
                     .text = "Recall of the back stress, which saturates at C / recall in uniaxial tension."},
                });
@@ -159,26 +146,20 @@ Entries depth_entries(const std::string& table, const Condition& yields)
       table, yields,
       {
           {.key = "yield_profile.depth",
-           .type = Type::numbers,
-           .dimension = dimension::length,
-           .range = at_least(0.0),
+           .of = kind::length.list().at_least(0.0),
            .unset = "the same at every depth",
            .text = "Depths at which yield_profile.factor is given, ascending; linear between, constant beyond. For "
                    "nitrided or case-hardened layers. alpha_c, P_c and U_c stay those of S_y."},
           {.key = "yield_profile.factor",
-           .type = Type::numbers,
-           .range = above(0.0),
+           .of = kind::number.list().above(0.0),
            .unset = "1",
            .text = "Factors on the yield stress at these depths."},
           {.key = "initial_stress.depth",
-           .type = Type::numbers,
-           .dimension = dimension::length,
-           .range = at_least(0.0),
+           .of = kind::length.list().at_least(0.0),
            .unset = "none",
            .text = "Depths at which initial_stress.value is given, ascending; linear between, constant beyond."},
           {.key = "initial_stress.value",
-           .type = Type::numbers,
-           .dimension = dimension::pressure,
+           .of = kind::pressure.list(),
            .unset = "none",
            .text = "Residual stress xx = yy before the first load, tension positive, below the yield stress."},
       });
@@ -195,34 +176,29 @@ Entries thermal_entries(const std::string& material)
       material + "thermal.", {},
       {
           {.key = "conductivity",
-           .dimension = dimension::conductivity,
-           .range = above(0.0),
+           .of = kind::conductivity.above(0.0),
            .unset = "no heat",
            .text = "Thermal conductivity K. With density and specific_heat it makes the diffusivity K/(rho c).",
            .hint = "a steel has 15 to 60 W/(m K)"},
           {.key = "density",
-           .dimension = dimension::density,
-           .range = above(0.0),
+           .of = kind::density.above(0.0),
            .unset = "no heat",
            .text = "Mass per volume rho.",
            .hint = "a steel has about 7850 kg/m^3"},
           {.key = "specific_heat",
-           .dimension = dimension::specific_heat,
-           .range = above(0.0),
+           .of = kind::specific_heat.above(0.0),
            .unset = "no heat",
            .text = "Heat capacity per mass c.",
            .hint = "a steel has about 460 J/(kg K)"},
           {.key = "expansion",
-           .dimension = dimension::expansion,
-           .range = between(-most_expansion, most_expansion),
+           .of = kind::expansion.between(-most_expansion, most_expansion),
            .unset = "no heat",
            .text =
                "Coefficient alpha of linear thermal expansion; 0 for heat that neither swells nor stresses the body.",
            .hint = "a steel has about 12e-6 1/K",
            .when = deforms},
           {.key = "temperature",
-           .range = above(absolute_zero),
-           .celsius = true,
+           .of = kind::temperature.above(absolute_zero),
            .unset = "20 degC",
            .text = "Temperature of the bulk, far from the contact and before the first load."},
       });
@@ -234,17 +210,11 @@ Entries softening_entries(const std::string& material, const Condition& yields)
   const std::string table = material + "softening.";
   const Condition melts{table + "law", {"linear", "johnson_cook"}}, johnson_cook{table + "law", {"johnson_cook"}},
       of_table{table + "law", {"table"}};
-  const auto temperature = [](Entry entry)
-  {
-    entry.range = above(absolute_zero);
-    entry.celsius = true;
-    return entry;
-  };
+  constexpr ValueKind temperature = kind::temperature.above(absolute_zero);
   return joined(
       {in_table(table, yields,
                 {
                     {.key = "law",
-                     .type = Type::choice,
                      .choices = {"linear", "johnson_cook", "table"},
                      .unset = "none",
                      .text = "Factor on the yield stress by the temperature T, 1 up to reference_temperature T_r and 0 "
@@ -252,39 +222,37 @@ Entries softening_entries(const std::string& material, const Condition& yields)
                              "T_r)/(T_m - T_r))^exponent; table: of temperature and factor. At least 0.01 is left, "
                              "also of what has melted."},
                 }),
-       in_table(
-           table, melts,
-           {
-               temperature({.key = "reference_temperature",
-                            .unset = "20 degC",
-                            .text = "Temperature at which the yield stress is that of hardening; not softer below."}),
-               temperature({.key = "melting_temperature",
-                            .required = true,
-                            .text = "Temperature at which no yield stress is left.",
-                            .hint = "a steel melts at about 1500 degC"}),
-           }),
+       in_table(table, melts,
+                {
+                    {.key = "reference_temperature",
+                     .of = temperature,
+                     .unset = "20 degC",
+                     .text = "Temperature at which the yield stress is that of hardening; not softer below."},
+                    {.key = "melting_temperature",
+                     .of = temperature,
+                     .required = true,
+                     .text = "Temperature at which no yield stress is left.",
+                     .hint = "a steel melts at about 1500 degC"},
+                }),
        in_table(table, johnson_cook,
                 {
                     {.key = "exponent",
-                     .range = above(0.0),
+                     .of = kind::number.above(0.0),
                      .required = true,
                      .text = "Exponent m of Johnson and Cook.",
                      .hint = "steels have about 1"},
                 }),
-       in_table(
-           table, of_table,
-           {
-               temperature(
-                   {.key = "temperature",
-                    .type = Type::numbers,
-                    .required = true,
-                    .text = "Temperatures at which factor is given, ascending; linear between, constant outside."}),
-               {.key = "factor",
-                .type = Type::numbers,
-                .range = above(0.0),
-                .required = true,
-                .text = "Factors on the yield stress at these temperatures."},
-           })});
+       in_table(table, of_table,
+                {
+                    {.key = "temperature",
+                     .of = temperature.list(),
+                     .required = true,
+                     .text = "Temperatures at which factor is given, ascending; linear between, constant outside."},
+                    {.key = "factor",
+                     .of = kind::number.list().above(0.0),
+                     .required = true,
+                     .text = "Factors on the yield stress at these temperatures."},
+                })});
 }
 
 } // namespace

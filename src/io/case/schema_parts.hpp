@@ -74,7 +74,7 @@ Entry bound(Entry entry, First first, Rest... rest)
                              Type::vector3, Type::numbers, Type::snapshots}; // of the alternatives of Value
   const Class none{};
   const Value value = value_of(((none.*first).*....*rest), entry.choices);
-  entry.type = entry.choices.empty() ? types.at(value.index()) : Type::choice;
+  entry.of.type = types.at(value.index());
   if (!entry.required && entry.unset.empty())
     entry.fallback = value;
   entry.fill = [choices = entry.choices, first, rest...](Case& target, const Value& given)
@@ -108,31 +108,18 @@ Entry parameter(const std::string& choice, const std::vector<Option<Product>>& o
 /// What the heat of friction does, the table `thermal`.
 [[nodiscard]] std::vector<Entry> heat_entries();
 
-// Intervals of a number.
-inline Range above(double min)
+/// Kinds of values.
+namespace kind
 {
-  return {.min = min, .min_allowed = false};
-}
-inline Range at_least(double min)
-{
-  return {.min = min};
-}
-inline Range between(double min, double max)
-{
-  return {.min = min, .max = max};
-}
-inline Range inside(double min, double max)
-{
-  return {.min = min, .max = max, .min_allowed = false, .max_allowed = false};
-}
-inline Range nonzero()
-{
-  return {.zero_allowed = false};
-}
-/// More than `min`, up to `max`.
-inline Range up_to(double min, double max)
-{
-  return {.min = min, .max = max, .min_allowed = false};
-}
+inline constexpr ValueKind text{Type::text}, boolean{Type::boolean}, integer{Type::integer}, number{};
+inline constexpr ValueKind share{.notation = Notation::share}, angle{.notation = Notation::angle},
+    temperature{.notation = Notation::temperature};
+inline constexpr ValueKind length{.dimension = dimension::length}, force{.dimension = dimension::force},
+    pressure{.dimension = dimension::pressure}, velocity{.dimension = dimension::velocity},
+    conductivity{.dimension = dimension::conductivity}, conductance{.dimension = dimension::conductance},
+    density{.dimension = dimension::density}, specific_heat{.dimension = dimension::specific_heat},
+    expansion{.dimension = dimension::expansion}, wear{.dimension = dimension::wear},
+    duration{.dimension = {.time = 1}}, per_length{.dimension = {.length = -1}};
+} // namespace kind
 
 } // namespace brinell::io

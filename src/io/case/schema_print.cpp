@@ -145,11 +145,12 @@ bool Range::contains(double x) const
 
 std::string allowed_values(const Entry& entry)
 {
-  const std::string what = entry.celsius                        ? "temperature"
-                           : entry.dimension == dimension::none ? "number"
-                                                                : dimension_name(entry.dimension);
-  const char* temperature_note = entry.celsius ? ", in degC or with a unit as in \"293.15 K\"" : "";
-  switch (entry.type)
+  const std::string what = entry.of.notation == Notation::temperature ? "temperature"
+                           : entry.of.dimension == dimension::none    ? "number"
+                                                                      : dimension_name(entry.of.dimension);
+  const char* temperature_note =
+      entry.of.notation == Notation::temperature ? ", in degC or with a unit as in \"293.15 K\"" : "";
+  switch (entry.of.type)
   {
   case Type::text:
     return "text";
@@ -158,18 +159,18 @@ std::string allowed_values(const Entry& entry)
   case Type::boolean:
     return "true or false";
   case Type::integer:
-    return with_range("integer", entry.range);
+    return with_range("integer", entry.of.range);
   case Type::number:
-    return with_range(what, entry.range) + unit_note(entry.dimension) +
-           (entry.degrees ? ", in degrees or with a unit as in \"1.2 rad\"" : "") + temperature_note +
-           (entry.percent ? ", or as in \"1 %\"" : "") +
+    return with_range(what, entry.of.range) + unit_note(entry.of.dimension) +
+           (entry.of.notation == Notation::angle ? ", in degrees or with a unit as in \"1.2 rad\"" : "") +
+           temperature_note + (entry.of.notation == Notation::share ? ", or as in \"1 %\"" : "") +
            (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
   case Type::vector3:
-    return with_range(fmt::format("three {}s", what), entry.range) +
-           fmt::format(", in {0} or with units as in [\"{1}\", \"{1}\", \"{1}\"]", si_unit(entry.dimension),
-                       example_quantity(entry.dimension));
+    return with_range(fmt::format("three {}s", what), entry.of.range) +
+           fmt::format(", in {0} or with units as in [\"{1}\", \"{1}\", \"{1}\"]", si_unit(entry.of.dimension),
+                       example_quantity(entry.of.dimension));
   case Type::numbers:
-    return with_range(fmt::format("{0}, or list of {0}s", what), entry.range) + unit_note(entry.dimension) +
+    return with_range(fmt::format("{0}, or list of {0}s", what), entry.of.range) + unit_note(entry.of.dimension) +
            temperature_note;
   case Type::snapshots:
     return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";

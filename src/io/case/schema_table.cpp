@@ -20,7 +20,6 @@ std::vector<Entry> root_entries()
   for_each_scenario([&](const auto& io) { meanings.push_back(fmt::format("{}: {}", io.name, io.text)); });
   return {
       {.key = "scenario",
-       .type = Type::choice,
        .choices = scenarios_with([](const auto&) { return true; }),
        .required = true,
        .text = fmt::format("What is computed. {}.", fmt::join(meanings, "; "))},
@@ -48,57 +47,50 @@ std::vector<Entry> grid_entries()
   const Condition periodic{"grid.boundary", {"periodic", "periodic_x", "periodic_y"}};
   return {
       {.key = "grid.boundary",
-       .type = Type::choice,
        .choices = {"open", "periodic", "periodic_x", "periodic_y"},
        .per_axis = true,
        .fallback = "open",
        .text = "What lies beyond the grids: nothing, or the same again. Also as a list, along x and along y: "
                "[\"open\", \"periodic\"]. Periodic along y alone, with one row, is plane strain."},
       {.key = "grid.size",
-       .type = Type::numbers,
-       .dimension = dimension::length,
-       .range = above(0.0),
+       .of = kind::length.list().above(0.0),
        .unset = "1 m along y",
        .text = "The period along x and along y, one for both, or along the one axis that is periodic.",
        .when = periodic},
       {.key = "grid.cells",
-       .type = Type::numbers,
-       .range = between(1, 65536),
+       .of = kind::number.list().between(1, 65536),
        .unset = "from spacing; one along y if it alone is periodic",
        .text = "Cells in a period, along x and along y, one number for both, or along the one axis that is periodic. "
                "Products of small prime numbers are fast. One cell is for what is uniform along its axis.",
        .when = periodic},
       bound({.key = "grid.layer",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .unset = "half of the smaller of dx and dy",
              .text = "Thickness of the layers of cells.",
              .when = periodic},
             &Numerics::domain, &Domain::layer),
       bound({.key = "grid.reference",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .unset = "2 R/e of two cylinders, as Green (2005) has their approach; otherwise the period",
              .text = "Distance from a line load at which its displacement counts as zero: the approach in plane strain "
                      "has a logarithm without end. At least the half-width of the contact.",
              .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
             &Numerics::domain, &Domain::reference),
       bound({.key = "grid.spacing",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .unset = "from resolution",
              .text = "Size of the cells [dx, dy, dz]: along the motion, across it, in depth.",
              .excludes = "grid.resolution"},
             &Numerics::spacing),
       bound({.key = "grid.resolution",
-             .range = between(1.0, 1000.0),
+             .of = kind::number.between(1.0, 1000.0),
              .fallback_in = other_resolutions(),
              .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
                      "Tugging: the elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
              .excludes = "grid.spacing"},
             &Numerics::resolution),
       bound({.key = "grid.extent",
-             .range = between(0.5, 10.0),
+             .of = kind::number.between(0.5, 10.0),
              .text = "Factor on the first extent of the grids around contact and plastic zone; they grow where that is "
                      "not enough."},
             &Numerics::extent),
@@ -108,23 +100,23 @@ std::vector<Entry> grid_entries()
 std::vector<Entry> solver_entries()
 {
   using elastoplastic::Settings;
-  const auto entry =
-      [](const char* key, auto member, Range range, const char* text, const std::vector<std::string>& choices = {})
+  const auto entry = [](const char* key, auto member, const ValueKind& of, const char* text,
+                        const std::vector<std::string>& choices = {})
   {
-    return bound({.key = std::string("solver.") + key, .range = range, .choices = choices, .text = text},
+    return bound({.key = std::string("solver.") + key, .of = of, .choices = choices, .text = text},
                  &simulation::Numerics::solver, member);
   };
   return {
-      entry("yield_tolerance", &Settings::yield_tolerance, inside(0.0, 0.1),
+      entry("yield_tolerance", &Settings::yield_tolerance, kind::number.inside(0.0, 0.1),
             "Largest violation of the yield condition, relative to the yield stress."),
-      entry("displacement_tolerance", &Settings::displacement_tolerance, inside(0.0, 0.1),
+      entry("displacement_tolerance", &Settings::displacement_tolerance, kind::number.inside(0.0, 0.1),
             "Largest change of the residual displacement in the last evaluation, relative to the approach at first "
             "yield."),
-      entry("contact_tolerance", &Settings::contact_tolerance, inside(0.0, 0.1),
+      entry("contact_tolerance", &Settings::contact_tolerance, kind::number.inside(0.0, 0.1),
             "Complementarity of the contact: largest gap under pressure, relative to the largest approach."),
-      entry("max_evaluations", &Settings::max_evaluations, between(1, 100000),
+      entry("max_evaluations", &Settings::max_evaluations, kind::number.between(1, 100000),
             "Evaluations of an increment before it is split; with friction four times as many."),
-      entry("anderson_depth", &Settings::anderson_depth, between(0, 50),
+      entry("anderson_depth", &Settings::anderson_depth, kind::number.between(0, 50),
             "Earlier iterates used to accelerate the iteration; 0: plain fixed point."),
       entry("integration", &Settings::integration, {},
             "Plastic strain of one step. path: along the path of the trial stress, second order in the step; "
@@ -148,8 +140,7 @@ std::vector<Entry> solver_entries()
             "looks at the whole body. false: no window (a check; the results agree to the tolerances)."),
       bound(
           {.key = "solver.accuracy",
-           .range = up_to(0.0, 0.5),
-           .percent = true,
+           .of = kind::share.up_to(0.0, 0.5),
            .unset = "one run, with the cells as given",
            .text =
                "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then run "
@@ -175,8 +166,7 @@ std::vector<Entry> output_entries()
                      "the case file, or of its folder if the file is called case.toml."},
             &Case::directory),
       bound({.key = "output.checkpoint_interval",
-             .dimension = {.time = 1},
-             .range = at_least(0.0),
+             .of = kind::duration.at_least(0.0),
              .text = "Time after which the state is stored again while the run goes on, so that brinell run --resume "
                      "can go on from there. It is stored also when the run is interrupted."},
             &Case::checkpoint_interval),
@@ -203,9 +193,15 @@ std::vector<Entry> scenario_entries()
 
 const std::vector<Entry>& case_schema()
 {
-  static const std::vector<Entry> schema =
-      joined({root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(), interface_entries(),
-              heat_entries(), grid_entries(), solver_entries(), output_entries()});
+  static const std::vector<Entry> schema = []
+  {
+    auto all = joined({root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(),
+                       interface_entries(), heat_entries(), grid_entries(), solver_entries(), output_entries()});
+    for (Entry& entry : all)
+      if (!entry.choices.empty())
+        entry.of.type = Type::choice;
+    return all;
+  }();
   return schema;
 }
 

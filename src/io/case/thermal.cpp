@@ -74,7 +74,7 @@ void warn_of_thermal(const CaseReader& reader, const std::string& body, const co
     {
       const Entry& entry = *find_entry(fmt::format("{}.{}", table, of.key));
       warn(c, "unusual_thermal", "{} is {:.4g} {}, which no solid has; is the unit right? {}", entry.key, value,
-           si_unit(entry.dimension), entry.hint);
+           si_unit(entry.of.dimension), entry.hint);
     }
   constexpr double ice_point = 273.0, warm_room = 310.0; // [K]
   const Given* given = reader.raw.find(table + ".temperature");

@@ -22,11 +22,10 @@ constexpr const char *press_group = "fretting press", *motion_group = "fretting 
 
 std::vector<Entry> keys()
 {
-  const auto press = [](const char* key, const char* other, Dimension dimension, Drive::Kind kind, const char* text)
+  const auto press = [](const char* key, const char* other, const ValueKind& of, Drive::Kind kind, const char* text)
   {
     return drive_key({.key = std::string("fretting.") + key,
-                      .dimension = dimension,
-                      .range = above(0.0),
+                      .of = of.above(0.0),
                       .unset = std::string("fretting.") + other,
                       .text = text,
                       .hint = "one of fretting.load and fretting.approach",
@@ -35,11 +34,10 @@ std::vector<Entry> keys()
                      &FrettingCase::press, kind);
   };
   const auto amplitude =
-      [](const char* key, const char* other, Dimension dimension, FrettingCase::Kind kind, const char* text)
+      [](const char* key, const char* other, const ValueKind& of, FrettingCase::Kind kind, const char* text)
   {
     return Entry{.key = std::string("fretting.") + key,
-                 .dimension = dimension,
-                 .range = at_least(0.0),
+                 .of = of.at_least(0.0),
                  .unset = std::string("fretting.") + other,
                  .text = text,
                  .hint = "one of fretting.displacement and fretting.force",
@@ -53,17 +51,15 @@ std::vector<Entry> keys()
                  }};
   };
   return {
-      press("load", "approach", dimension::force, Drive::Kind::load, "Load that is reached first, and kept then."),
-      press("approach", "load", dimension::length, Drive::Kind::approach,
-            "The same, imposed as approach of the bodies."),
-      amplitude("displacement", "force", dimension::length, FrettingCase::Kind::shift,
+      press("load", "approach", kind::force, Drive::Kind::load, "Load that is reached first, and kept then."),
+      press("approach", "load", kind::length, Drive::Kind::approach, "The same, imposed as approach of the bodies."),
+      amplitude("displacement", "force", kind::length, FrettingCase::Kind::shift,
                 "Amplitude by which distant points of the upper body are moved past those of the lower one: from the "
                 "middle to it, to its opposite and back to the middle in each cycle. Up to the radius of the contact."),
-      amplitude("force", "displacement", dimension::force, FrettingCase::Kind::force,
+      amplitude("force", "displacement", kind::force, FrettingCase::Kind::force,
                 "The same, imposed as force along the surface; less than friction times load."),
       Entry{.key = "fretting.direction",
-            .range = between(-360.0, 360.0),
-            .degrees = true,
+            .of = kind::angle.between(-360.0, 360.0),
             .fallback = 0.0,
             .text = "Of the motion, from x towards y, in degrees.",
             .fill =
@@ -72,15 +68,16 @@ std::vector<Entry> keys()
               constexpr double degree = std::numbers::pi / 180.0;
               std::get<FrettingCase>(c.scenario).direction = std::get<double>(value) * degree;
             }},
-      bound(
-          {.key = "fretting.cycles", .range = between(0, 100000), .text = "How often the upper body goes to and fro."},
-          &FrettingCase::cycles),
+      bound({.key = "fretting.cycles",
+             .of = kind::number.between(0, 100000),
+             .text = "How often the upper body goes to and fro."},
+            &FrettingCase::cycles),
       bound({.key = "fretting.steps_per_cycle",
-             .range = between(4, 100000),
+             .of = kind::number.between(4, 100000),
              .text = "Steps of a cycle, a multiple of 4: the middle and both turns are reached."},
             &FrettingCase::steps_per_cycle),
       bound({.key = "fretting.press_steps",
-             .range = between(1, 100000),
+             .of = kind::number.between(1, 100000),
              .text = "Steps in which load or approach is reached."},
             &FrettingCase::press_steps),
   };

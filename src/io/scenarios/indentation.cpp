@@ -21,13 +21,11 @@ constexpr const char* drive_group = "indentation drive";
 
 /// The numbers of a list are the sequence.
 /// @param other  what is given instead, and may be normalised like this one; empty: a mean over a period
-Entry drive(const std::string& key, Dimension dimension, Drive::Kind kind, const std::string& other, const char* text)
+Entry drive(const std::string& key, const ValueKind& of, Drive::Kind kind, const std::string& other, const char* text)
 {
   const std::string table = "indentation.";
   return {.key = table + key,
-          .type = Type::numbers,
-          .dimension = dimension,
-          .range = kind == Drive::Kind::mean_gap ? above(0.0) : at_least(0.0),
+          .of = of.list(),
           .unset = other.empty() ? "indentation.load or indentation.approach" : table + other,
           .text = text,
           .excludes = other.empty() ? "" : table + other,
@@ -44,31 +42,31 @@ std::vector<Entry> keys()
 {
   return {
       {.key = "indentation.normalised",
-       .type = Type::boolean,
+       .of = kind::boolean,
        .fallback = false,
        .text = "Whether load and approach are given in their values at first yield, P_c and alpha_c; needs round "
                "bodies, or cylinders in plane strain, of which one can yield."},
-      drive("load", dimension::force, Drive::Kind::load, "approach",
+      drive("load", kind::force.at_least(0.0), Drive::Kind::load, "approach",
             "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off."),
-      drive("approach", dimension::length, Drive::Kind::approach, "load",
+      drive("approach", kind::length.at_least(0.0), Drive::Kind::approach, "load",
             "The same, imposed as approach of the bodies from the touch of the undeformed ones."),
-      drive("pressure", dimension::pressure, Drive::Kind::load, "",
+      drive("pressure", kind::pressure.at_least(0.0), Drive::Kind::load, "",
             "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\"."),
-      drive("mean_gap", dimension::length, Drive::Kind::mean_gap, "",
+      drive("mean_gap", kind::length.above(0.0), Drive::Kind::mean_gap, "",
             "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
             "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
             "them: [\"0.1 um\", \"5 um\"] presses and lifts off."),
       bound({.key = "indentation.steps",
-             .range = between(1, 100000),
+             .of = kind::number.between(1, 100000),
              .text = "Steps from one entry of the list to the next, of equal approach or mean gap; of equal load^(2/3) "
                      "if the load is imposed."},
             &IndentationCase::steps),
       bound({.key = "indentation.cycles",
-             .range = between(1, 10000),
+             .of = kind::number.between(1, 10000),
              .text = "How often the list is gone through at each place."},
             &IndentationCase::cycles),
       bound({.key = "indentation.places",
-             .dimension = dimension::length,
+             .of = kind::length,
              .text = "Places along x that are indented one after the other."},
             &IndentationCase::places),
   };

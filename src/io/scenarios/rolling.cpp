@@ -33,9 +33,7 @@ std::vector<Entry> creep_keys()
 {
   return {
       Entry{.key = "rolling.creepage",
-            .type = Type::numbers,
-            .range = between(-largest_creepage, largest_creepage),
-            .percent = true,
+            .of = kind::share.list().between(-largest_creepage, largest_creepage),
             .unset = "no stick: the surfaces slide everywhere, as slide_to_roll says",
             .text = "Creepages [longitudinal, lateral], or the first of them: speeds of the surface of the upper body "
                     "relative to that of the lower one, towards +x and +y, over the mean speed at which the surfaces "
@@ -51,7 +49,7 @@ std::vector<Entry> creep_keys()
               creepage.lateral = list.size() > 1 ? list[1] : 0.0;
             }},
       Entry{.key = "rolling.spin",
-            .dimension = {.length = -1},
+            .of = kind::per_length,
             .unset = "none",
             .text = "Spin creepage: turn of the upper body past the lower one about the normal of the contact, from x "
                     "to y, per distance rolled. With stick and slip, as creepage.",
@@ -63,11 +61,10 @@ constexpr const char* drive_group = "rolling drive";
 
 std::vector<Entry> motion_keys()
 {
-  const auto drive = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
+  const auto drive = [](const char* key, const ValueKind& of, Drive::Kind kind, const char* text)
   {
     return drive_key({.key = std::string("rolling.") + key,
-                      .dimension = dimension,
-                      .range = above(0.0),
+                      .of = of.above(0.0),
                       .unset = "not imposed",
                       .text = text,
                       .hint = "one of rolling.load, rolling.hertz_pressure and rolling.approach",
@@ -75,40 +72,37 @@ std::vector<Entry> motion_keys()
                      &RollingCase::drive, kind);
   };
   return {
-      drive("load", dimension::force, Drive::Kind::load, "Load kept while rolling."),
-      drive("hertz_pressure", dimension::pressure, Drive::Kind::load,
+      drive("load", kind::force, Drive::Kind::load, "Load kept while rolling."),
+      drive("hertz_pressure", kind::pressure, Drive::Kind::load,
             "The load instead by the peak pressure that it would have in elastic contact (Hertz)."),
-      drive("approach", dimension::length, Drive::Kind::approach, "Approach kept while rolling, instead of a load."),
+      drive("approach", kind::length, Drive::Kind::approach, "Approach kept while rolling, instead of a load."),
       bound({.key = "rolling.distance",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .required = true,
              .text =
                  "Length of the track on the lower body, from -distance/2 to distance/2; in an even number of steps."},
             &RollingCase::distance),
       bound({.key = "rolling.shift",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .unset = "one cell, dx",
              .text = "By which the contact moves on the lower body per step."},
             &RollingCase::shift),
       bound({.key = "rolling.slide_to_roll",
-             .range = up_to(-2.0, 2.0),
+             .of = kind::number.up_to(-2.0, 2.0),
              .text = "Difference over mean of the speeds at which the surfaces of lower and upper body pass the "
                      "contact. 0: pure rolling; 2: the upper body slides without turning. Without friction unless "
                      "interface.friction says otherwise."},
             &RollingCase::slide_to_roll),
       bound({.key = "rolling.passes",
-             .range = between(1, 100000),
+             .of = kind::number.between(1, 100000),
              .text = "How often the track is rolled over. Each pass begins on the same spots of both bodies."},
             &RollingCase::passes),
       bound({.key = "rolling.load_steps",
-             .range = between(1, 100000),
+             .of = kind::number.between(1, 100000),
              .text = "Steps in which the upper body is pressed on before a pass and lifted off after it."},
             &RollingCase::load_steps),
       bound({.key = "rolling.speed",
-             .dimension = dimension::velocity,
-             .range = above(0.0),
+             .of = kind::velocity.above(0.0),
              .unset = "none; needed where friction heats",
              .text = "Speed of the contact over the lower body, on which the heat of friction depends; with "
                      "slide_to_roll it makes the speed at which the surfaces slide. A step of pressing on or lifting "

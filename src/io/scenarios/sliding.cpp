@@ -21,11 +21,10 @@ constexpr const char* press_group = "sliding drive";
 
 std::vector<Entry> keys()
 {
-  const auto press = [](const char* key, Dimension dimension, Drive::Kind kind, const char* text)
+  const auto press = [](const char* key, const ValueKind& of, Drive::Kind kind, const char* text)
   {
     return drive_key({.key = std::string("sliding.") + key,
-                      .dimension = dimension,
-                      .range = kind == Drive::Kind::approach ? Range{} : above(0.0),
+                      .of = of,
                       .unset = "not imposed",
                       .text = text,
                       .hint = "one of sliding.load, sliding.pressure, sliding.mean_gap and sliding.approach",
@@ -33,38 +32,37 @@ std::vector<Entry> keys()
                      &SlidingCase::press, kind);
   };
   return {
-      press("load", dimension::force, Drive::Kind::load, "Load that is reached first, and kept while sliding."),
-      press("pressure", dimension::pressure, Drive::Kind::load,
+      press("load", kind::force.above(0.0), Drive::Kind::load, "Load that is reached first, and kept while sliding."),
+      press("pressure", kind::pressure.above(0.0), Drive::Kind::load,
             "The load by its mean pressure over the period; with grid.boundary = \"periodic\"."),
-      press("mean_gap", dimension::length, Drive::Kind::mean_gap,
+      press("mean_gap", kind::length.above(0.0), Drive::Kind::mean_gap,
             "Instead, the mean gap of the deformed surfaces over the period; likewise."),
-      press("approach", dimension::length, Drive::Kind::approach,
+      press("approach", kind::length, Drive::Kind::approach,
             "Instead, the approach of the bodies. Peaks meet below 0, too, and further on the way."),
       bound({.key = "sliding.press_steps",
-             .range = between(1, 100000),
+             .of = kind::number.between(1, 100000),
              .text = "Steps in which the bodies are pressed together before they slide, and parted after it."},
             &SlidingCase::press_steps),
       bound({.key = "sliding.distance",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .required = true,
              .text = "By which the upper body slides along x over the lower one in each stroke; in whole steps."},
             &SlidingCase::distance),
       bound({.key = "sliding.shift",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .unset = "one cell, dx",
              .text = "By which it slides in a step."},
             &SlidingCase::shift),
-      bound({.key = "sliding.strokes", .range = between(1, 100000), .text = "How often it slides by the distance."},
+      bound({.key = "sliding.strokes",
+             .of = kind::number.between(1, 100000),
+             .text = "How often it slides by the distance."},
             &SlidingCase::strokes),
       bound({.key = "sliding.to_and_fro",
              .text = "Whether every other stroke goes back. Otherwise each goes on where the one before has ended, "
                      "which takes a period along x."},
             &SlidingCase::to_and_fro),
       bound({.key = "sliding.speed",
-             .dimension = dimension::velocity,
-             .range = above(0.0),
+             .of = kind::velocity.above(0.0),
              .unset = "none; needed where friction heats",
              .text = "Speed of the upper body over the lower one, on which the heat of friction depends. A step of "
                      "pressing or parting takes as long as one of sliding."},

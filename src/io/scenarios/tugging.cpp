@@ -21,14 +21,13 @@ std::vector<Entry> keys()
 {
   return {
       {.key = "tugging.normalised",
-       .type = Type::boolean,
+       .of = kind::boolean,
        .fallback = true,
        .text = "Whether the interference is given in critical interferences alpha_c, at which the first point yields, "
                "and the load in critical loads P_c; needs a body that can yield, and bodies whose relative curvature "
                "is the same along x and y, or cylinders in plane strain."},
       bound({.key = "tugging.interference",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .unset = "tugging.load",
              .text =
                  "Overlap of the undeformed bodies without their textures in height, when their centres are aligned "
@@ -37,15 +36,14 @@ std::vector<Entry> keys()
              .pure_if = "tugging.normalised"},
             &TuggingCase::interference),
       bound({.key = "tugging.offset",
-             .dimension = dimension::length,
+             .of = kind::length,
              .text = "Of the upper centre from the lower one, along y: the bodies pass beside each other. They overlap "
                      "less then along the line of centres: by offset^2 / (2 (R1 + R2)), to second order. If "
                      "normalised, in contact radii a_c at first yield. Not with a load.",
              .pure_if = "tugging.normalised"},
             &TuggingCase::offset),
       bound({.key = "tugging.load",
-             .dimension = dimension::force,
-             .range = above(0.0),
+             .of = kind::force.above(0.0),
              .unset = "tugging.interference",
              .text = "Instead of the interference: a normal force that is kept while the upper body rides over the "
                      "lower one; in critical loads P_c if normalised. It comes up in the first eighth of a pass and "
@@ -54,8 +52,7 @@ std::vector<Entry> keys()
              .pure_if = "tugging.normalised"},
             &TuggingCase::load),
       bound({.key = "tugging.shift",
-             .dimension = dimension::length,
-             .range = above(0.0),
+             .of = kind::length.above(0.0),
              .unset = "one cell, dx",
              .text = "Arc by which the contact moves on each body per step (mean of both bodies). Best a whole "
                      "multiple of dx / 2: else the surfaces are interpolated between cells."},
@@ -67,13 +64,12 @@ std::vector<Entry> keys()
             &TuggingCase::kinematics),
       bound(
           {.key = "tugging.passes",
-           .range = between(1, 10000),
+           .of = kind::number.between(1, 10000),
            .text = "How often the upper body passes; after each pass it returns to the start, and both meet deformed."},
           &TuggingCase::passes),
       bound(
           {.key = "tugging.speed",
-           .dimension = dimension::velocity,
-           .range = above(0.0),
+           .of = kind::velocity.above(0.0),
            .unset = "none; needed where friction heats",
            .text =
                "Speed of the upper surface over the lower one: that at which the contact moves over both bodies "

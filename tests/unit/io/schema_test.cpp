@@ -28,7 +28,7 @@ TEST(Schema, IsConsistent)
     // Exactly one answer to the question what happens if the key is left out; an exclusive pair may have both.
     EXPECT_TRUE(entry.required || entry.fallback || !entry.unset.empty());
     EXPECT_FALSE(entry.required && entry.fallback);
-    EXPECT_EQ(entry.type == Type::choice, !entry.choices.empty());
+    EXPECT_EQ(entry.of.type == Type::choice, !entry.choices.empty());
     for (const std::string& other : {entry.when.key, entry.pure_if})
       EXPECT_TRUE(other.empty() || seen.contains(other)) << "depends on " << other << ", which must come before";
     if (!entry.excludes.empty())
@@ -52,7 +52,7 @@ TEST(Schema, DefaultsAreInRange)
       value = static_cast<double>(*i);
     else
       continue;
-    EXPECT_TRUE(entry.range.contains(value)) << entry.key;
+    EXPECT_TRUE(entry.of.range.contains(value)) << entry.key;
   }
 }
 
