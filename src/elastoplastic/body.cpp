@@ -2,6 +2,7 @@
 #include "brinell/elastoplastic/body.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "constitutive/lane_return.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 #include "window.hpp"
@@ -243,17 +244,33 @@ double Body::integrate(Integration integration)
     work_ = half_space_->make_work();
   choose_window();
   const std::vector<double> before = displacement_;
-  const std::size_t n = grid().size();
+  const auto take = [&](std::size_t a, const constitutive::PlasticIncrement& result)
+  {
+    store(active_.start(a) + result.strain, state_.plastic_strain, grid().size(), active_.cell(a));
+    active_.set_flow(a, result);
+  };
   std::visit(
-      [&](const auto& law)
+      [&]<typename Law>(const Law& law)
       {
-#pragma omp parallel for schedule(static, cells_of_share)
-        for (std::size_t a = 0; a < active_.size(); ++a)
+        const auto one = [&](std::size_t a) { return increment(law_at(law, active_.cell(a)), a, integration); };
+        const bool in_lanes = constitutive::is_linear<Law> && material_.kinematic.empty() &&
+                              integration == constitutive::Integration::path;
+#pragma omp parallel for schedule(static, cells_of_share / lane_count)
+        for (std::size_t first = 0; first < active_.size(); first += lane_count)
         {
-          const std::size_t cell = active_.cell(a);
-          const constitutive::PlasticIncrement result = increment(law_at(law, cell), a, integration);
-          store(active_.start(a) + result.strain, state_.plastic_strain, n, cell);
-          active_.set_flow(a, result);
+          const std::size_t last = std::min(first + lane_count, active_.size());
+          constitutive::LanePoints points;
+          for (std::size_t a = first; in_lanes && a < last; ++a)
+          {
+            const double e = state_.equivalent[active_.cell(a)];
+            const auto law_here = law_at(law, active_.cell(a));
+            points.set(a - first, deviator_at(state_.stress, grid().size(), active_.cell(a)), active_.trial(a),
+                       law_here.yield_stress_at(e), law_here.modulus_at(e));
+          }
+          if (in_lanes)
+            constitutive::path_return(points, 0.5 * stiffness_);
+          for (std::size_t a = first; a < last; ++a)
+            take(a, in_lanes ? points.increment(a - first) : one(a));
         }
       },
       *material_.hardening);
@@ -263,27 +280,39 @@ double Body::integrate(Integration integration)
   return change;
 }
 
+/// What a trial is mapped to by the stress of its evaluation.
+/// @returns its error over the yield stress
+template <typename Law>
+double Body::map_trial(const Law& law, std::size_t a)
+{
+  const std::size_t n = grid().size(), cell = active_.cell(a);
+  const Deviator increment = deviator_at(state_.plastic_strain, n, cell) - active_.start(a);
+  const Deviator g = deviator_at(stress_, n, cell) + stiffness_ * increment;
+  active_.set_mapped(a, g);
+  const double size = von_mises(g - centre(cell));
+  if (!std::isfinite(size))
+    return size;
+  const double yield = law.yield_stress_at(state_.equivalent[cell] + active_.equivalent(a));
+  if (active_.equivalent(a) > 0.0 || size > yield)
+    return von_mises(g - active_.trial(a)) / yield;
+  // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
+  active_.set_trial(a, g);
+  return 0.0;
+}
+
 bool Body::update(const halfspace::SurfaceLoad& load)
 {
   if (!is_plastic())
     return false;
-  const std::size_t n = grid().size();
   find_stress(load);
-  std::visit(
+  yield_error_ = std::visit(
       [&](const auto& law)
       {
-#pragma omp parallel for schedule(static, cells_of_share)
+        double error = 0.0;
+#pragma omp parallel for schedule(static, cells_of_share) reduction(larger : error)
         for (std::size_t a = 0; a < active_.size(); ++a)
-        {
-          const std::size_t cell = active_.cell(a);
-          const Deviator increment = deviator_at(state_.plastic_strain, n, cell) - active_.start(a);
-          const Deviator g = deviator_at(stress_, n, cell) + stiffness_ * increment;
-          active_.set_mapped(a, g);
-          // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
-          if (active_.equivalent(a) == 0.0 &&
-              von_mises(g - centre(cell)) <= law_at(law, cell).yield_stress_at(state_.equivalent[cell]))
-            active_.set_trial(a, g);
-        }
+          error = larger(error, map_trial(law_at(law, active_.cell(a)), a));
+        return error;
       },
       *material_.hardening);
   const std::size_t before = active_.size();
@@ -292,32 +321,6 @@ bool Body::update(const halfspace::SurfaceLoad& load)
     return false;
   widen(before);
   return true;
-}
-
-double Body::yield_error() const
-{
-  if (!is_plastic())
-    return 0.0;
-  const auto error_in = [&](const auto& law, std::size_t a)
-  {
-    const double yield =
-        law_at(law, active_.cell(a)).yield_stress_at(state_.equivalent[active_.cell(a)] + active_.equivalent(a));
-    const Deviator g = active_.mapped(a);
-    const double size = von_mises(g - centre(active_.cell(a)));
-    if (!std::isfinite(size))
-      return size;
-    return active_.equivalent(a) > 0.0 || size > yield ? von_mises(g - active_.trial(a)) / yield : 0.0;
-  };
-  return std::visit(
-      [&](const auto& law)
-      {
-        double error = 0.0;
-#pragma omp parallel for schedule(static, cells_of_share) reduction(larger : error)
-        for (std::size_t a = 0; a < active_.size(); ++a)
-          error = larger(error, error_in(law, a));
-        return error;
-      },
-      *material_.hardening);
 }
 
 void Body::commit(const halfspace::SurfaceLoad& load)

@@ -41,43 +41,55 @@ void von_mises_squares(const double* field, std::size_t stride, std::size_t cell
 
 } // namespace
 
+/// Squares of the von Mises norms of q from the centre of the yield surface, of neighbouring cells.
+/// @param q     of the first of them, within a field of the grid
+/// @param cell  the first of them
+void Body::sizes_from_centre(const double* q, std::size_t cell, std::span<double> squares) const
+{
+  const std::size_t n = grid().size(), count = squares.size();
+  if (material_.kinematic.empty())
+    return von_mises_squares(q, n, count, squares.data());
+  std::vector<double> from_centre(Deviator::size * count);
+  for (std::size_t c = 0; c < Deviator::size; ++c)
+  {
+    double* component = from_centre.data() + c * count;
+    std::copy_n(q + c * n, count, component);
+    for (std::size_t term = 0; term < material_.kinematic.size(); ++term)
+    {
+      const double* back = state_.backstress.data() + (term * Deviator::size + c) * n + cell;
+#pragma omp simd
+      for (std::size_t i = 0; i < count; ++i)
+        component[i] -= back[i];
+    }
+  }
+  von_mises_squares(from_centre.data(), count, count, squares.data());
+}
+
 /// Cells of one layer, not yet active, whose q lies outside the yield surface shrunk to `fraction`.
 template <typename Law>
 void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
                        double fraction, std::vector<std::size_t>& found) const
 {
   const SurfaceGrid& s = grid().surface;
-  const std::size_t n = grid().size();
   const Columns columns = searched();
   const auto first = static_cast<std::size_t>(std::max(columns.first, shift));
   const auto last = static_cast<std::size_t>(std::max(0, std::min(columns.first + columns.count, s.nx + shift)));
   if (last <= first)
     return;
   const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };
-  // No law softens by strain: what lies within the first yield surface needs no look at its own, unless that has moved.
   const double initial = square(fraction * law.yield_stress_at(0.0));
   std::vector<double> squares(last - first);
   for (std::size_t j = 0; j < static_cast<std::size_t>(told_rows(s, symmetry_)); ++j)
   {
-    const std::size_t row = layer * s.size() + j * static_cast<std::size_t>(s.nx);
-    const std::ptrdiff_t carried = static_cast<std::ptrdiff_t>(row + first) - shift;
-    von_mises_squares(q_field.data() + carried, n, last - first, squares.data());
-    for (std::size_t i = first; i < last; ++i)
+    const std::size_t begin = layer * s.size() + j * static_cast<std::size_t>(s.nx) + first;
+    sizes_from_centre(q_field.data() + static_cast<std::ptrdiff_t>(begin) - shift, begin, squares);
+    for (std::size_t i = 0; i < squares.size(); ++i)
     {
-      const std::size_t cell = row + i;
-      const double e = state_.equivalent[cell];
+      const std::size_t cell = begin + i;
       const double softened = softening(cell) * softening(cell);
-      const bool has_moved = e > 0.0 && !material_.kinematic.empty();
-      if (active_.contains(cell) || (!has_moved && squares[i - first] <= initial * softened))
-        continue;
-      double size = squares[i - first];
-      if (has_moved)
-      {
-        const Deviator from_centre =
-            deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift)) - centre(cell);
-        size = 1.5 * contract(from_centre, from_centre);
-      }
-      if (size > square(fraction * law.yield_stress_at(e)) * softened)
+      // No law softens by strain: what lies within the first yield surface needs no look at its own.
+      if (squares[i] > initial * softened && !active_.contains(cell) &&
+          squares[i] > square(fraction * law.yield_stress_at(state_.equivalent[cell])) * softened)
         found.push_back(cell);
     }
   }

@@ -134,8 +134,8 @@ public:
   [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
   [[nodiscard]] const std::vector<double>& flow() const { return active_.flow(); }     ///< see ActiveCells::flow
-  /// Largest von Mises norm of g - q over the yield stress, over the cells that yield.
-  [[nodiscard]] double yield_error() const;
+  /// Of the last `update`: largest von Mises norm of g - q over the yield stress, over the cells that yield.
+  [[nodiscard]] double yield_error() const { return yield_error_; }
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
   /// Empty unless the surface bears shear and the body is plastic.
   [[nodiscard]] std::span<const double> residual_displacement_x() const { return displacement_x_; }
@@ -183,6 +183,9 @@ private:
   template <typename Law>
   [[nodiscard]] constitutive::PlasticIncrement increment(const Law& law, std::size_t a, Integration integration);
   template <typename Law>
+  [[nodiscard]] double map_trial(const Law& law, std::size_t a);
+  void sizes_from_centre(const double* q, std::size_t cell, std::span<double> squares) const;
+  template <typename Law>
   void find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift, double fraction,
                    std::vector<std::size_t>& found) const;
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
@@ -212,6 +215,7 @@ private:
   Symmetry symmetry_;
   int layers_; ///< layers whose stress is computed, from the surface
   ActiveCells active_;
+  double yield_error_ = 0.0; ///< of the last evaluation
   bool in_increment_ = false;
   /// Deviatoric stress of the trial in the layers computed. Between increments: that of the state, and in the cells that were
   /// active last their q, the guess of the next increment.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/constitutive/return_mapping.hpp"
 
+#include "constitutive/lane_return.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
 
@@ -265,6 +266,41 @@ TEST(ReturnMappingTest, UnitOfStressDoesNotMatter)
       path_return(unit * s0, unit * q, 0.01, unit * mu, LinearHardening{unit * 1.0, unit * hardening.modulus});
   EXPECT_NEAR(von_mises(a.strain - b.strain), 0.0, tolerance / mu);
   EXPECT_NEAR(a.dissipation, b.dissipation / unit, tolerance / mu);
+}
+
+/// Points that flow and others, a virgin one among them, from paths in all directions.
+template <typename Law>
+void expect_lanes_like_points(const Law& law)
+{
+  const auto stress = [](unsigned seed, std::size_t lane)
+  { return lane == 3 ? Deviator{} : test::random_deviator(seed + 40, 0.1 * static_cast<double>(lane)); };
+  for (unsigned seed = 0; seed < 400; seed += lane_count)
+  {
+    LanePoints points;
+    const auto trial = [&](std::size_t lane)
+    { return test::random_deviator(seed + static_cast<unsigned>(lane), 0.4 * static_cast<double>(lane + 1)); };
+    const auto equivalent = [](std::size_t lane) { return 0.01 * static_cast<double>(lane); };
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      points.set(lane, stress(seed, lane), trial(lane), law.yield_stress_at(equivalent(lane)),
+                 law.modulus_at(equivalent(lane)));
+    path_return(points, mu);
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+    {
+      const PlasticIncrement alone = path_return(stress(seed, lane), trial(lane), equivalent(lane), mu, law);
+      const PlasticIncrement here = points.increment(lane);
+      EXPECT_EQ(here.equivalent > 0.0, alone.equivalent > 0.0);
+      EXPECT_NEAR(von_mises(here.strain - alone.strain), 0.0, tolerance / mu);
+      EXPECT_NEAR(here.equivalent, alone.equivalent, tolerance / mu);
+      EXPECT_NEAR(here.dissipation, alone.dissipation, tolerance / mu);
+    }
+  }
+}
+
+TEST(ReturnMappingTest, PointsInLanesFlowAsEachByItself)
+{
+  expect_lanes_like_points(perfect);
+  expect_lanes_like_points(hardening);
+  expect_lanes_like_points(LinearHardening{1.0, 10.0 * mu}); // stiffer than elastic
 }
 
 } // namespace
