@@ -24,7 +24,8 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 
   // ImageCorrection hardly depends on the grid.
   constexpr double images = 2.5e6;
-  const double strain_and_stress = deviators * (blocks * pitch + pitch);
+  const double strain_and_stress =
+      deviators * (blocks + 2.0) * pitch; // strain of two blocks, if there are several threads
   const double surface = tractions * blocks * (rows + pitch) + 1.5 * grid.nz * pitch;
   return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images,
           .work = (strain_and_stress + surface) * sizeof(ComplexLanes),

@@ -33,12 +33,14 @@ int HalfSpace::Operators::take_part(const MirroredFft::Part& part, const Mirrore
 void HalfSpace::Operators::transform_strain_mirrored(std::span<const double> plastic_strain, int layers,
                                                      Work::Buffers& work, MirroredFft::Scratch& scratch) const
 {
-  const int planes = MirroredFft::planes_of_group * MirroredFft::groups(layers);
-#pragma omp for schedule(static)
+  constexpr int group = MirroredFft::planes_of_group;
+  const int planes = group * MirroredFft::groups(layers);
+  const int others = group * (omp_get_num_threads() - 1); // planes of the other threads
+#pragma omp for schedule(static, group)                   // strain is wider in layers that are not so deep
   for (int number = 0; number < planes; ++number)
   {
     const MirroredFft::Plane plane = MirroredFft::plane(number, layers);
-    const MirroredFft::Plane next = MirroredFft::plane(number + 1, layers);
+    const MirroredFft::Plane next = MirroredFft::plane(number + ((number + 1) % group == 0 ? others : 0) + 1, layers);
     const std::array<int, 2> first_rows{take_part(plane.first, next.first, plastic_strain, work),
                                         take_part(plane.second, next.second, plastic_strain, work)};
     if (!plane.is_empty())

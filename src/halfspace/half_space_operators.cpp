@@ -57,9 +57,11 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
     work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
                              AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
-  work->strain.resize(volume_fft.block_size());
+  const auto at_a_time = static_cast<std::size_t>(blocks_at_a_time(work->threads.size()));
+  work->strain.resize(at_a_time * volume_fft.block_size());
   work->stress.resize(std::max({volume_fft.block_size() * blocks, volume_fft.rows_size(), mirrored_fft.rows_size()}));
-  work->displacement_parts.resize(static_cast<std::size_t>(part_at(parts_for(grid.nz), 0)));
+  work->displacement_parts.resize(at_a_time * static_cast<std::size_t>(parts_for(grid.nz) * surface_fft.pitch()) *
+                                  tractions.size());
   work->displacement_rows.front().resize(surface_fft.rows_size());
   work->surface.front().resize(surface_fft.block_size() * blocks);
   work->used.resize(static_cast<std::size_t>(Deviator::size * grid.nz));
@@ -100,32 +102,19 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   std::fill(work.used.begin() + static_cast<std::ptrdiff_t>(Deviator::size) * strained, work.used.end(),
             CellRectangle{});
   const auto threads = static_cast<int>(work.threads.size());
-  const int rows = volume_fft.py() / 2 + 1;
-  const int parts = parts_for(strained);
 
 #pragma omp parallel num_threads(threads)
   {
     Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())];
     transform_strain(plastic_strain, strained, work, scratch);
-    for (int block = 0; block < volume_fft.blocks(); ++block)
+    for (int block = 0; block <= volume_fft.blocks(); ++block)
     {
-#pragma omp for schedule(static)
-      for (int part = 0; part < parts; ++part)
-        transform_layers(block, part, strained, kernels, work, scratch);
-      const EigenstrainStress::Spectra spectra{work.strain.data(), strained,
-                                               work.stress.data() + volume_fft.plane_at(block, 0), layers,
-                                               trace == nullptr ? nullptr : trace + trace_fft.plane_at(block, 0)};
-#pragma omp for schedule(static)
-      for (int first = 0; first < rows; first += SpectrumRows::most)
-      {
-        const SpectrumRows own{first, std::min(SpectrumRows::most, rows - first)};
-        for (const SpectrumRows& tile : {own, work.symmetry == Symmetry::none ? mirrored(own) : SpectrumRows{}})
-        {
-          if (layers > 0)
-            eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
-          sum_displacement(block, tile, parts, kernels, work);
-        }
-      }
+      // A thread that is done with the waves of one block begins with the series of the next one: one barrier for both.
+      if (block > 0)
+        pass_waves(block - 1, strained, kernels, work, trace, scratch);
+      if (block < volume_fft.blocks())
+        transform_layers(block, strained, kernels, work, scratch);
+#pragma omp barrier
     }
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft.blocks(); ++block)
@@ -172,25 +161,60 @@ SpectrumRows HalfSpace::Operators::mirrored(const SpectrumRows& rows) const
   return {py - last, last - first + 1};
 }
 
-/// Along y, and to the displacement of the surface while a plane is in the cache.
-void HalfSpace::Operators::transform_layers(int block, int part, int layers,
-                                            const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
-                                            Work::Buffers::Scratch& scratch) const
+ComplexLanes* HalfSpace::Operators::displacement_part(int block, int part, Work::Buffers& work) const
+{
+  const int place = block % blocks_at_a_time(work.threads.size()) * parts_for(grid.nz) + part;
+  return work.displacement_parts.data() + place * static_cast<std::ptrdiff_t>(tractions.size()) * surface_fft.pitch();
+}
+
+/// Stress of all layers at the wavenumbers of one block, and displacement of the surface by all of them. The rows are shared
+/// evenly: tiles of several rows would leave a thread with one more than the others. To be called by all threads.
+void HalfSpace::Operators::pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels,
+                                      Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const
+{
+  const EigenstrainStress::Spectra spectra{strain_of(block, work), strained,
+                                           work.stress.data() + volume_fft.plane_at(block, 0), work.layers,
+                                           trace == nullptr ? nullptr : trace + trace_fft.plane_at(block, 0)};
+  const int rows = volume_fft.py() / 2 + 1;
+  const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
+  const int end = rows * (thread + 1) / threads;
+  for (int first = rows * thread / threads; first < end; first += SpectrumRows::most)
+  {
+    const SpectrumRows own{first, std::min(SpectrumRows::most, end - first)};
+    for (const SpectrumRows& tile : {own, work.symmetry == Symmetry::none ? mirrored(own) : SpectrumRows{}})
+    {
+      if (work.layers > 0)
+        eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
+      sum_displacement(block, tile, parts_for(strained), kernels, work);
+    }
+  }
+}
+
+/// Along y, and to the displacement of the surface while a plane is in the cache. To be called by all threads, which do not wait
+/// for each other.
+void HalfSpace::Operators::transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels,
+                                            Work::Buffers& work, Work::Buffers::Scratch& scratch) const
 {
   const bool is_mirrored = work.symmetry != Symmetry::none;
-  if (is_mirrored)
-    mirrored_fft.columns_forward(work.rows(mirrored_fft.rows_size()), block, part, layers, work.strain.data(),
-                                 volume_fft.pitch(), scratch.mirrored);
-  ComplexLanes* sums = work.displacement_parts.data() + part_at(part, 0);
-  std::fill_n(sums, part_at(1, 0), ComplexLanes{});
-  for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
+  ComplexLanes* const spectrum = strain_of(block, work);
+#pragma omp for schedule(static) nowait
+  for (int part = 0; part < parts_for(layers); ++part)
   {
-    ComplexLanes* strain = work.strain.data() + volume_fft.plane_at(0, Deviator::size * layer);
-    for (int component = 0; component < Deviator::size && !is_mirrored; ++component)
-      volume_fft.columns_forward(work.rows(volume_fft.rows_size()), block, Deviator::size * layer + component,
-                                 strain + static_cast<std::ptrdiff_t>(component) * volume_fft.pitch(), scratch.fft);
-    for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-      kernels[t]->add_displacement(block, layer, spectrum_rows(work.symmetry), strain, sums + part_at(0, t));
+    if (is_mirrored)
+      mirrored_fft.columns_forward(work.rows(mirrored_fft.rows_size()), block, part, layers, spectrum,
+                                   volume_fft.pitch(), scratch.mirrored);
+    ComplexLanes* sums = displacement_part(block, part, work);
+    std::fill_n(sums, tractions.size() * static_cast<std::size_t>(surface_fft.pitch()), ComplexLanes{});
+    for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
+    {
+      ComplexLanes* strain = spectrum + volume_fft.plane_at(0, Deviator::size * layer);
+      for (int component = 0; component < Deviator::size && !is_mirrored; ++component)
+        volume_fft.columns_forward(work.rows(volume_fft.rows_size()), block, Deviator::size * layer + component,
+                                   strain + static_cast<std::ptrdiff_t>(component) * volume_fft.pitch(), scratch.fft);
+      for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
+        kernels[t]->add_displacement(block, layer, spectrum_rows(work.symmetry), strain,
+                                     sums + static_cast<std::ptrdiff_t>(t) * surface_fft.pitch());
+    }
   }
 }
 
@@ -203,7 +227,7 @@ void HalfSpace::Operators::sum_displacement(int block, const SpectrumRows& rows,
     {
       ComplexLanes sum;
       for (int part = 0; part < parts; ++part)
-        sum = sum + work.displacement_parts[static_cast<std::size_t>(part_at(part, t) + row)];
+        sum = sum + displacement_part(block, part, work)[static_cast<std::ptrdiff_t>(t) * surface_fft.pitch() + row];
       work.surface[t][static_cast<std::size_t>(surface_fft.plane_at(block, 0) + row)] = sum;
     }
 }

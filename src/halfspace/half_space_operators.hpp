@@ -41,11 +41,11 @@ struct HalfSpace::Work::Buffers
     MirroredFft::Scratch mirrored;
   };
   std::vector<Scratch> threads;       ///< one per thread
-  AlignedVector<ComplexLanes> strain; ///< spectrum of one block
+  AlignedVector<ComplexLanes> strain; ///< spectra of `blocks_at_a_time` blocks
   AlignedVector<ComplexLanes> stress; ///< spectra of all blocks, of the strain loaded; before them, rows of the strain
   /// Displacements of the surface by a few layers each, in one block: the order of their sum is that of the layers, however
   /// many threads there are.
-  AlignedVector<ComplexLanes> displacement_parts; ///< [part][traction][pitch]
+  AlignedVector<ComplexLanes> displacement_parts; ///< [block at a time][part][traction][pitch]
   /// Of the components that have been asked for; the others are empty.
   OfTraction<AlignedVector<ComplexLanes>> displacement_rows; ///< of the strain loaded
   OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
@@ -119,14 +119,19 @@ private:
     return block + 1 < fft.blocks() ? plane + fft.plane_at(1, 0) : plane;
   }
   [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
-  /// Place of a part in `displacement_parts`.
-  [[nodiscard]] std::ptrdiff_t part_at(int part, std::size_t traction) const
+  /// Blocks whose strain is held: with several threads one is transformed while waves still pass through the one before.
+  [[nodiscard]] static int blocks_at_a_time(std::size_t threads) { return threads > 1 ? 2 : 1; }
+  [[nodiscard]] ComplexLanes* strain_of(int block, Work::Buffers& work) const
   {
-    return (static_cast<std::ptrdiff_t>(part * tractions.size()) + static_cast<std::ptrdiff_t>(traction)) *
-           surface_fft.pitch();
+    return work.strain.data() +
+           block % blocks_at_a_time(work.threads.size()) * static_cast<std::ptrdiff_t>(volume_fft.block_size());
   }
-  void transform_layers(int block, int part, int layers, const OfTraction<const TractionStress*>& kernels,
-                        Work::Buffers& work, Work::Buffers::Scratch& scratch) const;
+  /// Place of a part in `displacement_parts`.
+  [[nodiscard]] ComplexLanes* displacement_part(int block, int part, Work::Buffers& work) const;
+  void pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
+                  ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
+  void transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
+                        Work::Buffers::Scratch& scratch) const;
   [[nodiscard]] const ComplexLanes* loaded(int block, const MirroredFft::Part& part,
                                            const OfTraction<const TractionStress*>& kernels, const Work::Buffers& work,
                                            ComplexLanes* sum) const;
