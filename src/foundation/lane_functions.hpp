@@ -46,10 +46,14 @@ inline Lanes load_lanes(const double* from, std::size_t count)
 {
   if (count == lane_count)
     return load_lanes(from);
+#if defined(__AVX512F__)
+  return _mm512_maskz_loadu_pd(static_cast<__mmask8>((1U << count) - 1U), from);
+#else
   Lanes value{};
   for (std::size_t lane = 0; lane < count; ++lane)
     value[lane] = from[lane];
   return value;
+#endif
 }
 inline ComplexLanes load_lanes(const Complex* from)
 {
@@ -83,10 +87,16 @@ inline void end_streaming()
 inline void store_lanes(const Lanes& value, std::size_t count, double* to)
 {
   if (count == lane_count)
+  {
     std::memcpy(to, &value, sizeof value);
-  else
-    for (std::size_t lane = 0; lane < count; ++lane)
-      to[lane] = value[lane];
+    return;
+  }
+#if defined(__AVX512F__)
+  _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1U << count) - 1U), value);
+#else
+  for (std::size_t lane = 0; lane < count; ++lane)
+    to[lane] = value[lane];
+#endif
 }
 
 /// The values one after the other.
