@@ -132,13 +132,14 @@ void Body::begin(int shift, double stiffness_share)
   if (!is_plastic())
     return;
   prepare_trial();
+  if (in_increment_) // otherwise it is that of the state, since the last increment ended or failed
+    thermal_stress_ = state_.thermal_stress;
   in_increment_ = true;
   active_.clear();
   layers_ = grid().nz;
   windowed_ = was_windowed_ = wants_whole_ = false;
   reference_ = Known::state;
   shift_ = shift;
-  thermal_stress_ = state_.thermal_stress;
   // Seen from the contact, q changes little from step to step: it is carried along.
   collect_active(stress_, shift, shortcuts_ ? active_share : -1.0);
   keep_active_layers();

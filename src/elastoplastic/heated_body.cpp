@@ -52,7 +52,8 @@ halfspace::HeatedLayers heated_layers(const VolumeGrid& volume, const constituti
 void fit(const SurfaceGrid& from, std::span<const double> field, const SurfaceGrid& to, std::span<double> out)
 {
   const int columns = (to.nx - from.nx) / 2, rows = (to.ny - from.ny) / 2;
-  std::fill(out.begin(), out.end(), 0.0);
+  if (from.nx < to.nx || from.ny < to.ny)
+    std::fill(out.begin(), out.end(), 0.0);
   for (int j = std::max(0, rows); j < std::min(to.ny, from.ny + rows); ++j)
     for (int i = std::max(0, columns); i < std::min(to.nx, from.nx + columns); ++i)
       out[to.index(i, j)] = field[from.index(i - columns, j - rows)];
@@ -168,9 +169,9 @@ void BodyHeat::require_layers(const VolumeGrid& body) const
 void BodyHeat::find_layers(const VolumeGrid& body)
 {
   if (is_stressed_)
-    stress_.assign(Deviator::size * body.size(), 0.0);
+    stress_.resize(Deviator::size * body.size());
   if (is_softened())
-    softening_.assign(body.size(), 0.0);
+    softening_.resize(body.size());
   layers(body, {.temperature = softening_, .deviator = stress_, .trace = {}}, room_);
   for (double& value : softening_) // so far the rise of the temperature
     value = constitutive::softening_factor(*softening_law_, bulk_ + value);
