@@ -196,4 +196,37 @@ void DepthSums::sum(std::size_t first, std::size_t columns, Row& row) const
   }
 }
 
+/// From depth to depth rounding adds up to some 1e-16 each.
+std::span<const double> DecayInDepth::at(double depth, std::span<const SurfaceWave> along)
+{
+  const std::size_t count = along.size();
+  const double way = depth - depth_;
+  constexpr double rounding = 1e-13, nothing = 1e-290;
+  const bool goes_on = way >= 0.0 && count <= columns_;
+  if (goes_on && (count > stepped_ || std::abs(way - spacing_) > rounding * depth))
+  {
+    for (std::size_t i = 0; i < count; ++i)
+      step_[i] = std::exp(-along[i].k * way);
+    spacing_ = way;
+    stepped_ = count;
+  }
+  if (goes_on)
+  {
+    double* decay = decay_.data();
+    const double* step = step_.data();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double next = decay[i] * step[i];
+      decay[i] = next > nothing ? next : 0.0; // numbers below the normal ones are slow
+    }
+  }
+  else
+    for (std::size_t i = 0; i < count; ++i)
+      decay_[i] = std::exp(-along[i].k * depth);
+  columns_ = count;
+  depth_ = depth;
+  return std::span<const double>(decay_).first(count);
+}
+
 } // namespace brinell::halfspace

@@ -81,4 +81,19 @@ private:
 /// Waves along the surface that count at a depth are the first so many of a row.
 [[nodiscard]] std::size_t columns_that_reach(double depth, std::span<const SurfaceWave> along);
 
+/// e^{-kz} of a row of waves at one depth after the other: where they lie at equal distances, by one product each.
+class DecayInDepth
+{
+public:
+  explicit DecayInDepth(std::size_t columns) : decay_(columns), step_(columns) {}
+  /// Begins a row.
+  void begin() { columns_ = stepped_ = 0; }
+  [[nodiscard]] std::span<const double> at(double depth, std::span<const SurfaceWave> along);
+
+private:
+  std::vector<double> decay_, step_;
+  std::size_t columns_ = 0, stepped_ = 0; ///< that the values are known of
+  double depth_ = 0.0, spacing_ = 0.0;
+};
+
 } // namespace brinell::halfspace

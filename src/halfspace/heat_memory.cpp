@@ -2,11 +2,11 @@
 #include "heat_memory.hpp"
 
 #include "foundation/lane_functions.hpp"
-#include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace brinell::halfspace
 {
@@ -27,11 +27,11 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
     : fft_(grid, px, py, symmetry), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
       waves_(std::move(waves)), heat_(waves_.waves.size() * fft_.plane())
 {
-  const PaddedFft& fft = fft_.all();
+  const PlaneOfWaves& all = fft_.all();
   for (int row = 0; row < fft_.rows(); ++row)
-    for (int i = 0; i < fft.kx(); ++i)
+    for (int i = 0; i < all.kx(); ++i)
     {
-      const double kx = fft.wavenumber_x(i), ky = fft.wavenumber_y(row);
+      const double kx = all.wavenumber_x(i), ky = all.wavenumber_y(row);
       along_.push_back({kx, ky, std::hypot(kx, ky), 2 * i == px ? 0.0 : kx, 2 * row == py ? 0.0 : ky});
     }
   if (waves_.has_fields)
@@ -57,8 +57,7 @@ std::vector<double> HeatMemory::left_in_depth(double duration) const
 void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid& heated,
                                std::span<double> temperature) const
 {
-  std::vector<AlignedVector<Complex>> sums(1, AlignedVector<Complex>(fft_.plane()));
-  AlignedVector<Complex>& sum = sums.front();
+  AlignedVector<Complex> sum(fft_.plane() + ToldRowsFft::slack);
   const std::vector<double> left = left_in_depth(duration);
   constexpr double nothing = 1e-20;
 #pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
@@ -81,7 +80,8 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
       sum[begin_of(row) + i] *=
           std::exp(-diffusivity_ * along[i].k * along[i].k * duration) * cell_mean(along[i].kx * heated.dx) * mean_y;
   }
-  fft_.inverse(sums, {false}, true, {temperature});
+  const ToldRowsFft::Told told{sum.data(), fft_.all().kx()};
+  fft_.inverse({&told, 1}, {false}, true, {temperature});
 }
 
 HeatMemory::RowEnd HeatMemory::row_end(int row, double duration, double factor) const
@@ -104,14 +104,23 @@ std::span<Complex> complex_values(AlignedVector<double>& parts, std::size_t firs
   return parts.empty() ? std::span<Complex>{} : std::span(reinterpret_cast<Complex*>(parts.data() + first), count);
 }
 
+/// Real and imaginary parts in turn.
+const double* parts_of(std::span<const Complex> values)
+{
+  return reinterpret_cast<const double*>(values.data());
+}
+
 } // namespace
 
 /// The slowest waves hardly turn in depth: cos(s z) = 1, s sin(s z) = s^2 z.
 void HeatMemory::finish_surface(std::span<const SurfaceWave> along, const RowEnd& end, DepthSums::Row& sums) const
 {
-  const std::span<Complex> potential = complex_values(sums.at_surface, 0, along.size());
+  const double *left = end.left.data(), *share = end.slow_share.data(), *heat = parts_of(end.slowest);
+  double* potential = sums.at_surface.data();
+#pragma omp simd
   for (std::size_t i = 0; i < along.size(); ++i)
-    potential[i] = end.left[i] * (along[i].k * potential[i] + end.slow_share[i] * end.slowest[i]);
+    for (std::size_t part = 2 * i; part < 2 * i + 2; ++part)
+      potential[part] = left[i] * (along[i].k * potential[part] + share[i] * heat[part]);
 }
 
 /// @param number  of the depth among those together
@@ -119,17 +128,20 @@ void HeatMemory::finish(double depth, std::span<const SurfaceWave> along, const 
                         DepthSums::Row& sums) const
 {
   const std::size_t first = number * sums.pitch;
-  const std::span<Complex> temperature = complex_values(sums.temperature, first, along.size());
-  const std::span<Complex> potential = complex_values(sums.potential, first, along.size());
-  const std::span<Complex> slope = complex_values(sums.slope, first, along.size());
+  double *temperature = sums.temperature.data() + first, *potential = sums.potential.data() + first,
+         *slope = sums.slope.data() + first;
+  const double *left = end.left.data(), *share = end.slow_share.data(), *heat = parts_of(end.slowest);
   const double weight = waves_.waves.back().weight;
+#pragma omp simd
   for (std::size_t i = 0; i < along.size(); ++i)
   {
-    const double k = along[i].k, share = end.slow_share[i];
-    const Complex heat = end.slowest[i];
-    temperature[i] = end.left[i] * (temperature[i] + weight * heat);
-    potential[i] = end.left[i] * (k * potential[i] + share * heat);
-    slope[i] = end.left[i] * (slope[i] - (depth * (weight - k * share)) * heat);
+    const double k = along[i].k, of_slope = depth * (weight - k * share[i]);
+    for (std::size_t part = 2 * i; part < 2 * i + 2; ++part)
+    {
+      temperature[part] = left[i] * (temperature[part] + weight * heat[part]);
+      potential[part] = left[i] * (k * potential[part] + share[i] * heat[part]);
+      slope[part] = left[i] * (slope[part] - of_slope * heat[part]);
+    }
   }
 }
 
@@ -160,18 +172,18 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
     buried_->add_potential_at_surface(begin_of(row), along.size(), wanted.factor,
                                       complex_values(of_surface.at_surface, 0, along.size()).data());
   }
-  const std::size_t count = wanted.spectra.size() / wanted.depths.size();
-  std::vector<Complex*> out(count);
+  sums.decay.begin();
   for (std::size_t first = 0; first < wanted.depths.size(); first += DepthSums::together)
   {
-    const double least = wanted.depths[first].depth;
-    if (wanted.sums.has_layers())
-      wanted.sums.sum(first, columns_that_reach(least, along), of_surface);
-    for (std::size_t d = first; d < std::min(first + DepthSums::together, wanted.depths.size()); ++d)
+    const auto group = wanted.depths.subspan(first, std::min(DepthSums::together, wanted.depths.size() - first));
+    const auto by_depth = [](const DepthFactors& a, const DepthFactors& b) { return a.depth < b.depth; };
+    if (wanted.sums.has_layers()) // depths may be in any order
+      wanted.sums.sum(first, columns_that_reach(std::min_element(group.begin(), group.end(), by_depth)->depth, along),
+                      of_surface);
+    for (std::size_t d = first; d < first + group.size(); ++d)
     {
       const double depth = wanted.depths[d].depth;
       std::size_t columns = columns_that_reach(depth, along);
-      const std::size_t at = (d - first) * of_surface.pitch;
       if (wanted.sums.has_layers())
         finish(depth, along.first(columns), end, d - first, of_surface);
       if (wanted.sums.has_layers() && wanted.has_buried)
@@ -179,34 +191,64 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
         add_buried_row(depth, wanted.factor, columns, d - first, sums);
         columns = along.size();
       }
-      for (std::size_t f = 0; f < count; ++f)
-        out[f] = wanted.spectra[d * count + f].data() + begin_of(row);
-      wanted.fields_of_heat.waves({depth, along.first(columns), complex_values(of_surface.temperature, at, columns),
-                                   complex_values(of_surface.potential, at, columns),
-                                   complex_values(of_surface.slope, at, columns),
-                                   complex_values(of_surface.at_surface, 0, columns)},
-                                  out);
+      put_fields(row, d, columns, wanted, sums);
     }
   }
+}
+
+/// The fields of a row at one depth from its sums.
+void HeatMemory::put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted,
+                            Row& sums) const
+{
+  const std::span<const SurfaceWave> along = row_of_waves(row).first(columns);
+  const double depth = wanted.depths[number].depth;
+  DepthSums::Row& of_surface = sums.of_surface;
+  const std::size_t at = (number % DepthSums::together) * of_surface.pitch;
+  const std::size_t count = wanted.fields_of_heat.is_odd.size();
+  std::vector<Complex*> out(count);
+  for (std::size_t f = 0; f < count; ++f)
+    out[f] = wanted.spectra + (number * count + f) * fft_.plane() + begin_of(row);
+  const auto decay = wanted.sums.has_layers() ? sums.decay.at(depth, along) : std::span<const double>{};
+  wanted.fields_of_heat.waves({depth, along, decay, complex_values(of_surface.temperature, at, columns),
+                               complex_values(of_surface.potential, at, columns),
+                               complex_values(of_surface.slope, at, columns),
+                               complex_values(of_surface.at_surface, 0, columns)},
+                              out);
+  const std::size_t told = told_columns(depth, wanted.has_buried);
+  for (Complex* field : out)
+    std::fill(field + columns, field + std::max(columns, told), Complex{});
+}
+
+/// Columns that count in any row, of which the first has the longest waves.
+std::size_t HeatMemory::told_columns(double depth, bool has_buried) const
+{
+  return has_buried ? columns() : columns_that_reach(depth, row_of_waves(0));
 }
 
 void HeatMemory::fields(double duration, double factor, std::span<const DepthFactors> depths,
                         const FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out, bool adds) const
 {
-  std::vector<AlignedVector<Complex>> spectra(out.size(), AlignedVector<Complex>(fft_.plane()));
+  // All that counts is written, so that nothing needs to be there before.
+  const auto spectra = std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane() + ToldRowsFft::slack));
+  auto* const waves = reinterpret_cast<Complex*>(spectra.get());
   const DepthSums sums(waves_.waves, depths, left_in_depth(duration));
   const bool has_buried = buried_ && !buried_->is_cold();
-  const RowOfFields wanted{duration, factor, has_buried, sums, depths, fields_of_heat, spectra};
+  const RowOfFields wanted{duration, factor, has_buried, sums, depths, fields_of_heat, waves};
 #pragma omp parallel if (is_shared(fft_.plane()))
   {
-    Row of_row{sums.make_row(columns())};
+    Row of_row{sums.make_row(columns()), DecayInDepth(columns())};
     if (has_buried)
       of_row.buried = buried_->make_row(columns());
 #pragma omp for schedule(static)
     for (int row = 0; row < fft_.rows(); ++row)
       add_row(row, wanted, of_row);
   }
-  fft_.inverse(spectra, fields_of_heat.is_odd, adds, out);
+  std::vector<ToldRowsFft::Told> told;
+  told.reserve(out.size());
+  for (std::size_t f = 0; f < out.size(); ++f)
+    told.push_back({waves + f * fft_.plane(),
+                    static_cast<int>(told_columns(depths[f / fields_of_heat.is_odd.size()].depth, has_buried))});
+  fft_.inverse(told, fields_of_heat.is_odd, adds, out);
 }
 
 namespace
@@ -288,61 +330,12 @@ void HeatMemory::add_buried(double factor, std::span<double> temperature) const
 {
   if (!buried_ || buried_->is_cold())
     return;
-  std::vector<AlignedVector<Complex>> spectra(1, AlignedVector<Complex>(fft_.plane()));
-  buried_->add_surface(0, along_.size(), spectra.front().data());
-  for (Complex& wave : spectra.front())
+  AlignedVector<Complex> spectrum(fft_.plane() + ToldRowsFft::slack);
+  buried_->add_surface(0, along_.size(), spectrum.data());
+  for (Complex& wave : spectrum)
     wave *= factor;
-  fft_.inverse(spectra, {false}, true, {temperature});
-}
-
-std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) const
-{
-  const std::size_t all = fft_.all().plane();
-  AlignedVector<Complex> plane(all);
-  std::vector<double> values;
-  values.reserve(2 * planes.size() / fft_.plane() * all);
-  for (std::size_t at = 0; at < planes.size(); at += fft_.plane())
-  {
-    fft_.complete(planes.data() + at, plane.data());
-    const auto* parts = reinterpret_cast<const double*>(plane.data());
-    values.insert(values.end(), parts, parts + 2 * all);
-  }
-  return values;
-}
-
-AlignedVector<Complex> HeatMemory::told(std::span<const double> values) const
-{
-  const std::size_t all = 2 * fft_.all().plane(), planes = values.size() / all;
-  AlignedVector<Complex> told(planes * fft_.plane());
-  for (std::size_t p = 0; p < planes; ++p)
-    std::copy_n(values.data() + p * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
-                reinterpret_cast<double*>(told.data() + p * fft_.plane()));
-  return told;
-}
-
-std::vector<double> HeatMemory::whole_heat() const
-{
-  return whole(heat_);
-}
-
-void HeatMemory::set_whole_heat(std::span<const double> values)
-{
-  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.all().plane());
-  heat_ = told(values);
-}
-
-std::vector<double> HeatMemory::whole_heat_in_body() const
-{
-  return buried_ && !buried_->is_cold() ? whole(buried_->modes()) : std::vector<double>{};
-}
-
-void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
-{
-  if (!buried_)
-    return;
-  require_size("HeatMemory::set_whole_heat_in_body: the heat", values,
-               values.empty() ? 0 : 2 * buried_->layers().size() * fft_.all().plane());
-  buried_->set_modes(told(values));
+  const ToldRowsFft::Told told{spectrum.data(), fft_.all().kx()};
+  fft_.inverse({&told, 1}, {false}, true, {temperature});
 }
 
 void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)

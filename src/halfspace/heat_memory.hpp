@@ -21,6 +21,7 @@ struct HeatRow
 {
   double depth; ///< [m]
   std::span<const SurfaceWave> waves;
+  std::span<const double> decay;                 ///< e^{-kz}; nothing at the surface
   std::span<const Complex> temperature;          ///< [K]
   std::span<const Complex> potential, slope;     ///< k psi and d psi/dz [K m]
   std::span<const Complex> potential_at_surface; ///< k psi for z = 0 [K m]
@@ -103,16 +104,19 @@ private:
     const DepthSums& sums;
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
-    std::vector<AlignedVector<Complex>>& spectra; ///< [depth][field]
+    Complex* spectra; ///< [depth][field][plane]
   };
   [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
   /// Sums of a row, of the heat of the surface and of that in the body.
   struct Row
   {
     DepthSums::Row of_surface;
+    DecayInDepth decay;
     BuriedHeat::Row buried{};
   };
   void add_row(int row, const RowOfFields& wanted, Row& sums) const;
+  void put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
+  [[nodiscard]] std::size_t told_columns(double depth, bool has_buried) const;
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   [[nodiscard]] AlignedVector<Complex> told(std::span<const double> values) const;

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
+#include <mutex>
 
 namespace brinell::halfspace
 {
@@ -17,18 +19,109 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Of one wave in a row of them.
-StressWave stress_wave(const HeatRow& heat, std::size_t i, double poisson_ratio)
+/// The trace and the deviator of the thermal stress of a row of waves: what `stress_wave` gives of each, with the traction-free surface
+/// already in it, where zz = k [(1 + kz) S - psi] and so the trace is 2 [(1 + nu) k S - T], S being e^{-kz} times the potential of the
+/// surface. Real and imaginary parts apart, as the compiler then takes several waves at a time.
+class StressOfRow
 {
-  return stress_wave(heat.waves[i], heat.depth,
-                     {heat.temperature[i], heat.potential[i], heat.slope[i], heat.potential_at_surface[i]},
-                     poisson_ratio);
-}
+public:
+  StressOfRow(double poisson_ratio, double scale) : nu_(poisson_ratio), scale_(scale) {}
+
+  void trace(const HeatRow& heat, Complex* out) const
+  {
+    const double *temperature = parts(heat.temperature), *surface = parts(heat.potential_at_surface);
+    auto* to = reinterpret_cast<double*>(out);
+#pragma omp simd
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const double of_surface = (1.0 + nu_) * heat.waves[i].k * heat.decay[i];
+      to[2 * i] = 2.0 * scale_ * (of_surface * surface[2 * i] - temperature[2 * i]);
+      to[2 * i + 1] = 2.0 * scale_ * (of_surface * surface[2 * i + 1] - temperature[2 * i + 1]);
+    }
+  }
+
+  /// @param out  five components
+  void deviator(const HeatRow& heat, std::span<Complex* const> out) const
+  {
+    const double *temperature = parts(heat.temperature), *potential = parts(heat.potential), *slope = parts(heat.slope),
+                 *surface = parts(heat.potential_at_surface), *decay = heat.decay.data();
+    const SurfaceWave* waves = heat.waves.data();
+    const auto to = [&](int component) { return reinterpret_cast<double*>(out[static_cast<std::size_t>(component)]); };
+    double *xx = to(Deviator::xx), *yy = to(Deviator::yy), *yz = to(Deviator::yz), *xz = to(Deviator::xz),
+           *xy = to(Deviator::xy);
+    const double depth = heat.depth, nu = nu_, scale = scale_, third = 1.0 / 3.0;
+#pragma omp simd
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const SurfaceWave& wave = waves[i];
+      const double kz = wave.k * depth, inverse = wave.k > 0.0 ? scale / wave.k : 0.0;
+      const double along = wave.kx * wave.kx * inverse, across = wave.ky * wave.ky * inverse,
+                   both = wave.odd_x * wave.odd_y * inverse, of_slope_x = scale * wave.odd_x,
+                   of_slope_y = scale * wave.odd_y;
+      const std::size_t re = 2 * i, im = re + 1;
+      const double s_re = decay[i] * surface[re], s_im = decay[i] * surface[im];
+      const double of_bent = 1.0 - 2.0 * nu - kz, of_all = third * (4.0 * nu - 2.0) * wave.k;
+      const double bent_re = potential[re] + of_bent * s_re, bent_im = potential[im] + of_bent * s_im;
+      const double all_re = scale * (of_all * s_re - third * temperature[re]),
+                   all_im = scale * (of_all * s_im - third * temperature[im]);
+      // -i times the slope
+      const double slope_re = slope[im] + kz * s_im, slope_im = -(slope[re] + kz * s_re);
+      xx[re] = all_re + along * bent_re;
+      xx[im] = all_im + along * bent_im;
+      yy[re] = all_re + across * bent_re;
+      yy[im] = all_im + across * bent_im;
+      yz[re] = of_slope_y * slope_re;
+      yz[im] = of_slope_y * slope_im;
+      xz[re] = of_slope_x * slope_re;
+      xz[im] = of_slope_x * slope_im;
+      xy[re] = both * bent_re;
+      xy[im] = both * bent_im;
+    }
+  }
+
+private:
+  static const double* parts(std::span<const Complex> values)
+  {
+    return reinterpret_cast<const double*>(values.data());
+  }
+
+  double nu_, scale_; ///< 2 mu alpha (1 + nu)/(1 - nu)
+};
 
 double largest_of(const std::vector<double>& depths)
 {
   return depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
 }
+
+} // namespace
+
+namespace
+{
+
+/// Factors of the waves at the depths, found when a depth is asked for, as a plan has room for deeper ones than may ever be. Several
+/// threads may ask.
+class LayerFactors
+{
+public:
+  LayerFactors(DepthWaves waves, std::vector<double> depths) : waves_(std::move(waves)), depths_(std::move(depths))
+  {
+    found_.reserve(depths_.size()); // so that those that are there stay where they are
+  }
+  [[nodiscard]] std::span<const DepthFactors> some(std::size_t first, std::size_t count)
+  {
+    const std::lock_guard lock(mutex_);
+    if (const std::size_t there = found_.size(), wanted = first + count; there < wanted)
+      for (DepthFactors& factors : depth_factors(waves_, std::span(depths_).subspan(there, wanted - there)))
+        found_.push_back(std::move(factors));
+    return std::span<const DepthFactors>(found_.data() + first, count);
+  }
+
+private:
+  DepthWaves waves_;
+  std::vector<double> depths_;
+  std::mutex mutex_;
+  std::vector<DepthFactors> found_;
+};
 
 } // namespace
 
@@ -40,13 +133,13 @@ struct ThermalField::State
   double capacity;  ///< rho c [J/(m^3 K)]
   std::vector<double> depths;
   OpenHeatMemory memory;
-  std::vector<DepthFactors> layers{};
+  std::unique_ptr<LayerFactors> layers{};
   DepthFactors surface{};
 
   void tabulate()
   {
     surface = surface_factors(memory.waves());
-    layers = depth_factors(memory.waves(), depths);
+    layers = std::make_unique<LayerFactors>(memory.waves(), depths);
   }
 };
 
@@ -209,39 +302,33 @@ void ThermalField::layer(std::size_t layer, const ThermalLayer& out, double dura
 void ThermalField::layers(std::size_t first, std::span<const ThermalLayer> out, double duration) const
 {
   const State& state = *state_;
-  if (first + out.size() > state.layers.size())
+  if (first + out.size() > state.depths.size())
     throw InternalError(
-        fmt::format("ThermalField::layers: layer {} of {}", first + out.size() - 1, state.layers.size()));
+        fmt::format("ThermalField::layers: layer {} of {}", first + out.size() - 1, state.depths.size()));
   const double scale = 2.0 * state.elastic.shear_modulus() * state.strain;
   const bool has_temperature = !out.front().temperature.empty(), has_trace = !out.front().trace.empty(),
              has_deviator = !out.front().deviator.empty();
   std::vector<bool> is_odd(static_cast<std::size_t>(has_temperature) + static_cast<std::size_t>(has_trace), false);
   for (int c = 0; has_deviator && c < Deviator::size; ++c)
     is_odd.push_back(is_odd_in_y(c));
+  const StressOfRow stress(state.elastic.poisson_ratio, scale);
   const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
   {
-    for (std::size_t i = 0; i < heat.waves.size(); ++i)
-    {
-      const StressWave stress = stress_wave(heat, i, state.elastic.poisson_ratio);
-      const Complex trace = scale * stress.trace(), mean = trace / 3.0;
-      auto field = to.begin();
-      if (has_temperature)
-        (*field++)[i] = heat.temperature[i];
-      if (has_trace)
-        (*field++)[i] = trace;
-      if (has_deviator)
-        for (const Complex& component : {scale * stress.xx - mean, scale * stress.yy - mean, scale * stress.yz,
-                                         scale * stress.xz, scale * stress.xy})
-          (*field++)[i] = component;
-    }
+    std::size_t field = 0;
+    if (has_temperature)
+      std::copy(heat.temperature.begin(), heat.temperature.end(), to[field++]);
+    if (has_trace)
+      stress.trace(heat, to[field++]);
+    if (has_deviator)
+      stress.deviator(heat, to.subspan(field));
   };
   std::vector<std::span<double>> fields;
   for (const ThermalLayer& layer : out)
     for (const std::span<double>& field : wanted(layer, grid().size()))
       fields.push_back(field);
   if (!fields.empty())
-    state.memory.fields("ThermalField::layer", duration, std::span(state.layers).subspan(first, out.size()),
-                        {waves, is_odd}, fields);
+    state.memory.fields("ThermalField::layer", duration, state.layers->some(first, out.size()), {waves, is_odd},
+                        fields);
 }
 
 } // namespace brinell::halfspace

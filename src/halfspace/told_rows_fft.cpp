@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "told_rows_fft.hpp"
 
+#include "brinell/foundation/error.hpp"
+#include "foundation/lane_functions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,99 +11,210 @@
 namespace brinell::halfspace
 {
 
-ToldRowsFft::ToldRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry)
-    : fft_(grid, px, py), symmetry_(symmetry), rows_(symmetry == Symmetry::none ? py : py / 2 + 1),
-      plane_((static_cast<std::size_t>(fft_.kx()) * static_cast<std::size_t>(rows_) + 7) / 8 * 8),
-      nothing_(static_cast<std::size_t>(fft_.kx()))
+double PlaneOfWaves::wavenumber_x(int column) const
 {
+  return 2.0 * std::numbers::pi * column / (px_ * grid_.dx);
+}
+
+double PlaneOfWaves::wavenumber_y(int row) const
+{
+  return 2.0 * std::numbers::pi * (row <= py_ / 2 ? row : row - py_) / (py_ * grid_.dy);
+}
+
+ToldRowsFft::ToldRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry)
+    : all_(grid, px, py), columns_(py), row_fft_(std::make_unique<const RowFft>(grid.nx, px)), symmetry_(symmetry),
+      rows_(symmetry == Symmetry::none ? py : py / 2 + 1),
+      plane_(PlaneOfWaves::whole_lines(static_cast<std::size_t>(all_.kx()) * static_cast<std::size_t>(rows_)))
+{
+  if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny)
+    throw InternalError("ToldRowsFft: the padded lengths must hold the grid");
   for (int n = 0; n < rows_; ++n)
     turn_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * n * (grid.ny - 1) / py));
 }
 
+ToldRowsFft::Work ToldRowsFft::make_work() const
+{
+  const auto py = static_cast<std::size_t>(all_.py()), ny = static_cast<std::size_t>(all_.grid().ny);
+  return {AlignedVector<ComplexLanes>(py), AlignedVector<ComplexLanes>(columns_.work_size()),
+          AlignedVector<ComplexLanes>(static_cast<std::size_t>(row_fft_->blocks()) * ny), row_fft_->make_work(),
+          std::vector<double>(all_.grid().size())};
+}
+
 AlignedVector<Complex> ToldRowsFft::forward(std::span<const double> field) const
 {
-  AlignedVector<Complex> spectrum(fft_.plane());
-  AlignedVector<double> scratch(fft_.scratch_size());
-  fft_.forward(field.data(), spectrum.data(), scratch);
-  spectrum.resize(plane_);
+  const SurfaceGrid& g = all_.grid();
+  Work work = make_work();
+  for (int first = 0; first < g.ny; first += RowFft::most_rows)
+    row_fft_->forward(field.data() + g.index(0, first), std::min(RowFft::most_rows, g.ny - first),
+                      work.rows.data() + first, {g.ny, false}, work.row);
+  AlignedVector<Complex> spectrum(plane_);
+  for (int block = 0; block < row_fft_->blocks(); ++block)
+  {
+    columns_.forward(work.rows.data() + static_cast<std::ptrdiff_t>(block) * g.ny, g.ny, work.column.data(),
+                     work.lanes.data());
+    const int first = block * lane_count, count = std::min(lane_count, all_.kx() - first);
+    for (int n = 0; n < rows_; ++n)
+    {
+      const ComplexLanes& value = work.column[static_cast<std::size_t>(n)];
+      Complex* to = spectrum.data() + static_cast<std::ptrdiff_t>(n) * all_.kx() + first;
+      if (count == lane_count)
+        store_lanes(value, to);
+      else
+        for (int lane = 0; lane < count; ++lane)
+          to[lane] = {value.re[lane], value.im[lane]};
+    }
+  }
   return spectrum;
 }
 
-/// All rows of an even field, an odd one, or the sum of both.
-/// @param even, odd  nullptr if there is none
-void ToldRowsFft::join(const Complex* even, const Complex* odd, Complex* both) const
+void ToldRowsFft::complete(const Complex* told, Complex* all) const
 {
-  const std::ptrdiff_t columns = fft_.kx();
+  const std::ptrdiff_t columns = all_.kx();
   for (int n = 0; n < rows_; ++n)
   {
     const Complex turn = turn_[static_cast<std::size_t>(n)];
-    const std::ptrdiff_t here = n * columns, there = (fft_.py() - n) * columns;
-    const Complex* e = even != nullptr ? even + here : nothing_.data();
-    const Complex* o = odd != nullptr ? odd + here : nothing_.data();
-    for (std::ptrdiff_t i = 0; i < columns; ++i)
-      both[here + i] = e[i] + o[i];
-    const bool has_opposite = symmetry_ != Symmetry::none && n > 0 && 2 * n < fft_.py();
-    for (std::ptrdiff_t i = 0; i < columns && has_opposite; ++i)
-    {
-      const Complex d = e[i] - o[i]; // spelt out: the product of the library looks for infinities
-      both[there + i] = {turn.real() * d.real() - turn.imag() * d.imag(),
-                         turn.real() * d.imag() + turn.imag() * d.real()};
-    }
+    const std::ptrdiff_t here = n * columns, there = (all_.py() - n) * columns;
+    std::copy_n(told + here, columns, all + here);
+    if (symmetry_ != Symmetry::none && n > 0 && 2 * n < all_.py())
+      std::transform(told + here, told + here + columns, all + there, [&](const Complex& wave) { return turn * wave; });
   }
 }
 
 namespace
 {
 
-/// The part of a field that is even or odd about the middle row.
-/// @param sign  1 or -1
-template <bool adds>
-void put_part(const SurfaceGrid& g, std::span<const double> field, double sign, std::span<double> part)
+/// Some neighbouring columns of a row; zero beyond the last one that there is.
+ComplexLanes load_columns(const Complex* row, int first, int columns)
 {
-  const auto put = [](double value, double& to) { to = adds ? to + value : value; };
+  ComplexLanes value = load_lanes(row + first);
+  if (columns - first >= lane_count)
+    return value;
+  const Lanes lane{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  const auto is_there = lane < static_cast<double>(columns - first);
+  return {is_there ? value.re : Lanes{}, is_there ? value.im : Lanes{}};
+}
+
+} // namespace
+
+/// All rows of some neighbouring columns. Of an odd field the opposite rows have the other sign.
+void ToldRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* column) const
+{
+  const std::ptrdiff_t apart = all_.kx();
+  for (int n = 0; n < rows_; ++n)
+  {
+    ComplexLanes even, odd;
+    if (pair.even != nullptr)
+      even = load_columns(pair.even->waves + n * apart, first, pair.even->columns);
+    if (pair.odd != nullptr)
+      odd = load_columns(pair.odd->waves + n * apart, first, pair.odd->columns);
+    column[n] = even + odd;
+    if (symmetry_ == Symmetry::none || n == 0 || 2 * n >= all_.py())
+      continue;
+    const Complex turn = turn_[static_cast<std::size_t>(n)];
+    const ComplexLanes opposite = even - odd;
+    column[all_.py() - n] = turn.real() * opposite + turn.imag() * times_i(opposite);
+  }
+}
+
+/// The first rows of the field, as waves along x.
+void ToldRowsFft::put_in_rows(const Pair& pair, int rows, Work& work) const
+{
+  const int columns =
+      std::max(pair.even != nullptr ? pair.even->columns : 0, pair.odd != nullptr ? pair.odd->columns : 0);
+  for (int block = 0; block < row_fft_->blocks(); ++block)
+  {
+    ComplexLanes* to = work.rows.data() + static_cast<std::ptrdiff_t>(block) * rows;
+    if (block * lane_count >= columns)
+    {
+      std::fill_n(to, rows, ComplexLanes{});
+      continue;
+    }
+    fill_column(pair, block * lane_count, work.column.data());
+    columns_.inverse(work.column.data(), to, rows, work.lanes.data());
+  }
+}
+
+namespace
+{
+
+template <bool adds>
+void put(double value, double& to)
+{
+  to = adds ? to + value : value;
+}
+
+/// The parts of a field that are even and odd about the middle row.
+/// @param even, odd  nullptr if there is none; then the field is the other one
+template <bool adds>
+void put_parts(const SurfaceGrid& g, const std::vector<double>& field, double* even, double* odd)
+{
   for (int j = 0; 2 * j < g.ny; ++j)
   {
-    const double *here = field.data() + g.index(0, j), *there = field.data() + g.index(0, g.ny - 1 - j);
-    double *to = part.data() + g.index(0, j), *opposite = part.data() + g.index(0, g.ny - 1 - j);
+    const std::size_t here = g.index(0, j), there = g.index(0, g.ny - 1 - j);
+    const bool is_middle = here == there;
+    const double *at = field.data() + here, *opposite = field.data() + there;
+    if (even == nullptr || odd == nullptr)
+    {
+      double *to = (even != nullptr ? even : odd) + here, *mirrored = (even != nullptr ? even : odd) + there;
+      const double sign = even != nullptr ? 1.0 : -1.0, of_middle = is_middle && odd != nullptr ? 0.0 : 1.0;
+      for (int i = 0; i < g.nx; ++i)
+        put<adds>(of_middle * at[i], to[i]);
+      for (int i = 0; i < g.nx && !is_middle; ++i)
+        put<adds>(sign * at[i], mirrored[i]);
+      continue;
+    }
     for (int i = 0; i < g.nx; ++i)
-      put(0.5 * (here[i] + sign * there[i]), to[i]);
-    for (int i = 0; i < g.nx && to != opposite; ++i)
-      put(sign * 0.5 * (here[i] + sign * there[i]), opposite[i]);
+    {
+      put<adds>(0.5 * (at[i] + opposite[i]), even[here + static_cast<std::size_t>(i)]);
+      put<adds>(0.5 * (at[i] - opposite[i]), odd[here + static_cast<std::size_t>(i)]);
+    }
+    for (int i = 0; i < g.nx && !is_middle; ++i)
+    {
+      put<adds>(0.5 * (at[i] + opposite[i]), even[there + static_cast<std::size_t>(i)]);
+      put<adds>(0.5 * (opposite[i] - at[i]), odd[there + static_cast<std::size_t>(i)]);
+    }
   }
 }
 
 } // namespace
 
-void ToldRowsFft::inverse(std::vector<AlignedVector<Complex>>& spectra, const std::vector<bool>& is_odd, bool adds,
+void ToldRowsFft::inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
                           const std::vector<std::span<double>>& fields) const
 {
-  AlignedVector<double> scratch(fft_.scratch_size());
-  std::vector<double> field(fft_.grid().size());
+  const SurfaceGrid& g = all_.grid();
+  Work work = make_work();
+  const double scale = 1.0 / (static_cast<double>(all_.px()) * all_.py());
+  const auto find_rows = [&](const Pair& pair, int rows)
+  {
+    put_in_rows(pair, rows, work);
+    for (int first = 0; first < rows; first += RowFft::most_rows)
+      row_fft_->inverse(work.rows.data() + first, {rows, false}, std::min(RowFft::most_rows, rows - first), scale,
+                        work.field.data() + g.index(0, first), work.row);
+  };
   if (symmetry_ == Symmetry::none)
   {
     for (std::size_t f = 0; f < fields.size(); ++f)
     {
-      fft_.inverse(spectra[f].data(), adds ? field.data() : fields[f].data(), scratch);
-      for (std::size_t n = 0; adds && n < field.size(); ++n)
-        fields[f][n] += field[n];
+      find_rows({&spectra[f], nullptr}, g.ny);
+      for (std::size_t n = 0; n < work.field.size(); ++n)
+        fields[f][n] = adds ? fields[f][n] + work.field[n] : work.field[n];
     }
     return;
   }
-  // An even and an odd field are one, their sum.
-  std::vector<std::size_t> even, odd;
-  for (std::size_t f = 0; f < fields.size(); ++f)
-    (is_odd[f % is_odd.size()] ? odd : even).push_back(f);
-  AlignedVector<Complex> both(fft_.plane());
-  for (std::size_t n = 0; n < std::max(even.size(), odd.size()); ++n)
+  // Of those that come again and again, an even and an odd field are one, their sum; of one that is left over half of the rows tell all.
+  for (std::size_t first = 0; first < fields.size(); first += is_odd.size())
   {
-    const bool has_even = n < even.size(), has_odd = n < odd.size();
-    join(has_even ? spectra[even[n]].data() : nullptr, has_odd ? spectra[odd[n]].data() : nullptr, both.data());
-    fft_.inverse(both.data(), field.data(), scratch);
-    const auto put = adds ? put_part<true> : put_part<false>;
-    if (has_even)
-      put(fft_.grid(), field, 1.0, fields[even[n]]);
-    if (has_odd)
-      put(fft_.grid(), field, -1.0, fields[odd[n]]);
+    std::vector<std::size_t> even, odd;
+    for (std::size_t f = 0; f < is_odd.size(); ++f)
+      (is_odd[f] ? odd : even).push_back(first + f);
+    for (std::size_t n = 0; n < std::max(even.size(), odd.size()); ++n)
+    {
+      const bool has_even = n < even.size(), has_odd = n < odd.size();
+      find_rows({has_even ? &spectra[even[n]] : nullptr, has_odd ? &spectra[odd[n]] : nullptr},
+                has_even && has_odd ? g.ny : (g.ny + 1) / 2);
+      const auto put_both = adds ? put_parts<true> : put_parts<false>;
+      put_both(g, work.field, has_even ? fields[even[n]].data() : nullptr, has_odd ? fields[odd[n]].data() : nullptr);
+    }
   }
 }
 

@@ -185,6 +185,51 @@ TEST(ThermalField, StepsOfOneFluxAreOneStep)
   }
 }
 
+/// Where depths lie at equal distances, waves decay from one to the next by one product; one by one, each by its own exponential.
+TEST(ThermalField, ManyLayersAtOnceAreThoseOneByOne)
+{
+  const SurfaceGrid g{15, 11, 0.2, 0.25, periodic, periodic}; // without images, which many layers have by interpolation
+  std::vector<double> depths;
+  depths.reserve(33);
+  for (int k = 0; k < 30; ++k)
+    depths.push_back((k + 0.5) * 0.1);
+  for (const double depth : {0.05, 4.0, 0.0}) // and no longer so
+    depths.push_back(depth);
+  const std::size_t cells = g.size(), fields = 2 + Deviator::size;
+  const Field flux = test::random_field(cells, 5);
+  for (const HeatedLayers& heated : {HeatedLayers{}, HeatedLayers{6, 0.1}})
+  {
+    ThermalField field(g, body, elastic, {0.1, 10.0}, depths, HeatImages::fine, Symmetry::none, heated);
+    if (heated.count > 0)
+      field.take_up_in_body(test::random_field(6 * cells, 8), 0.1);
+    field.take_up(flux, {0.1, 2.0});
+    Field together(fields * depths.size() * cells), alone(together.size());
+    const auto of_layer = [&](Field& all, std::size_t k)
+    {
+      const std::span<double> part = std::span(all).subspan(k * fields * cells, fields * cells);
+      return ThermalLayer{part.first(cells), part.subspan(2 * cells), part.subspan(cells, cells)};
+    };
+    std::vector<ThermalLayer> layers;
+    for (std::size_t k = 0; k < depths.size(); ++k)
+    {
+      layers.push_back(of_layer(together, k));
+      field.layer(k, of_layer(alone, k));
+    }
+    field.layers(0, layers);
+    const auto part = [&](const Field& all, std::size_t k, std::size_t f)
+    {
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>((k * fields + f) * cells);
+      return Field(first, first + static_cast<std::ptrdiff_t>(cells));
+    };
+    // Depths that are summed together leave out the waves that turn too often at the least of them, 1e-7 each.
+    for (std::size_t f = 0; f < fields; ++f)
+      for (std::size_t k = 0; k < depths.size(); ++k)
+        EXPECT_LT(largest_difference(part(together, k, f), part(alone, k, f)),
+                  1e-6 * largest_difference(part(alone, 0, f), Field(cells)))
+            << "depth " << depths[k] << ", field " << f << ", layers " << heated.count;
+  }
+}
+
 TEST(ThermalField, WhatCannotBe)
 {
   const SurfaceGrid g{4, 4, 0.1, 0.1};

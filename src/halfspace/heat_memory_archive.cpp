@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "foundation/require_size.hpp"
+#include "heat_memory.hpp"
+
+#include <algorithm>
+
+/// What a memory holds, as it is stored.
+namespace brinell::halfspace
+{
+
+std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) const
+{
+  const std::size_t all = fft_.all().plane();
+  AlignedVector<Complex> plane(all);
+  std::vector<double> values;
+  values.reserve(2 * planes.size() / fft_.plane() * all);
+  for (std::size_t at = 0; at < planes.size(); at += fft_.plane())
+  {
+    fft_.complete(planes.data() + at, plane.data());
+    const auto* parts = reinterpret_cast<const double*>(plane.data());
+    values.insert(values.end(), parts, parts + 2 * all);
+  }
+  return values;
+}
+
+AlignedVector<Complex> HeatMemory::told(std::span<const double> values) const
+{
+  const std::size_t all = 2 * fft_.all().plane(), planes = values.size() / all;
+  AlignedVector<Complex> told(planes * fft_.plane());
+  for (std::size_t p = 0; p < planes; ++p)
+    std::copy_n(values.data() + p * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
+                reinterpret_cast<double*>(told.data() + p * fft_.plane()));
+  return told;
+}
+
+std::vector<double> HeatMemory::whole_heat() const
+{
+  return whole(heat_);
+}
+
+void HeatMemory::set_whole_heat(std::span<const double> values)
+{
+  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.all().plane());
+  heat_ = told(values);
+}
+
+std::vector<double> HeatMemory::whole_heat_in_body() const
+{
+  return buried_ && !buried_->is_cold() ? whole(buried_->modes()) : std::vector<double>{};
+}
+
+void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
+{
+  if (!buried_)
+    return;
+  require_size("HeatMemory::set_whole_heat_in_body: the heat", values,
+               values.empty() ? 0 : 2 * buried_->layers().size() * fft_.all().plane());
+  buried_->set_modes(told(values));
+}
+
+} // namespace brinell::halfspace
