@@ -125,7 +125,8 @@ void require_conductors(const std::array<Heating::Partner, 2>& bodies)
 std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const Plan& plan)
 {
   const auto& bodies = plan.bodies;
-  const auto heat_of = [&](const Heating::Partner& body) {
+  const auto heat_of = [&](const Heating::Partner& body)
+  {
     return body.material.thermal ? std::make_shared<BodyHeat>(body.grid, body.material, plan.run, plan.numerics)
                                  : nullptr;
   };
@@ -254,6 +255,11 @@ double Heating::follow(std::span<const double> pressure, std::span<const double>
   return s.share_flux(heat, pressure, sharing);
 }
 
+bool Heating::is_steady() const
+{
+  return state_->settings.regime == HeatRegime::steady;
+}
+
 void Heating::add_to_gap(std::span<double> gap) const
 {
   for (const HeatedSide& side : state_->sides)
@@ -270,7 +276,7 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
     heat[i] = s.settings.fraction * heat_per_area[i] / s.duration;
   const double all = sum(heat) * s.duration * s.contact.cell_area();
   s.heat_of_friction += all;
-  if (s.settings.regime == HeatRegime::steady && s.slid == 0.0)
+  if (is_steady() && s.slid == 0.0)
   {
     // What the shear gives back where nothing slides is heat, but no source that could have been there always.
     s.count_apart(all);

@@ -9,11 +9,18 @@ namespace brinell::elastoplastic
 
 void CoupledContact::begin_heating(const Placement& placement, const Strategy& strategy)
 {
-  const auto moved = [&](const Place& now, const Place& before)
-  { return strategy.is_put_down ? 0.0 : (now.column - before.column) + (now.fraction - before.fraction); };
+  // What adds up from step to step moves with the columns that it lies on, so that one flux ends where the next one begins; a steady
+  // flux has the velocity of the contact.
+  const auto columns = [&](const Place& now, const Place& before, double moved)
+  {
+    if (strategy.is_put_down)
+      return 0.0;
+    return heating_->is_steady() ? moved / grid().dx : (now.column - before.column) + (now.fraction - before.fraction);
+  };
   heating_->begin({.grids = {lower().grid(), upper().grid()},
                    .places = {placement.lower, placement.upper},
-                   .columns = {moved(placement.lower, placement_.lower), moved(placement.upper, placement_.upper)},
+                   .columns = {columns(placement.lower, placement_.lower, strategy.moved[0]),
+                               columns(placement.upper, placement_.upper, strategy.moved[1])},
                    .duration = strategy.duration,
                    .slid = strategy.slid,
                    .shear_before = interface_->shears()[0]});

@@ -28,8 +28,27 @@ void require_solid(const char* name, const constitutive::Material& material)
                                name, material.temperature, *melting));
 }
 
+/// Between bodies that are not equally warm heat passes at rest, too: while they are pressed together.
+void require_reference_of_exchange(const Numerics& numerics, const constitutive::Material& lower,
+                                   const constitutive::Material& upper)
+{
+  const auto swells = [](const constitutive::Material& m) { return m.thermal && m.thermal->expansion != 0.0; };
+  const bool passes =
+      lower.thermal && upper.thermal && lower.temperature != upper.temperature && numerics.heat.exchanges();
+  if (passes && numerics.heat.displacement && (swells(lower) || swells(upper)) && !numerics.heat.reference)
+    throw KeyError(
+        "thermal.reference",
+        fmt::format(
+            "thermal.reference is missing: between a lower body of {:g} and an upper one of {:g} degC heat passes "
+            "while they are pressed together at rest, too, and what a steady flux that rests swells by grows with the "
+            "logarithm of the distance without end; allowed: the distance from the contact at "
+            "which it counts as nothing, as the radius of the body; or thermal.displacement = false",
+            lower.temperature, upper.temperature));
+}
+
 /// That there is a steady state, and a displacement in it.
-void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper, bool upper_rests)
+void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
+                    const HeatedMotion& motion)
 {
   const auto refuse = [](const std::string& reason, const std::string& allowed)
   {
@@ -38,19 +57,21 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
   };
   if (numerics.domain.x.is_periodic())
     refuse("along a periodic axis of the motion heat piles up", "an open axis along x");
-  if (numerics.domain.y.is_periodic() && upper_rests && upper.material.thermal)
+  if (numerics.domain.y.is_periodic() && motion.upper_rests && upper.material.thermal)
     refuse("in the upper body, which rests under its heat along a periodic axis, heat piles up", "open axes");
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (body->material.is_plastic() && numerics.heat.of_plastic_work > 0.0)
       refuse(fmt::format("the heat of the plastic work of the {} body is not known in it", name),
              "thermal.heat_of_plastic_work = 0");
   const bool swells = upper.material.thermal && upper.material.thermal->expansion != 0.0 && numerics.heat.displacement;
-  if (upper_rests && swells && !numerics.heat.reference)
+  if (motion.upper_rests && swells && !numerics.heat.reference)
     throw KeyError(
         "thermal.reference",
         "thermal.reference is missing: the upper body rests under its heat, and what a steady flux that rests "
         "swells by grows with the logarithm of the distance without end; allowed: the distance from the "
         "contact at which it counts as nothing, as the radius of the body; or thermal.displacement = false");
+  if (motion.pressed_at_rest)
+    require_reference_of_exchange(numerics, lower.material, upper.material);
 }
 
 } // namespace
@@ -63,7 +84,8 @@ bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                   const HeatedMotion& motion)
 {
-  const auto& [speed, speed_key, upper_rests] = motion;
+  const std::optional<double>& speed = motion.speed;
+  const std::string& speed_key = motion.speed_key;
   require_share("interface.heat_fraction", numerics.heat.fraction);
   require_share("thermal.heat_of_plastic_work", numerics.heat.of_plastic_work);
   if (numerics.heat.partition)
@@ -85,7 +107,7 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
                                           "depends on it; allowed: a speed > 0, as \"1 m/s\"; or no thermal constants",
                                           speed_key));
   if (numerics.heat.regime == elastoplastic::HeatRegime::steady)
-    require_steady(numerics, lower, upper, upper_rests);
+    require_steady(numerics, lower, upper, motion);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!body->material.thermal && !body->material.elastic.is_rigid())
       throw KeyError(fmt::format("{}.material.thermal.conductivity", name),

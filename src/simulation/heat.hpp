@@ -17,7 +17,8 @@ struct HeatedMotion
 {
   std::optional<double> speed; ///< [m/s]
   std::string speed_key;
-  bool upper_rests = false; ///< under the contact, so that its heat always comes in at one place
+  bool upper_rests = false;     ///< under the contact, so that its heat always comes in at one place
+  bool pressed_at_rest = false; ///< before they move
 };
 
 /// Heat needs a speed, and both bodies that deform their constants.

@@ -94,7 +94,8 @@ RollingPlan plan(const RollingCase& rolling)
   require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
                                            "rolling.slide_to_roll in place of rolling.creepage and spin"
                                          : why_not);
-  require_heat(rolling, rolling.lower, rolling.upper, {rolling.speed, "rolling.speed", rolling.slide_to_roll == 2.0});
+  require_heat(rolling, rolling.lower, rolling.upper,
+               {rolling.speed, "rolling.speed", rolling.slide_to_roll == 2.0, true});
   if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
     throw KeyError("rolling.creepage", "heat of surfaces that stick in places is not computed; with thermal constants "
                                        "allowed: rolling.slide_to_roll in place of rolling.creepage and spin");

@@ -131,7 +131,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   require_wear(sliding, "");
   require_motion(sliding);
   require_press(sliding);
-  require_heat(sliding, sliding.lower, sliding.upper, {sliding.speed, "sliding.speed", true});
+  require_heat(sliding, sliding.lower, sliding.upper, {sliding.speed, "sliding.speed", true, true});
   const Footprint f = footprint_of(sliding);
   SlidingPlan plan;
   plan.half_width_x = f.half_x;

@@ -141,6 +141,8 @@ void Stepper::exchange(Archive& archive)
   }
   archive("pair", *pair_);
   archive("split_increments", split_increments_, 0, std::numeric_limits<int>::max() - 1);
+  archive("centre.lower", centre_.lower);
+  archive("centre.upper", centre_.upper);
   archive("time", time_);
   archive("slid", slid_);
   archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
@@ -185,10 +187,12 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
     in_time.duration = target.time - time_;
     in_time.slid = target.slid - slid_;
     in_time.is_put_down = target.is_put_down;
+    in_time.moved = {target.centre.lower - centre_.lower, target.centre.upper - centre_.upper};
     const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, in_time, target.along);
     evaluations_ += report.evaluations;
     if (report.converged)
     {
+      centre_ = target.centre;
       time_ = target.time;
       slid_ = target.slid;
     }

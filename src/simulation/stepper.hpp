@@ -150,7 +150,8 @@ private:
   int steps_ = 0; ///< finished
   int split_increments_ = 0;
   double shear_work_ = 0.0;
-  double time_ = 0.0, slid_ = 0.0; ///< of the present state, see Target
+  Centre centre_{};                ///< of the present state, see Target
+  double time_ = 0.0, slid_ = 0.0; ///< likewise
   std::vector<GridChange> grid_changes_;
   Coverage coverage_;
 };

@@ -116,6 +116,28 @@ TEST(SteadyHeat, TheReferenceOfABodyThatRests)
   EXPECT_NEAR(b.max_temperature_upper, a.max_temperature_upper, 1e-6 * a.max_temperature_upper);
 }
 
+/// The contact grid follows the contact by whole columns, the heat does as the contact moves.
+TEST(SteadyHeat, OfStepsThatAreNoWholeCells)
+{
+  RollingCase c = resting_ball(10e-3);
+  c.heat.partition = 1.0; // all of it into the lower body, over which the contact moves
+  c.speed = 2.0;
+  const RollingRun whole = computed(c);
+  const double cell = simulation::plan(c).contact.dx, rise = late(whole, c.distance).max_temperature_lower - 80.0;
+  EXPECT_GT(rise, 10.0);
+  for (const double columns : {0.5, 0.8, 1.5})
+  {
+    c.shift = columns * cell;
+    const RollingRun other = computed(c);
+    for (const RollingRecord& r : other.history)
+      if (std::abs(r.x) < 0.4 * c.distance)
+      {
+        // To the cells, on which the contact lies otherwise from step to step.
+        EXPECT_NEAR((r.max_temperature_lower - 80.0) / rise, 1.0, 0.04) << columns << " columns, x = " << r.x;
+      }
+  }
+}
+
 TEST(SteadyHeat, WhatThereIsNotIsRefused)
 {
   const auto refused = [](const RollingCase& c, const std::string& part)
@@ -137,6 +159,11 @@ TEST(SteadyHeat, WhatThereIsNotIsRefused)
   static_cast<void>(simulation::plan(c));
   c = resting_ball(0.0);
   refused(c, "thermal.reference = 0 m; allowed: > 0, or none");
+  c = skidding_ball(HeatRegime::steady, 2.0);
+  c.upper.material.temperature = 120.0;
+  refused(c, "thermal.reference is missing: between a lower body of 80 and an upper one of 120 degC");
+  c.heat.partition = 0.5; // nothing passes
+  static_cast<void>(simulation::plan(c));
   c = skidding_ball(HeatRegime::steady, 2.0);
   c.heat.of_plastic_work = 0.9;
   refused(c, "allowed: thermal.heat_of_plastic_work = 0, or \"transient\"");

@@ -85,12 +85,13 @@ public:
   {
     std::array<VolumeGrid, 2> grids;        ///< of the bodies today, lower and upper
     std::array<Place, 2> places;            ///< of the contact grid on them, at the end of the increment
-    std::array<double, 2> columns;          ///< by which the contact moves on them
+    std::array<double, 2> columns;          ///< by which the contact grid moves on them; if `is_steady`, the contact
     double duration = 0.0;                  ///< [s]; 0: nothing happens to the heat
     double slid = 0.0;                      ///< by which the surfaces slide on each other [m], >= 0
     std::span<const double> shear_before{}; ///< along x, at the beginning [Pa]
   };
   void begin(const Start& start);
+  [[nodiscard]] bool is_steady() const;
   /// How well two surfaces that touch have the temperatures at which they share the heat.
   enum class Sharing
   {

@@ -86,6 +86,8 @@ struct Strategy
   double duration = 0.0;              ///< of the increment [s]; 0: nothing happens to the heat
   double slid = 0.0;                  ///< by which the undeformed surfaces slide on each other in it [m], >= 0
   bool is_put_down = false;           ///< the contact has not moved over the bodies to where it is: no heat on the way
+  /// By which the contact moves over the lower and the upper body in it [m]. The placements follow that by whole columns.
+  std::array<double, 2> moved{};
 };
 
 /// What two bodies have been through, and the grids on which it is written.
