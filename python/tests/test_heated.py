@@ -47,6 +47,20 @@ def test_equal_bodies_take_half_of_the_heat_each(run: Run) -> None:
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_heat_between_unequally_warm_bodies_is_balanced_by_what_passes() -> None:
+    """With next to no friction: what is lost of the heat counts relative to what passes, not to what friction gives."""
+    elastic = {t: brinell.Material("200 GPa", 0.3, thermal=brinell.Thermal.carbon_steel(t)) for t in (20.0, 120.0)}
+    cold, warm = (brinell.Body(brinell.Sphere("10 mm"), material) for material in elastic.values())
+    run = brinell.Tugging(
+        cold, warm, "10 um", speed="1 m/s", interface={"friction": 1e-9}, grid={"resolution": 4}, normalised=False
+    ).run(in_memory=True)
+    assert run.summary is not None
+    heat = run.summary["heat"]
+    assert heat["lower_J"] > 1e3 * run.history["dissipation_friction"][-1]
+    assert abs(heat["balance_error"]) < 0.02
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
 def test_fields(run: Run) -> None:
     contact = run.snapshot("aligned").contact
     assert contact.temperature_lower is not None

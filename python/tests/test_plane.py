@@ -53,6 +53,18 @@ def test_figures_of_one_row_are_profiles(cylinder: brinell.Run) -> None:
     assert len(brinell.plot.residual_surfaces(cylinder, cylinder.snapshot("final")).axes) == 1
 
 
+def test_no_profile_across_the_track_of_a_cylinder() -> None:
+    run = brinell.Rolling(
+        brinell.Body(brinell.Flat(), SOFT),
+        brinell.Body(brinell.Cylinder("10 mm"), STEEL),
+        load="0.5 MN",
+        distance="0.2 mm",
+        grid=brinell.Grid(boundary=["open", "periodic"], resolution=6),
+    ).run(in_memory=True)
+    assert run.snapshot("final").lower.residual_displacement.max() > 0
+    assert brinell.plot.track_profile([run]) is None
+
+
 def rough_flat(**drive: Any) -> brinell.Indentation:
     rough = brinell.RandomSurface(hurst=0.8, rms_slope=0.02, rolloff="50 um", cutoff="20 um", seed=3)
     return brinell.Indentation(

@@ -141,10 +141,10 @@ def _across(body: BodyFields) -> FloatArray:
 def track_profile(runs: Sequence[Run]) -> Figure | None:
     """Residual surface of the lower body across the track at x = 0, after the last pass.
 
-    None if no lower body has yielded.
+    None if no lower body has yielded, and in plane strain, where nothing varies across the track.
     """
     bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
-    deformed = [(entry, body) for entry, body in bodies if np.any(body.residual_displacement)]
+    deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and np.any(body.residual_displacement)]
     if not deformed:
         return None
     height = si(largest(_across(body) for _, body in deformed), "m")

@@ -6,6 +6,8 @@
 #include "io/scenarios/scenario_io.hpp"
 #include "summary_parts.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace brinell::io
@@ -134,13 +136,15 @@ Json wear_json(const RunTotals& s)
 Json heat_json(double fraction, const RunTotals& s, const simulation::HeatedRecord& last)
 {
   const double given = fraction * s.dissipation_friction;
+  // Between bodies that are not equally warm far more may pass than what friction gives.
+  const double largest = std::max({given, std::abs(last.heat_lower), std::abs(last.heat_upper)});
   return {{"max_temperature_lower_degC", s.max_temperature[0]},
           {"max_temperature_upper_degC", s.max_temperature[1]},
           {"lower_J", last.heat_lower},
           {"upper_J", last.heat_upper},
           {"of_plastic_work_J", last.heat_of_plastic_work},
           {"work_of_expansion_J", s.work_of_expansion},
-          {"balance_error", given > 0.0 ? (given - last.heat_lower - last.heat_upper) / given : 0.0}};
+          {"balance_error", largest > 0.0 ? (given - last.heat_lower - last.heat_upper) / largest : 0.0}};
 }
 
 Json residual_json(const RunTotals& s)
