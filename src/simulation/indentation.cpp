@@ -242,7 +242,7 @@ IndentationPlan plan(const IndentationCase& indentation)
                           "indentation.steps");
   plan.memory_bytes =
       memory_bytes(plan, indentation.lower.material, indentation.upper.material, indentation.solver.anderson_depth,
-                   indentation.friction.coefficient > 0.0 ? 1 : 0, false);
+                   indentation.friction.coefficient > 0.0 ? 1 : 0, nullptr);
   return plan;
 }
 

@@ -83,17 +83,22 @@ double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& ma
   return std::max(0.0, state - halfspace::memory_of_half_space(grid, shears).work);
 }
 
-/// The heat of a body, on a grid a third longer and wider than its own: some sixty waves in depth, on lattices that take
-/// together three and a half times the first one; all of it three times: as it is, for when an increment fails, and while
-/// fields are read; and stress, now and before, and softening. With symmetry half of the waves are kept, and all of some
-/// fields. The heat of plastic work adds the layers of the body and some fifteen beneath, likewise three times; on lattices
-/// that take off images at least two layers are one.
-double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, Symmetry symmetry)
+/// Waves of a flux that has always moved: temperature and stress in each layer, as spectra and as the tables of which they are
+/// made, and as much as one and a half of them, by measurement, in lattices of which those are summed.
+double steady_heat_bytes(const VolumeGrid& grid)
 {
-  if (!material.thermal)
-    return 0.0;
-  const double layers = material.is_plastic() ? grid.nz + 15.0 : 0.0;
-  const double fields = material.softening ? 16.0 : 15.0;
+  constexpr double parts = 7.0, copies = 3.5;
+  const PaddedLengths padded = padded_lengths(grid.surface);
+  return parts * copies * grid.nz * padded.x * padded.y * sizeof(double);
+}
+
+/// All heat since the start, on a grid a third longer and wider than that of the body: some sixty waves in depth, on lattices that
+/// take together three and a half times the first one; all of it three times: as it is, for when an increment fails, and while
+/// fields are read. With symmetry half of the waves are kept, and all of some fields. The heat of plastic work adds the layers of
+/// the body and some fifteen beneath, likewise three times; on lattices that take off images at least two layers are one.
+double transient_heat_bytes(const VolumeGrid& grid, bool of_plastic_work, Symmetry symmetry)
+{
+  const double layers = of_plastic_work ? grid.nz + 15.0 : 0.0;
   constexpr double waves = 60.0, lattices = 3.5, of_layers = 1.0 + 0.5 * (lattices - 1.0), copies = 3.0,
                    wider = 4.0 / 3.0;
   SurfaceGrid surface = grid.surface;
@@ -102,7 +107,19 @@ double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material
   const PaddedLengths padded = padded_lengths(surface);
   const double share = symmetry == Symmetry::none ? 1.0 : 0.6;
   const double spectra = waves * lattices + layers * of_layers;
-  return share * spectra * copies * padded.x * padded.y * sizeof(double) + field_bytes(grid, fields);
+  return share * spectra * copies * padded.x * padded.y * sizeof(double);
+}
+
+/// The heat of a body; and its stress, now and before, and softening.
+double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, Symmetry symmetry,
+                  const elastoplastic::HeatSettings& heat)
+{
+  if (!material.thermal)
+    return 0.0;
+  const double fields = field_bytes(grid, material.softening ? 16.0 : 15.0);
+  if (heat.regime == elastoplastic::HeatRegime::steady)
+    return steady_heat_bytes(grid) + fields;
+  return transient_heat_bytes(grid, material.is_plastic() && heat.of_plastic_work > 0.0, symmetry) + fields;
 }
 
 /// Fields of the contact's solver and of what is read from it, and its transforms.
@@ -117,7 +134,7 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 } // namespace
 
 double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
-                    int anderson_depth, int shears, bool has_heat)
+                    int anderson_depth, int shears, const elastoplastic::HeatSettings* heat)
 {
   constexpr double program = 17e6;                              // with its libraries
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
@@ -127,7 +144,7 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
     output = std::max(output, output_bytes(*grid, *material, shears));
     if (has_twin && grid == &plan.upper)
       continue;
-    bodies += body_bytes(*grid, *material, shears) + (has_heat ? heat_bytes(*grid, *material, plan.symmetry) : 0.0);
+    bodies += body_bytes(*grid, *material, shears) + (heat ? heat_bytes(*grid, *material, plan.symmetry, *heat) : 0.0);
     trials += trial_bytes(*grid, *material, anderson_depth, plan.contact_share);
     bodies += window_bytes(plan, *grid, *material, shears);
     checkpoint += checkpoint_bytes(*grid, *material, shears);

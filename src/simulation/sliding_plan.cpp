@@ -153,7 +153,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
   plan.memory_bytes = memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver.anderson_depth,
-                                   sliding.friction.coefficient > 0.0 ? 1 : 0, heats);
+                                   sliding.friction.coefficient > 0.0 ? 1 : 0, heats ? &sliding.heat : nullptr);
   return plan;
 }
 

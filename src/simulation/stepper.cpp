@@ -281,7 +281,7 @@ double Stepper::memory_of(const Plan& plan) const
 {
   const int shears = setup_.sliding.friction.coefficient > 0.0 ? (setup_.sliding.sticks ? 2 : 1) : 0;
   return simulation::memory_bytes(plan, setup_.lower, setup_.upper, setup_.solver.anderson_depth, shears,
-                                  setup_.sliding.heat.has_value());
+                                  setup_.sliding.heat ? &setup_.sliding.heat->settings : nullptr);
 }
 
 void Stepper::announce(const Plan& larger)

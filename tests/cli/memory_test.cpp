@@ -2,6 +2,7 @@
 #include "program.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <ostream>
 #include <regex>
 #include <string>
@@ -19,7 +20,17 @@ struct Sized
 {
   const char* name;
   std::vector<std::string> changes; ///< as for --set
+  std::string variant{};            ///< of a case that is there more than once
 };
+
+/// A pass of few steps with the heat of friction, and without that of plastic work.
+Sized heated_by_friction(const std::string& regime)
+{
+  return {"tugging-heat",
+          {"grid.resolution=12", R"(tugging.shift="0.2 mm")", "thermal.heat_of_plastic_work=0",
+           fmt::format("thermal.regime=\"{}\"", regime)},
+          "-" + regime};
+}
 
 void PrintTo(const Sized& sized, std::ostream* stream)
 {
@@ -72,10 +83,11 @@ INSTANTIATE_TEST_SUITE_P(Cases, Memory,
                                                {"sliding.strokes=1", R"(sliding.distance="2 um")",
                                                 "output.checkpoint_interval=0"}}, // after each step
                                          Sized{"fretting-sphere", {}}, Sized{"rough-periodic", {}},
-                                         Sized{"tugging-heat", {"grid.resolution=10", R"(tugging.shift="0.2 mm")"}}),
+                                         Sized{"tugging-heat", {"grid.resolution=10", R"(tugging.shift="0.2 mm")"}},
+                                         heated_by_friction("transient"), heated_by_friction("steady")),
                          [](const auto& parameter)
                          {
-                           std::string name = parameter.param.name;
+                           std::string name = parameter.param.name + parameter.param.variant;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
