@@ -46,31 +46,30 @@ struct Products
 } // namespace
 
 Anderson::Anderson(int depth)
-    : depth_(static_cast<std::size_t>(std::max(depth, 0))), dgoal_(depth_), df_(depth_), dy_(depth_),
+    : depth_(static_cast<std::size_t>(std::max(depth, 0))), dg_(depth_), df_(depth_), dy_(depth_),
       products_(depth_ * depth_), right_(depth_)
 {
 }
 
-void Anderson::advance(std::span<double> x, std::span<const double> g, std::span<const double> y,
-                       std::span<const double> goal)
+void Anderson::advance(std::span<double> x, std::span<const double> g, std::span<const double> y)
 {
   const bool compares = !std::exchange(changes_map_, false) && count_ > 0;
   if (depth_ > 0)
-    remember({x, g, y, goal}, compares);
+    remember(x, g, y, compares);
   if (depth_ > 0 && (compares || count_ == 0))
     ++count_;
   const std::vector<double> weight = weights(count_ > 0 ? std::min(count_ - 1, depth_) : 0);
   for_pieces(x.size(),
              [&](std::size_t first, std::size_t last)
              {
-               std::copy(goal.begin() + first, goal.begin() + last, x.begin() + first);
+               std::copy(g.begin() + first, g.begin() + last, x.begin() + first);
                for (std::size_t a = 0; a < weight.size(); ++a)
                  for (std::size_t i = first; i < last; ++i)
-                   x[i] -= weight[a] * dgoal_[a][i];
+                   x[i] -= weight[a] * dg_[a][i];
              });
 }
 
-/// Of the differences of goals in the next x; none if they do not tell.
+/// Of the differences dg in the next x; none if they do not tell.
 std::vector<double> Anderson::weights(std::size_t used) const
 {
   if (used == 0)
@@ -87,25 +86,24 @@ std::vector<double> Anderson::weights(std::size_t used) const
 }
 
 /// Unknowns that have come in have no differences to the evaluation before.
-void Anderson::grow(const Evaluation& now)
+void Anderson::grow(std::span<const double> x, std::span<const double> g, std::span<const double> y)
 {
-  for (std::size_t i = previous_goal_.size(); i < now.x.size(); ++i)
+  for (std::size_t i = previous_g_.size(); i < x.size(); ++i)
   {
-    previous_goal_.push_back(now.goal[i]);
-    previous_f_.push_back(now.g[i] - now.x[i]);
-    previous_y_.push_back(now.y[i]);
+    previous_g_.push_back(g[i]);
+    previous_f_.push_back(g[i] - x[i]);
+    previous_y_.push_back(y[i]);
   }
-  for (std::vector<std::vector<double>>* differences : {&dgoal_, &df_, &dy_})
+  for (std::vector<std::vector<double>>* differences : {&dg_, &df_, &dy_})
     for (std::vector<double>& d : *differences)
-      d.resize(now.x.size(), 0.0);
+      d.resize(x.size(), 0.0);
 }
 
 /// Adds the differences to the last evaluation to the history, and makes this evaluation the last.
 /// @param compare  false: without the differences
-void Anderson::remember(const Evaluation& now, bool compare)
+void Anderson::remember(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare)
 {
-  grow(now);
-  const std::span<const double> x = now.x, g = now.g, y = now.y, goal = now.goal;
+  grow(x, g, y);
   const std::size_t slot = count_ > 0 ? (count_ - 1) % depth_ : 0;
   const std::size_t known = std::min(count_, depth_); // the new one included, if there is
   const auto take = [&](std::size_t first, std::size_t last)
@@ -115,11 +113,11 @@ void Anderson::remember(const Evaluation& now, bool compare)
       const double f = g[i] - x[i];
       if (compare)
       {
-        dgoal_[slot][i] = goal[i] - previous_goal_[i];
+        dg_[slot][i] = g[i] - previous_g_[i];
         df_[slot][i] = f - previous_f_[i];
         dy_[slot][i] = y[i] - previous_y_[i];
       }
-      previous_goal_[i] = goal[i];
+      previous_g_[i] = g[i];
       previous_f_[i] = f;
       previous_y_[i] = y[i];
     }

@@ -117,30 +117,6 @@ void Body::collect_active(const std::vector<double>& q_field, int shift, double 
     }
 }
 
-const std::vector<double>& Body::goals()
-{
-  constexpr double further = 0.7; // docs/performance.md
-  if (!bears_shear_)
-    return active_.mapped();
-  goals_ = active_.mapped();
-  const std::size_t n = grid().size();
-  for (std::size_t a = 0; a < active_.size(); ++a)
-  {
-    if (layer_of(active_.cell(a)) > 0 || active_.equivalent(a) == 0.0)
-      continue;
-    const Deviator flow = deviator_at(state_.plastic_strain, n, active_.cell(a)) - active_.start(a);
-    const double size = contract(flow, flow);
-    if (!(size > 0.0))
-      continue;
-    const double along_surface =
-        2.0 * (flow[Deviator::yz] * flow[Deviator::yz] + flow[Deviator::xz] * flow[Deviator::xz]) / size;
-    const double share = further * along_surface * contract(active_.mapped(a) - active_.trial(a), flow) / size;
-    for (int c = 0; c < Deviator::size; ++c)
-      goals_[a * Deviator::size + static_cast<std::size_t>(c)] += share * flow[c];
-  }
-  return goals_;
-}
-
 /// The cells whose q is not their stress.
 void Body::take_up_guess()
 {

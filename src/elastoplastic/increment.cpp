@@ -56,9 +56,6 @@ private:
 /// Errors over their tolerances below which the next evaluation is likely to be the last one.
 constexpr double closing_factor = 5.0;
 
-/// Violation of the yield condition below which trials may go to their goals: from afar they would go too far.
-constexpr double near = 0.02;
-
 bool is_finite(const IncrementReport& report)
 {
   return std::isfinite(report.yield_error + report.displacement_error + report.gap_error);
@@ -201,7 +198,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     if (report.energy_rose || stalls)
       return report;
     closing = strategy.watch_energy || is_within(closing_factor, report);
-    acceleration.advance(sides_, complete && !was_complete, report.yield_error <= near);
+    acceleration.advance(sides_, complete && !was_complete);
     was_complete = complete;
   }
 }

@@ -27,10 +27,6 @@ concept Participant = requires(Part& part, const Part& fixed)
     fixed.mapped()
     } -> std::same_as<const std::vector<double>&>;
   {
-    part.goals()
-    } -> std::same_as<
-        const std::vector<double>&>; ///< where trials go from one evaluation: what they are mapped to, or further
-  {
     fixed.flow()
     } -> std::same_as<const std::vector<double>&>; ///< factors of changes of g in the work on the strain of the trial
   {
@@ -80,24 +76,6 @@ public:
                  });
     }
   }
-
-  /// Goals of the trials.
-  template <typename Sides>
-  void pack_goals(Sides& sides, std::vector<double>& goal) const
-  {
-    goal.resize(size_);
-    for (std::size_t part = 0; part < places_.size(); ++part)
-    {
-      const std::vector<double>& goals = sides[part].body.goals();
-      for_pieces(goals.size(),
-                 [&](std::size_t first, std::size_t last)
-                 {
-                   for (std::size_t i = first; i < last; ++i)
-                     goal[places_[part][i]] = goals[i];
-                 });
-    }
-  }
-
   template <typename Sides>
   void unpack(const std::vector<double>& x, Sides& sides) const
   {
@@ -123,30 +101,24 @@ private:
 class Acceleration
 {
 public:
-  /// @param depth  0: the plain fixed point, which goes where the trials are mapped to
-  explicit Acceleration(int depth) : is_plain_(depth == 0), anderson_(depth) {}
+  explicit Acceleration(int depth) : anderson_(depth) {}
 
-  /// @param is_near  whether trials may go to their goals
   /// @param changes_map  the evaluation is not of the same map as the one before, see Anderson::change_map
   template <typename Sides>
-  void advance(Sides& sides, bool changes_map, bool is_near)
+  void advance(Sides& sides, bool changes_map)
   {
     if (changes_map)
       anderson_.change_map();
     unknowns_.grow(sides);
     unknowns_.pack(sides, x_, g_, y_);
-    const bool has_goals = is_near && !is_plain_;
-    if (has_goals)
-      unknowns_.pack_goals(sides, goal_);
-    anderson_.advance(x_, g_, y_, has_goals ? goal_ : g_);
+    anderson_.advance(x_, g_, y_);
     unknowns_.unpack(x_, sides);
   }
 
 private:
-  bool is_plain_;
   Anderson anderson_;
   Unknowns unknowns_;
-  std::vector<double> x_, g_, y_, goal_;
+  std::vector<double> x_, g_, y_;
 };
 
 } // namespace brinell::elastoplastic

@@ -20,10 +20,7 @@ public:
 
   /// Replaces x by the next iterate, given g(x) and y(x). All may be longer than last time: unknowns that came in at the end
   /// have no history, as if they had always been converged.
-  /// @param goal  where x goes from a single evaluation, if that is not g: x and more of the residual, preconditioned, which is x
-  ///              where g is. The residual that is made orthogonal is still that of g.
-  void advance(std::span<double> x, std::span<const double> g, std::span<const double> y, std::span<const double> goal);
-  void advance(std::span<double> x, std::span<const double> g, std::span<const double> y) { advance(x, g, y, g); }
+  void advance(std::span<double> x, std::span<const double> g, std::span<const double> y);
   /// Tells before `advance` that its g is that of a map which differs a little from the one before: what the history has learnt
   /// still holds, but the difference between these two evaluations tells nothing.
   void change_map() { changes_map_ = true; }
@@ -31,22 +28,17 @@ public:
   void reset() { count_ = 0; }
 
 private:
-  /// What an evaluation tells.
-  struct Evaluation
-  {
-    std::span<const double> x, g, y, goal;
-  };
-  void grow(const Evaluation& now);
-  void remember(const Evaluation& now, bool compare);
+  void grow(std::span<const double> x, std::span<const double> g, std::span<const double> y);
+  void remember(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare);
   [[nodiscard]] std::vector<double> weights(std::size_t used) const;
 
   std::size_t depth_;
   std::size_t count_ = 0;    ///< evaluations since the last reset, of maps that have not changed after them
   bool changes_map_ = false; ///< with the next evaluation
-  std::vector<double> previous_goal_, previous_f_, previous_y_;
-  std::vector<std::vector<double>> dgoal_, df_, dy_; ///< ring buffers of differences
-  std::vector<double> products_;                     ///< dy . df, [of dy][of df]
-  std::vector<double> right_;                        ///< dy . f
+  std::vector<double> previous_g_, previous_f_, previous_y_;
+  std::vector<std::vector<double>> dg_, df_, dy_; ///< ring buffers of differences
+  std::vector<double> products_;                  ///< dy . df, [of dy][of df]
+  std::vector<double> right_;                     ///< dy . f
 };
 
 } // namespace brinell::elastoplastic

@@ -134,10 +134,6 @@ public:
   [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
   [[nodiscard]] const std::vector<double>& flow() const { return active_.flow(); }     ///< see ActiveCells::flow
-  /// Where the next trials go from this evaluation alone: g, and further along the flow in cells of the uppermost layer that
-  /// flow along the surface, which the body around them hardly holds. Where g(q) = q they are q, too. Without shear on the
-  /// surface they are g.
-  [[nodiscard]] const std::vector<double>& goals();
   /// Of the last `update`: largest von Mises norm of g - q over the yield stress, over the cells that yield.
   [[nodiscard]] double yield_error() const { return yield_error_; }
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
@@ -219,9 +215,7 @@ private:
   Symmetry symmetry_;
   int layers_; ///< layers whose stress is computed, from the surface
   ActiveCells active_;
-  double yield_error_ = 0.0;  ///< of the last evaluation
-  bool bears_shear_ = false;  ///< in the last evaluation
-  std::vector<double> goals_; ///< see `goals`
+  double yield_error_ = 0.0; ///< of the last evaluation
   bool in_increment_ = false;
   /// Deviatoric stress of the trial in the layers computed. Between increments: that of the state, and in the cells that were
   /// active last their q, the guess of the next increment.
