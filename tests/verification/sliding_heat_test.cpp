@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record.hpp"
 #include "scenario_runs.hpp"
+#include "taken_up.hpp"
 
 #include "brinell/simulation/sliding.hpp"
 
@@ -195,13 +196,7 @@ TEST(SlidingHeat, ARunThatIsTakenUpGoesOnAsItWas)
   for (int step = 0; step < steps / 2 + 2; ++step)
     static_cast<void>(first.step());
   const Archive::Fields checkpoint = first.checkpoint();
-  simulation::Run<SlidingCase> second(c, {}, &checkpoint);
-  while (!second.is_done())
-    static_cast<void>(second.step());
-  const SlidingRecord a = whole.summary().last, b = second.summary().last;
-  for (const auto& column : simulation::columns<SlidingRecord>)
-    EXPECT_EQ(column.value(a), column.value(b)) << column.name;
-  EXPECT_EQ(whole.summary().max_temperature, second.summary().max_temperature);
+  expect_same_end(whole, c, checkpoint);
 }
 
 TEST(SlidingHeat, OfABallIsThatOfRollingWithoutTurning)
