@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "order.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
 
@@ -80,6 +81,38 @@ TEST(PlasticHeat, TheEnergyOfAPassCloses)
   test::expect_close("energy unaccounted for / work, softened by friction and plastic work",
                      run.summary.energy_balance_error, 0.0, 5e-3,
                      "exact: work, and work of expansion, is heat, plastic work and stored energy");
+}
+
+TEST(PlasticHeat, ConvergesWithTheStep)
+{
+  if (slow_build)
+    GTEST_SKIP() << "needs short steps: too slow in this build";
+  // What the heat of plastic work alone adds to the plastic work, by softening what goes on flowing. Cells stay, steps are halved: the
+  // heat that is expected in a step is extrapolated, and what it is not is made up for in the next one.
+  const auto added = [](double cells_per_step)
+  {
+    TuggingCase t = hardly_rubbing(10.0);
+    t.resolution = 6.0;
+    for (simulation::ShapedBody* body : {&t.lower, &t.upper})
+      body->material.softening = constitutive::LinearSoftening{20.0, 120.0};
+    t.shift = cells_per_step * simulation::plan(t).shift;
+    const auto plastic_work = [](const TuggingCase& c)
+    {
+      const auto& last = computed(c).summary.last;
+      return last.dissipation_lower + last.dissipation_upper;
+    };
+    TuggingCase cold = t;
+    cold.heat.of_plastic_work = 0.0;
+    return plastic_work(t) - plastic_work(cold);
+  };
+  std::vector<double> values, changes;
+  for (const double cells : {2.0, 1.0, 0.5, 0.25})
+    values.push_back(added(cells));
+  for (std::size_t i = 1; i < values.size(); ++i)
+    changes.push_back((values[i] - values[i - 1]) / values.back());
+  EXPECT_GT(test::Orders("plastic work added by its own heat, halved steps", changes).overall, 1.0);
+  test::expect_close("plastic work added by its own heat, steps of a quarter of a cell over a half, less 1",
+                     changes.back(), 0.0, 0.015, "bound: second order of the expected heat, edges between cells");
 }
 
 } // namespace

@@ -103,6 +103,15 @@ inline simulation::TuggingCase warm_spheres(const constitutive::Material& materi
   return t;
 }
 
+/// Two equal spheres that rub on each other as they pass.
+inline simulation::TuggingCase rubbing(double interference_ratio, double friction, double cells)
+{
+  simulation::TuggingCase t = equal_spheres(interference_ratio, perfect_material());
+  t.resolution = cells;
+  t.friction.coefficient = friction;
+  return t;
+}
+
 /// An elastic ball that slides without turning over a flat, on which it keeps no heat: it does not conduct.
 inline simulation::RollingCase sliding_ball(double peclet, double cells)
 {

@@ -2,14 +2,14 @@
 #include "brinell/halfspace/steady_field.hpp"
 #include "brinell/halfspace/thermal_response.hpp"
 
-#include "foundation/faddeeva.hpp"
 #include "grid_fields.hpp"
-#include "heated_body.hpp"
 #include "order.hpp"
+#include "steady_heat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <numbers>
 #include <vector>
@@ -21,101 +21,17 @@ namespace
 {
 
 constexpr double pi = std::numbers::pi;
+using test::displacement_of;
 using test::Field;
+using test::layers_of;
+using test::over_time;
+using test::Pulse;
+using test::spot;
 using Layer = test::HeatedLayer;
 
 const Thermal& body = test::heated_body;
 const Elastic& elastic = test::heated_elastic;
 const double kappa = body.diffusivity(), nu = elastic.poisson_ratio, E_alpha = elastic.young_modulus * body.expansion;
-
-std::vector<Layer> layers_of(const SteadyField& field, const Field& flux)
-{
-  const std::size_t n = field.grid().size(), depths = field.depths().size();
-  std::vector<Layer> result;
-  std::vector<Field> deviator(depths, Field(Deviator::size * n)), trace(depths, Field(n));
-  std::vector<ThermalLayer> out;
-  for (std::size_t d = 0; d < depths; ++d)
-    result.push_back({Field(n), std::vector<SymTensor>(n)});
-  for (std::size_t d = 0; d < depths; ++d)
-    out.push_back({result[d].temperature, deviator[d], trace[d]});
-  field.layers(flux, 0, out);
-  for (std::size_t d = 0; d < depths; ++d)
-    for (std::size_t i = 0; i < n; ++i)
-      result[d].stress[i] = to_tensor(deviator_at(deviator[d], n, i), trace[d][i]);
-  return result;
-}
-
-Field displacement_of(const SteadyField& field, const Field& flux)
-{
-  Field result(flux.size());
-  field.displacement(flux, result);
-  return result;
-}
-
-Field spot(const SurfaceGrid& g, double width)
-{
-  return test::sampled(g,
-                       [&](int i, int j) { return std::exp(-(g.x(i) * g.x(i) + g.y(j) * g.y(j)) / (width * width)); });
-}
-
-/// Integral over the time since heat entered of f(t), which may go like 1/sqrt(t).
-template <typename Function>
-double over_time(double begin, double end, Function f)
-{
-  double sum = 0.0, last = std::sqrt(begin);
-  for (double next = std::max(1.2 * last, 1e-7 * std::sqrt(end)); last < std::sqrt(end); next *= 1.2)
-  {
-    const test::Gauss root(8, last, std::min(next, std::sqrt(end)));
-    for (std::size_t g = 0; g < root.point.size(); ++g)
-      sum += root.weight[g] * 2.0 * root.point[g] * f(root.point[g] * root.point[g]);
-    last = next;
-  }
-  return sum;
-}
-
-/// What a Gaussian pulse of heat leaves at a distance along the surface, a time after: erfc(k sqrt(kappa t)) or k times it by Hankel's
-/// transform; far away the first terms of their series, a nucleus of strain.
-struct Pulse
-{
-  double width, spread;
-
-  Pulse(double of_flux, double time) : width(of_flux), spread(std::sqrt(kappa * time)) {}
-  [[nodiscard]] bool is_far(double r) const { return r > 40.0 * std::hypot(width, spread); }
-  [[nodiscard]] double hankel(double r, bool times_k) const
-  {
-    const double end = std::min(12.0 / width, 4.0 / spread);
-    const int pieces = 2 + static_cast<int>(end * std::max(r, width) / 4.0);
-    double sum = 0.0;
-    for (int p = 0; p < pieces; ++p)
-    {
-      const test::Gauss wave(8, end * p / pieces, end * (p + 1) / pieces);
-      for (std::size_t g = 0; g < wave.point.size(); ++g)
-      {
-        const double k = wave.point[g];
-        sum += wave.weight[g] * j0(k * r) * k * (times_k ? k : 1.0) * std::exp(-0.25 * k * k * width * width) *
-               std::erfc(k * spread);
-      }
-    }
-    return 0.5 * width * width * sum * kappa / body.conductivity;
-  }
-  /// Of the surface [m], along z.
-  [[nodiscard]] double displacement(double r) const
-  {
-    const double factor = -2.0 * (1.0 + nu) * body.expansion;
-    if (is_far(r))
-      return factor * kappa / body.conductivity * width * width * spread / (std::sqrt(pi) * r * r * r);
-    return factor * hankel(r, false);
-  }
-  /// xx + yy at the surface: -2 E alpha (T - (1 + nu) k erfc)/(1 - nu).
-  [[nodiscard]] double stress(double r) const
-  {
-    const double wide = width * width + 4.0 * spread * spread;
-    const double temperature =
-        kappa / body.conductivity * width * width / wide * std::exp(-r * r / wide) / (std::sqrt(pi) * spread);
-    const double lifted = is_far(r) ? -0.5 * kappa / body.conductivity * width * width / (r * r * r) : hankel(r, true);
-    return -2.0 * E_alpha / (1.0 - nu) * (temperature - (1.0 + nu) * lifted);
-  }
-};
 
 template <typename Call>
 void expect_refusal(const Call& call, const std::string& part)
@@ -130,114 +46,6 @@ void expect_refusal(const Call& call, const std::string& part)
     EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }
-
-TEST(Faddeeva, OnTheAxesAndByItsTable)
-{
-  for (const double y : {0.0, 0.1, 1.0, 3.0, 5.0})
-    EXPECT_NEAR(faddeeva({0.0, y}).real(), std::exp(y * y) * std::erfc(y), 1e-12);
-  for (const double x : {-4.0, 0.3, 2.0, 6.0})
-    EXPECT_NEAR(faddeeva({x, 0.0}).real(), std::exp(-x * x), 1e-12);
-  // Abramowitz and Stegun (1972), Table 7.9
-  EXPECT_NEAR(faddeeva({0.5, 0.5}).real(), 0.533157, 1e-6);
-  EXPECT_NEAR(faddeeva({0.5, 0.5}).imag(), 0.230488, 1e-6);
-  EXPECT_NEAR(faddeeva({2.0, 1.0}).real(), 0.140240, 1e-6);
-  EXPECT_NEAR(faddeeva({2.0, 1.0}).imag(), 0.222213, 1e-6);
-}
-
-class MovingSpot : public testing::TestWithParam<double>
-{
-protected:
-  static constexpr double width = 0.3;
-  SurfaceGrid grid{40, 24, 0.1, 0.1};
-  double velocity = GetParam() * 2.0 * kappa / width;
-};
-
-TEST_P(MovingSpot, Temperature)
-{
-  // Carslaw and Jaeger (1959), section 10.2, over the Gaussian and all time.
-  const std::vector<double> depths{0.0, 0.05, 0.4, 3.0};
-  const std::vector<Layer> layers =
-      layers_of(SteadyField(grid, body, elastic, {velocity, {}}, depths), spot(grid, width));
-  const double end = 400.0 * kappa / (velocity * velocity) + 40.0 / std::abs(velocity);
-  const auto exact = [&](double x, double y, double z)
-  {
-    return kappa / body.conductivity *
-           over_time(0.0, end,
-                     [&](double t)
-                     {
-                       const double wide = width * width + 4.0 * kappa * t, r = std::hypot(x + velocity * t, y);
-                       return width * width / wide * std::exp(-r * r / wide - z * z / (4.0 * kappa * t)) /
-                              std::sqrt(pi * kappa * t);
-                     });
-  };
-  double error = 0.0, largest = 0.0;
-  for (std::size_t d = 0; d < depths.size(); ++d)
-    for (const int i : {0, 12, 19, 26, 39})
-      for (const int j : {0, 11})
-      {
-        const double value = exact(grid.x(i), grid.y(j), depths[d]);
-        largest = std::max(largest, value);
-        error = std::max(error, std::abs(layers[d].temperature[grid.index(i, j)] - value));
-      }
-  std::printf("Pe %g: temperature %.1e\n", GetParam(), error / largest);
-  EXPECT_LT(error, 1e-5 * largest);
-}
-
-TEST_P(MovingSpot, Displacement)
-{
-  const Field u = displacement_of(SteadyField(grid, body, elastic, {velocity, {}}), spot(grid, width));
-  // What enters later than that time is a nucleus far away; its sum goes with the root of the time, and is left out.
-  const double end = 1e4 * (kappa / (velocity * velocity) + grid.nx * grid.dx / std::abs(velocity));
-  double error = 0.0;
-  for (const int i : {0, 19, 39})
-    for (const int j : {0, 11})
-    {
-      const double exact = over_time(
-          0.0, end,
-          [&](double t) { return Pulse(width, t).displacement(std::hypot(grid.x(i) + velocity * t, grid.y(j))); });
-      error = std::max(error, std::abs(u[grid.index(i, j)] - exact));
-    }
-  std::printf("Pe %g: displacement %.1e of %.3g\n", GetParam(), error / test::largest(u), test::largest(u));
-  EXPECT_LT(error, 1e-4 * test::largest(u));
-}
-
-TEST_P(MovingSpot, EquilibriumAndAFreeSurface)
-{
-  const double h = 0.02;
-  const std::vector<double> depths{0.0, 0.4 - h, 0.4, 0.4 + h};
-  const SurfaceGrid fine{81, 49, 0.05, 0.05};
-  const std::vector<Layer> layers =
-      layers_of(SteadyField(fine, body, elastic, {velocity, {}}, depths), spot(fine, width));
-  double traction = 0.0, left = 0.0, largest = 0.0;
-  for (const SymTensor& s : layers[0].stress)
-  {
-    traction = std::max({traction, std::abs(s[2]), std::abs(s[3]), std::abs(s[4])});
-    largest = std::max(largest, std::abs(s[0]));
-  }
-  const auto at = [&](std::size_t d, int i, int j, std::size_t c) { return layers[d].stress[fine.index(i, j)][c]; };
-  for (int j = 2; j < fine.ny - 2; ++j)
-    for (int i = 2; i < fine.nx - 2; ++i)
-    {
-      const auto along_x = [&](std::size_t c)
-      {
-        return (8.0 * (at(2, i + 1, j, c) - at(2, i - 1, j, c)) - at(2, i + 2, j, c) + at(2, i - 2, j, c)) /
-               (12.0 * fine.dx);
-      };
-      const auto along_y = [&](std::size_t c)
-      {
-        return (8.0 * (at(2, i, j + 1, c) - at(2, i, j - 1, c)) - at(2, i, j + 2, c) + at(2, i, j - 2, c)) /
-               (12.0 * fine.dy);
-      };
-      const auto along_z = [&](std::size_t c) { return (at(3, i, j, c) - at(1, i, j, c)) / (2.0 * h); };
-      left = std::max({left, std::abs(along_x(0) + along_y(5) + along_z(4)),
-                       std::abs(along_x(5) + along_y(1) + along_z(3)), std::abs(along_x(4) + along_y(3) + along_z(2))});
-    }
-  std::printf("Pe %g: traction %.1e, divergence %.1e\n", GetParam(), traction / largest, left * width / largest);
-  EXPECT_LT(traction, 1e-10 * largest);
-  EXPECT_LT(left, 1e-3 * largest / width); // differences over 1/20 of the width
-}
-
-INSTANTIATE_TEST_SUITE_P(All, MovingSpot, testing::Values(1e-3, 0.1, -1.0, 10.0, 1000.0));
 
 TEST(SteadyField, DiscAtRest)
 {
