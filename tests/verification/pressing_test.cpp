@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "order.hpp"
 #include "record.hpp"
+#include "rubbing_punch.hpp"
 #include "scenario_runs.hpp"
 
 #include "brinell/simulation/fretting.hpp"
@@ -8,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Bodies of unlike materials that are pressed together with friction: their surfaces are stretched by the pressure, one more
@@ -92,8 +95,8 @@ TEST(Spence, StickOfACylinderPressedOnAFlat)
   // Without what shear does to the pressure (Goodman 1962), q = f p in |x| > c and the surfaces do not move within; that the rest of
   // q is bounded at c asks for beta K(c/a) = f K'(c/a).
   const double nu = 0.45, friction = dundurs(nu);
-  const double exact = root([](double c) { return std::comp_ellint_1(c) - complementary_K(c); });
-  EXPECT_NEAR(exact, std::sqrt(0.5), 1e-12);
+  const double without = root([](double c) { return std::comp_ellint_1(c) - complementary_K(c); });
+  EXPECT_NEAR(without, std::sqrt(0.5), 1e-12);
   std::vector<double> differences;
   double coarser = 0.0, found = 0.0;
   for (const int steps : {20, 40, 80, 160})
@@ -110,10 +113,41 @@ TEST(Spence, StickOfACylinderPressedOnAFlat)
       continue;
     // Similar to itself.
     EXPECT_NEAR(stick_radius(history, 1.0, 0.75, 1.0), stick_radius(history, 1.0, 0.5, 0.75), 0.5 / c.resolution);
-    test::expect_close("cylinder pressed on a flat, friction as Dundurs' constant: stick over contact", found, exact,
+    test::expect_close("cylinder pressed on a flat, friction as Dundurs' constant: stick over contact", found, without,
                        tolerance(c), "exact without coupling: Spence (1975); edges to half a cell");
+    test::expect_close("the same with all of the coupling", found, test::stick_of_a_punch(friction, friction),
+                       0.5 / c.resolution, "integral equations of a punch (Spence 1973, 1975); edges to half a cell");
   }
   EXPECT_GT(test::Orders("stick of a pressed cylinder, steps halved", differences).overall, 0.8);
+}
+
+/// Stick over contact of a cylinder pressed on a rigid flat in plane strain, extrapolated from 80 and 160 steps.
+double stick_of_a_cylinder(double nu, double friction, double resolution)
+{
+  double coarser = 0.0, found = 0.0;
+  for (const int steps : {80, 160})
+  {
+    FrettingCase c = pressed(simulation::Roller{1.0, std::numeric_limits<double>::infinity()}, nu, friction, steps);
+    c.domain.y = {Boundary::periodic, 1.0, 1};
+    c.resolution = resolution;
+    coarser = std::exchange(found, stick_radius(history_of(c), 1.0, 0.5, 1.0));
+  }
+  return 2.0 * found - coarser;
+}
+
+TEST(Spence, StickOfACylinderWithAllOfTheCoupling)
+{
+  // Without what shear does to the pressure, the stick of a cylinder of nu = 0 would be 0.28 and 0.87 of the contact in place of 0.18 and 0.70.
+  constexpr double cells = 32.0;
+  for (const auto& [nu, friction] : {std::pair{0.3, 0.3}, {0.0, 0.3}, {0.0, 0.65}})
+    test::expect_close(
+        fmt::format("cylinder of nu = {:g} pressed on a rigid flat, friction {:g}: stick over contact", nu, friction),
+        stick_of_a_cylinder(nu, friction, cells), test::stick_of_a_punch(dundurs(nu), friction), 0.5 / cells,
+        "integral equations of a punch, which has the same stick (Spence 1973, 1975); edges to half a cell");
+  std::vector<double> errors;
+  for (const double resolution : {16.0, 32.0, 64.0})
+    errors.push_back(stick_of_a_cylinder(0.0, 0.3, resolution) - test::stick_of_a_punch(dundurs(0.0), 0.3));
+  EXPECT_GT(test::Orders("stick of a cylinder of nu = 0, cells halved", errors).overall, 0.7);
 }
 
 TEST(Spence, StickOfABallPressedOnAFlat)
