@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <list>
 
 namespace brinell::elastoplastic
@@ -40,6 +41,12 @@ public:
       touching[i] = touches || partings_[i] >= most_partings;
     }
     return touching;
+  }
+  /// Cells that are taken as touching in this increment whether they do or not.
+  [[nodiscard]] int held() const
+  {
+    return static_cast<int>(
+        std::count_if(partings_.begin(), partings_.end(), [](int partings) { return partings >= most_partings; }));
   }
 
 private:
@@ -102,6 +109,7 @@ struct Heating::State
   TouchingCells touching{};
   // Since the start [J]
   double heat_of_friction = 0.0, work_on_pressure = 0.0;
+  int most_held = 0; ///< in an increment
 
   void count_apart(double heat);
   [[nodiscard]] BothResponses& of_both();
@@ -283,6 +291,7 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
     std::fill(heat.begin(), heat.end(), 0.0);
   }
   static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
+  s.most_held = std::max(s.most_held, s.touching.held());
   for (HeatedSide& side : s.sides)
     side.settle();
   for (HeatedSide& side : s.sides)
@@ -358,6 +367,11 @@ double Heating::work_on_pressure() const
   return state_->work_on_pressure;
 }
 
+int Heating::most_held_cells() const
+{
+  return state_->most_held;
+}
+
 void Heating::add_depth(std::size_t side, const SurfaceGrid& body, const Place& place, std::span<double> out) const
 {
   state_->sides.at(side).add_depth(body, place, out);
@@ -384,6 +398,7 @@ void Heating::exchange(Archive& archive)
   archive("upper", s.sides[1]);
   archive("heat_of_friction", s.heat_of_friction);
   archive("work_on_pressure", s.work_on_pressure);
+  archive("most_held_cells", s.most_held, 0, std::numeric_limits<int>::max() - 1);
 }
 
 void Heating::move_to(const SurfaceGrid& contact)

@@ -52,6 +52,20 @@ TEST(Heat, FrictionWorkIsHeatInBothBodies)
   }
 }
 
+TEST(Heat, CellsTakenAsTouchingAreTold)
+{
+  if (slow_build)
+    GTEST_SKIP() << "needs the cells at which it happens";
+  // In this pass one cell and its mirror image open by the heat that they get while they touch, and close without it.
+  TuggingCase t = warm_spheres(perfect_material(), 4.0, 1.0, 8.0);
+  const int held = computed(t).summary.most_held_cells;
+  EXPECT_GT(held, 0);
+  EXPECT_LT(held, 10);
+  // Where the shares of the heat are given, no cell has to know whether it touches.
+  t.heat.partition = 0.5;
+  EXPECT_EQ(computed(t).summary.most_held_cells, 0);
+}
+
 TEST(Heat, OneOfTwoMirroredBodiesIsSolved)
 {
   TuggingCase t = warm_spheres(perfect_material(), 4.0, 1.0, 5.0);

@@ -132,6 +132,9 @@ public:
   [[nodiscard]] double heat_of_plastic_work() const;
   /// What the swelling surfaces have done against the pressure since the start [J].
   [[nodiscard]] double work_on_pressure() const;
+  /// Most cells, in one increment since the start, that were taken as touching though they kept opening and closing by their own heat:
+  /// docs/theory/heat.md (In the increment).
+  [[nodiscard]] int most_held_cells() const;
   /// Adds the depth of the surface under the contact grid by which it has shrunk [m]; swollen: negative.
   void add_depth(std::size_t side, const SurfaceGrid& body, const Place& place, std::span<double> out) const;
   /// Temperature [deg C] and thermal stress [Pa] of all layers as of the last increment; an empty part is not wanted.
