@@ -32,14 +32,22 @@ struct Outcome
   double memory = 0.0; ///< largest resident set [bytes]
 };
 
+/// Of a program's environment.
+struct Variable
+{
+  const char* name;
+  const char* value; ///< nullptr: not there
+};
+
 /// A started program; stdout and stderr go to files.
 class Process
 {
 public:
   /// @param largest_file  [bytes], as if the disk were full then; 0: no limit
   /// @param beyond        what the program finds to be done by a signal when a file grows beyond that
+  /// @param changes       of the environment, beside that of the test, which stays as it is
   Process(const fs::path& folder, const std::vector<std::string>& arguments, rlim_t largest_file = 0,
-          void (*beyond)(int) = SIG_IGN)
+          void (*beyond)(int) = SIG_IGN, const std::vector<Variable>& changes = {})
       : out_(folder / "stdout"), err_(folder / "stderr")
   {
     pid_ = fork();
@@ -47,6 +55,9 @@ public:
       return;
     if (!freopen(out_.c_str(), "w", stdout) || !freopen(err_.c_str(), "w", stderr) || chdir(folder.c_str()) != 0)
       _exit(127);
+    for (const auto& [name, value] : changes)
+      if (value == nullptr ? unsetenv(name) : setenv(name, value, 1))
+        _exit(127);
     if (largest_file > 0)
     {
       const rlimit limit{largest_file, largest_file};
@@ -77,7 +88,7 @@ public:
       wait4(pid_, &status_, 0, &used);
     ended_ = true;
     const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
-    return {code, file_text(out_), file_text(err_), 1e3 * static_cast<double>(used.ru_maxrss)};
+    return {code, file_text(out_), file_text(err_), 1024.0 * static_cast<double>(used.ru_maxrss)};
   }
 
 private:
@@ -106,6 +117,11 @@ protected:
   [[nodiscard]] const fs::path& folder() const { return folder_; }
   [[nodiscard]] Process start(const std::vector<std::string>& arguments) const { return {folder_, arguments}; }
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const { return start(arguments).wait(); }
+  /// In another environment than that of the tests.
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const std::vector<Variable>& changes) const
+  {
+    return Process(folder_, arguments, 0, SIG_IGN, changes).wait();
+  }
 
   void write(const fs::path& name, const std::string& text) const
   {

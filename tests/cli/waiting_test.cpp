@@ -11,18 +11,14 @@ namespace
 class Waiting : public Program
 {
 protected:
-  void SetUp() override
-  {
-    Program::SetUp();
-    setenv("OMP_DISPLAY_ENV", "verbose", 1);
-    unsetenv("OMP_WAIT_POLICY");
-    unsetenv("GOMP_SPINCOUNT");
-  }
-
   /// The program may start itself again: what it tells last counts.
-  [[nodiscard]] std::string told(const std::string& variable) const
+  /// @param policy, count  OMP_WAIT_POLICY and GOMP_SPINCOUNT; nullptr: not set
+  [[nodiscard]] std::string told(const std::string& variable, const char* policy = nullptr,
+                                 const char* count = nullptr) const
   {
-    const std::string text = run({"--version"}).err;
+    const std::string text =
+        run({"--version"}, {{"OMP_DISPLAY_ENV", "verbose"}, {"OMP_WAIT_POLICY", policy}, {"GOMP_SPINCOUNT", count}})
+            .err;
     const std::size_t line = text.rfind(variable + " = '");
     if (line == std::string::npos)
       return "not told: " + text;
@@ -39,15 +35,17 @@ TEST_F(Waiting, ThreadsLookForAMomentBeforeTheySleep)
 
 TEST_F(Waiting, WhatAUserHasSetStays)
 {
-  setenv("GOMP_SPINCOUNT", "77", 1);
-  EXPECT_EQ(told("GOMP_SPINCOUNT"), "77");
+  EXPECT_EQ(told("GOMP_SPINCOUNT", nullptr, "77"), "77");
+  EXPECT_EQ(told("OMP_WAIT_POLICY", nullptr, "77"), "PASSIVE");
+  EXPECT_EQ(told("GOMP_SPINCOUNT", "passive"), "0") << "sleeps at once, as it is told to";
+  EXPECT_EQ(told("OMP_WAIT_POLICY", "active"), "ACTIVE");
+  EXPECT_GT(std::stod(told("GOMP_SPINCOUNT", "active")), 1e9);
+}
+
+TEST_F(Waiting, WhatItAsksForIsNotForOtherTests)
+{
   EXPECT_EQ(told("OMP_WAIT_POLICY"), "PASSIVE");
-  unsetenv("GOMP_SPINCOUNT");
-  setenv("OMP_WAIT_POLICY", "passive", 1);
-  EXPECT_EQ(told("GOMP_SPINCOUNT"), "0") << "sleeps at once, as it is told to";
-  setenv("OMP_WAIT_POLICY", "active", 1);
-  EXPECT_EQ(told("OMP_WAIT_POLICY"), "ACTIVE");
-  EXPECT_GT(std::stod(told("GOMP_SPINCOUNT")), 1e9);
+  EXPECT_EQ(run({"--version"}).err, "");
 }
 
 } // namespace
