@@ -137,9 +137,8 @@ FrettingPlan plan(const FrettingCase& fretting)
   plan.steps = step_count(fretting.press_steps + static_cast<double>(fretting.cycles) * fretting.steps_per_cycle,
                           "fretting.cycles");
   plan.twin = are_twins(fretting, plan) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
-  plan.memory_bytes =
-      memory_bytes(plan, fretting.lower.material, fretting.upper.material, fretting.solver.anderson_depth,
-                   fretting.friction.coefficient > 0.0 ? 2 : 0, nullptr);
+  plan.memory_bytes = memory_bytes(plan, fretting.lower.material, fretting.upper.material, fretting.solver,
+                                   fretting.friction.coefficient > 0.0 ? 2 : 0, nullptr);
   return plan;
 }
 

@@ -2,6 +2,7 @@
 #include "memory.hpp"
 
 #include "foundation/fft.hpp"
+#include "halfspace/coarser_surface.hpp"
 #include "halfspace/half_space_memory.hpp"
 
 #include <algorithm>
@@ -92,34 +93,57 @@ double steady_heat_bytes(const VolumeGrid& grid)
   return parts * copies * grid.nz * padded.x * padded.y * sizeof(double);
 }
 
-/// All heat since the start, on a grid a third longer and wider than that of the body: some sixty waves in depth, on lattices that
-/// take together three and a half times the first one; all of it three times: as it is, for when an increment fails, and while
-/// fields are read. With symmetry half of the waves are kept, and all of some fields. The heat of plastic work adds the layers of
-/// the body and some fifteen beneath, likewise three times; on lattices that take off images at least two layers are one.
-double transient_heat_bytes(const VolumeGrid& grid, bool of_plastic_work, Symmetry symmetry)
+/// A third longer and wider than the body, but along periods.
+SurfaceGrid grid_of_heat(const SurfaceGrid& body)
 {
+  constexpr double wider = 4.0 / 3.0;
+  SurfaceGrid grid = body;
+  grid.nx = static_cast<int>(body.is_periodic_x() ? body.nx : wider * body.nx);
+  grid.ny = static_cast<int>(body.is_periodic_y() ? body.ny : wider * body.ny);
+  return grid;
+}
+
+/// All spectra of heat over those of its first lattice. Images are taken off on some three pairs of lattices of the slower waves, one
+/// of a pair as large as the first one and one a quarter; with short cuts, half as long along an open axis of many cells.
+double lattices_of_heat(const SurfaceGrid& grid, bool shortcuts)
+{
+  constexpr double pairs = 2.0; // of as many waves as the first lattice has
+  double share = grid.is_periodic() ? 0.0 : 1.0;
+  for (const auto& [cells, is_periodic] : {std::pair{grid.nx, grid.is_periodic_x()}, {grid.ny, grid.is_periodic_y()}})
+    share *= shortcuts && !is_periodic && halfspace::is_long(cells) ? 0.5 : 1.0;
+  return 1.0 + 1.25 * pairs * share;
+}
+
+/// All heat since the start, some sixty waves in depth, as it is and as it was for when an increment fails; and the waves of fields
+/// while they are read. With symmetry half of the waves are kept. The heat of plastic work adds the layers of the body
+/// and some fifteen beneath: how warm they are, and what makes them so, now and before; on lattices that take off images at least
+/// two layers are one, with short cuts.
+double transient_heat_bytes(const VolumeGrid& volume, bool of_plastic_work, bool shortcuts, Symmetry symmetry)
+{
+  constexpr double waves = 60.0, copies = 2.0, copies_of_layers = 3.0, fields = 7.0,
+                   most_bytes_read = 16.0 * 1024 * 1024, expected_and_lacking = 3.0;
+  const VolumeGrid grid{grid_of_heat(volume.surface), volume.nz, volume.dz};
+  const double lattices = lattices_of_heat(grid.surface, shortcuts),
+               of_layers = 1.0 + (shortcuts ? 0.5 : 1.0) * (lattices - 1.0);
   const double layers = of_plastic_work ? grid.nz + 15.0 : 0.0;
-  constexpr double waves = 60.0, lattices = 3.5, of_layers = 1.0 + 0.5 * (lattices - 1.0), copies = 3.0,
-                   wider = 4.0 / 3.0;
-  SurfaceGrid surface = grid.surface;
-  surface.nx = static_cast<int>(surface.is_periodic_x() ? surface.nx : wider * surface.nx);
-  surface.ny = static_cast<int>(surface.is_periodic_y() ? surface.ny : wider * surface.ny);
-  const PaddedLengths padded = padded_lengths(surface);
-  const double share = symmetry == Symmetry::none ? 1.0 : 0.6;
-  const double spectra = waves * lattices + layers * of_layers;
-  return share * spectra * copies * padded.x * padded.y * sizeof(double);
+  const PaddedLengths padded = padded_lengths(grid.surface);
+  const double field = (symmetry == Symmetry::none ? 1.0 : 0.5) * sizeof(double) * padded.x * padded.y;
+  const double kept = waves * lattices * copies + layers * of_layers * copies_of_layers;
+  return kept * field + std::min(most_bytes_read, fields * grid.nz * field) +
+         field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
 }
 
 /// The heat of a body; and its stress, now and before, and softening.
-double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, Symmetry symmetry,
-                  const elastoplastic::HeatSettings& heat)
+double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, const elastoplastic::Settings& solver,
+                  Symmetry symmetry, const elastoplastic::HeatSettings& heat)
 {
   if (!material.thermal)
     return 0.0;
   const double fields = field_bytes(grid, material.softening ? 16.0 : 15.0);
   if (heat.regime == elastoplastic::HeatRegime::steady)
     return steady_heat_bytes(grid) + fields;
-  return transient_heat_bytes(grid, material.is_plastic() && heat.of_plastic_work > 0.0, symmetry) + fields;
+  return transient_heat_bytes(grid, material.is_plastic() && heat.of_plastic_work > 0.0, solver.shortcuts, symmetry) +
+         fields;
 }
 
 /// Fields of the contact's solver and of what is read from it, and its transforms.
@@ -134,7 +158,7 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 } // namespace
 
 double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
-                    int anderson_depth, int shears, const elastoplastic::HeatSettings* heat)
+                    const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
 {
   constexpr double program = 17e6;                              // with its libraries
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
@@ -144,8 +168,9 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
     output = std::max(output, output_bytes(*grid, *material, shears));
     if (has_twin && grid == &plan.upper)
       continue;
-    bodies += body_bytes(*grid, *material, shears) + (heat ? heat_bytes(*grid, *material, plan.symmetry, *heat) : 0.0);
-    trials += trial_bytes(*grid, *material, anderson_depth, plan.contact_share);
+    bodies += body_bytes(*grid, *material, shears) +
+              (heat ? heat_bytes(*grid, *material, solver, plan.symmetry, *heat) : 0.0);
+    trials += trial_bytes(*grid, *material, solver.anderson_depth, plan.contact_share);
     bodies += window_bytes(plan, *grid, *material, shears);
     checkpoint += checkpoint_bytes(*grid, *material, shears);
   }

@@ -124,8 +124,8 @@ RollingPlan plan(const RollingCase& rolling)
   plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
   const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
   const int shears = rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0;
-  plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver.anderson_depth,
-                                   shears, heats ? &rolling.heat : nullptr);
+  plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver, shears,
+                                   heats ? &rolling.heat : nullptr);
   return plan;
 }
 

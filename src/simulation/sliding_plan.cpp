@@ -152,7 +152,7 @@ SlidingPlan plan(const SlidingCase& sliding)
                           "sliding.strokes");
   plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
-  plan.memory_bytes = memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver.anderson_depth,
+  plan.memory_bytes = memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver,
                                    sliding.friction.coefficient > 0.0 ? 1 : 0, heats ? &sliding.heat : nullptr);
   return plan;
 }

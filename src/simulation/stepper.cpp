@@ -280,7 +280,7 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
 double Stepper::memory_of(const Plan& plan) const
 {
   const int shears = setup_.sliding.friction.coefficient > 0.0 ? (setup_.sliding.sticks ? 2 : 1) : 0;
-  return simulation::memory_bytes(plan, setup_.lower, setup_.upper, setup_.solver.anderson_depth, shears,
+  return simulation::memory_bytes(plan, setup_.lower, setup_.upper, setup_.solver, shears,
                                   setup_.sliding.heat ? &setup_.sliding.heat->settings : nullptr);
 }
 

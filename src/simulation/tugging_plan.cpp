@@ -278,7 +278,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);
-  plan.memory_bytes = memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver.anderson_depth,
+  plan.memory_bytes = memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver,
                                    tugging.friction.coefficient > 0.0 ? 1 : 0, heats ? &tugging.heat : nullptr);
   return plan;
 }

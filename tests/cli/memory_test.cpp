@@ -84,7 +84,11 @@ INSTANTIATE_TEST_SUITE_P(Cases, Memory,
                                                 "output.checkpoint_interval=0"}}, // after each step
                                          Sized{"fretting-sphere", {}}, Sized{"rough-periodic", {}},
                                          Sized{"tugging-heat", {"grid.resolution=10", R"(tugging.shift="0.2 mm")"}},
-                                         heated_by_friction("transient"), heated_by_friction("steady")),
+                                         heated_by_friction("transient"), heated_by_friction("steady"),
+                                         Sized{"rolling-heat", // tracks so long that images need half as many cells
+                                               {"grid.resolution=10", "thermal.heat_of_plastic_work=0"},
+                                               "-long"},
+                                         Sized{"rolling-heat", {"grid.resolution=10"}, "-long-plastic"}),
                          [](const auto& parameter)
                          {
                            std::string name = parameter.param.name + parameter.param.variant;
