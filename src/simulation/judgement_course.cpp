@@ -17,6 +17,9 @@ constexpr double largest_imbalance = 0.02; ///< of the energies, over the larges
 constexpr double largest_wear_step =
     0.05; ///< in one increment, of the approach: the pressure there changes by that share
 constexpr double largest_worn_share_of_layer = 0.25; ///< of the layer of cells under the surface, whose strain stays
+/// Over the bulk, for whose temperature the constants are [K]. Carbon steel at 520 instead of 20 deg C has 0.54 of its elastic
+/// modulus, 0.72 of its yield stress, 0.69 of its conductivity and 1.55 times its specific heat (EN 1993-1-2:2005, 3.2.1 and 3.4.1).
+constexpr double largest_warming = 500.0;
 
 } // namespace
 
@@ -53,15 +56,35 @@ void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<War
                                          totals.split_increments)});
 }
 
+namespace
+{
+
+/// Of a body so much warmer than its bulk that its constants are others.
+std::string hot_surface_text(const char* name, const constitutive::Material& material, double hottest)
+{
+  const bool lacks_softening = material.is_plastic() && !material.softening;
+  return fmt::format("the {} surface reaches {:.0f} degC, {:.0f} K above its bulk, but the constants of the body{} are "
+                     "those of the bulk: above {:.0f} K this is an estimate{}",
+                     name, hottest, hottest - material.temperature,
+                     lacks_softening ? ", its yield stress among them," : "", largest_warming,
+                     lacks_softening ? "; give its material a softening, or lower the speed or the load" : "");
+}
+
+} // namespace
+
 void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
 {
   for (std::size_t side = 0; side < 2; ++side)
   {
     const constitutive::Material& material = *facts.materials[side];
     const double hottest = totals.max_temperature[side];
-    if (!material.softening || !(hottest > material.temperature)) // nothing has heated it
+    if (!(hottest > material.temperature)) // nothing has heated it
       continue;
     const char* name = side == 0 ? "lower" : "upper";
+    if (hottest - material.temperature > largest_warming)
+      warnings.push_back({"hot_surface", hot_surface_text(name, material, hottest)});
+    if (!material.softening)
+      continue;
     if (const auto melting = constitutive::melting_temperature(*material.softening); melting && hottest >= *melting)
       warnings.push_back(
           {"melting", fmt::format("the {} surface reaches {:.0f} degC and melts at {:.0f} degC: what melts is counted "

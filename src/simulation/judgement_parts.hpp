@@ -20,7 +20,7 @@ void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 /// split.
 void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
 
-/// A body that has become hotter than its softening is known for.
+/// A body that has become hotter than its softening is known for, or than its constants are.
 void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
 
 /// Wear is found with the pressure at the end of an increment, and moves no plastic strain.

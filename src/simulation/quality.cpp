@@ -26,6 +26,7 @@ constexpr double hopeless_cells = 2.0; ///< below, a third of the energy is miss
 constexpr int fewest_layers = 4;       ///< of the plastic zone
 constexpr double smallest_approach = 1e-9;       ///< [m], some atoms: no continuum
 constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
+constexpr double lost_share = 0.1; ///< of the yield stress, in layers of the material that no layer of cells tells
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
 
 std::string errors_text(const std::vector<ExpectedError>& errors)
@@ -106,6 +107,25 @@ public:
                       *layers, *layers == 1 ? "" : "s", fewest_layers));
   }
 
+  /// Layers of the material in which no middle of a cell lies count as nothing.
+  void of_profiles()
+  {
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      const constitutive::Material& material = *f_.materials[side];
+      if (!material.is_plastic())
+        continue;
+      const double yield = constitutive::initial_yield_stress(*material.hardening);
+      const bool is_lost = is_lost_in_layers(material.yield_factor, 1.0, lost_share) ||
+                           is_lost_in_layers(material.initial_stress, 0.0, lost_share * yield);
+      if (is_lost)
+        add("coarse_profile",
+            fmt::format("the yield_profile or the initial_stress of the {} body has a layer thinner than those of the "
+                        "cells, {}, in whose middle they count: part of it is lost; take thinner cells (grid.spacing)",
+                        side == 0 ? "lower" : "upper", length_text(f_.cell[2])));
+    }
+  }
+
   void of_step()
   {
     if (!f_.shift || !(*f_.shift > longest_share_of_radius * f_.half_x) || !(*f_.shift > 1.01 * f_.cell[0]))
@@ -178,6 +198,23 @@ public:
 private:
   void add(const char* key, std::string text) { add({key, std::move(text)}); }
 
+  /// Whether the largest or smallest value of a profile is beyond those in the middle of all layers, by more than `most`.
+  [[nodiscard]] bool is_lost_in_layers(const constitutive::DepthProfile& profile, double without, double most) const
+  {
+    if (profile.empty())
+      return false;
+    const double dz = f_.cell[2];
+    const auto count = static_cast<std::size_t>(std::min(profile.depth().back() / dz, 1e6)) + 2;
+    std::vector<double> sampled, given;
+    for (std::size_t layer = 0; layer < count; ++layer)
+      sampled.push_back(profile.at((static_cast<double>(layer) + 0.5) * dz, without));
+    for (const double z : profile.depth())
+      given.push_back(profile.at(z, without));
+    const auto [least_sampled, most_sampled] = std::minmax_element(sampled.begin(), sampled.end());
+    const auto [least_given, most_given] = std::minmax_element(given.begin(), given.end());
+    return *most_given - *most_sampled > most || *least_sampled - *least_given > most;
+  }
+
   const Facts& f_;
   Quality result_;
 };
@@ -229,6 +266,7 @@ Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
   Judge judge(f, resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt));
   judge.of_cells();
   warn_of_textures(f, judge.warnings());
+  judge.of_profiles();
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();
@@ -250,6 +288,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   judge.of_cells();
   judge.of_depth();
   warn_of_textures(f, judge.warnings());
+  judge.of_profiles();
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();

@@ -146,6 +146,53 @@ TEST(Quality, CourseOfTheRun)
   EXPECT_EQ(after(c, t), Keys{"split_increments"});
 }
 
+TEST(Quality, LayersThinnerThanTheCells)
+{
+  using constitutive::DepthProfile;
+  RollingCase c = ball_on_flat();
+  const double dz = plan(c).lower.dz;
+  const auto with_factor = [&](const DepthProfile& profile)
+  {
+    c.lower.material.yield_factor = profile;
+    return after(c, good_totals(c));
+  };
+  EXPECT_EQ(with_factor({{0.0, 0.3 * dz, 0.31 * dz}, {1.5, 1.5, 1.0}}), Keys{"coarse_profile"});
+  EXPECT_EQ(with_factor({{2.6 * dz, 3.0 * dz, 3.4 * dz}, {1.0, 0.8, 1.0}}), Keys{"coarse_profile"})
+      << "between two middles";
+  EXPECT_EQ(with_factor({{0.0, 4.0 * dz, 4.01 * dz}, {1.5, 1.5, 1.0}}), Keys{}) << "a step lies between two layers";
+  EXPECT_EQ(with_factor({{0.0, 10.0 * dz}, {1.5, 1.0}}), Keys{});
+  c.lower.material.yield_factor = {};
+  c.lower.material.initial_stress = DepthProfile{{0.0, 0.3 * dz}, {-5e8, 0.0}};
+  EXPECT_EQ(after(c, good_totals(c)), Keys{"coarse_profile"});
+  c.lower.material.initial_stress = DepthProfile{{0.0, 10.0 * dz}, {-5e8, 0.0}};
+  EXPECT_EQ(after(c, good_totals(c)), Keys{});
+}
+
+TEST(Quality, SurfacesSoHotThatConstantsAreOthers)
+{
+  RollingCase c = ball_on_flat();
+  for (ShapedBody* body : {&c.lower, &c.upper})
+  {
+    body->material.thermal = Thermal{50.0, 7850.0, 460.0, 12e-6};
+    body->material.temperature = 80.0;
+  }
+  RunTotals t = good_totals(c);
+  t.max_temperature = {579.0, 80.0};
+  EXPECT_EQ(after(c, t), Keys{});
+  t.max_temperature = {4000.0, 80.0};
+  ASSERT_EQ(after(c, t), Keys{"hot_surface"});
+  const std::string of_yielding = quality(c, plan(c), t).warnings.front().text;
+  EXPECT_NE(of_yielding.find("the lower surface reaches 4000 degC, 3920 K above its bulk"), std::string::npos);
+  EXPECT_NE(of_yielding.find("give its material a softening"), std::string::npos) << of_yielding;
+  t.max_temperature = {581.0, 581.0};
+  ASSERT_EQ(after(c, t), (Keys{"hot_surface", "hot_surface"}));
+  const std::string of_elastic = quality(c, plan(c), t).warnings.back().text;
+  EXPECT_EQ(of_elastic.find("softening"), std::string::npos) << "the upper body does not yield: " << of_elastic;
+  c.lower.material.softening = constitutive::LinearSoftening{80.0, 1500.0};
+  t.max_temperature = {4000.0, 80.0};
+  EXPECT_EQ(after(c, t), (Keys{"hot_surface", "melting"})) << "conductivity and modulus do not soften";
+}
+
 TEST(Quality, StepsAndTolerancesAndSizes)
 {
   RollingCase c = ball_on_flat();
