@@ -133,8 +133,8 @@ void CoupledContact::press(const contact::Drive& drive, const Strategy& strategy
 {
   constexpr int most_iterations = 2000;
   const contact::Report contact =
-      contact_.solve(distance_, drive, settings_.contact_tolerance * scales_.gap, most_iterations, pressure_, gap_,
-                     strategy.wants_stop, wear_ ? wear_->compliance() : std::span<const double>{});
+      contact_.solve(distance_, drive, tolerance_of_gap(), most_iterations, pressure_, gap_, strategy.wants_stop,
+                     wear_ ? wear_->compliance() : std::span<const double>{});
   if (symmetry_ != Symmetry::none) // rounding shall not grow from step to step
     for (std::vector<double>* field : {&pressure_, &gap_})
       complete_in_y(grid(), 1.0, field->data(), field->size());

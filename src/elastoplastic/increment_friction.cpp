@@ -115,6 +115,7 @@ void CoupledContact::begin_friction(const Placement& placement, const Strategy& 
                                    .bodies = bodies,
                                    .holds_law = strategy.watch_energy,
                                    .tolerance = settings_.contact_tolerance * scales_.gap,
+                                   .approach = scales_.gap,
                                    .wants_stop = strategy.wants_stop});
               });
 }
@@ -146,13 +147,20 @@ bool CoupledContact::carries_off(const Placement& placement) const
   return false;
 }
 
+/// Largest gap under pressure, and overlap elsewhere [m].
+double CoupledContact::tolerance_of_gap() const
+{
+  const double usual = settings_.contact_tolerance * scales_.gap;
+  return interface_ ? interface_->tolerance_of_gap(usual) : usual;
+}
+
 /// Pressure and shear by turns, until the shear no longer moves the gap. Where it never does, one turn.
 /// @param closing  whether the increment may end with this evaluation. Before, the heat follows the plastic strain a turn behind.
 void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,
                                               const Strategy& strategy, bool closing, IncrementReport& report)
 {
   constexpr int most_turns = 60;
-  const double tolerance = settings_.contact_tolerance * scales_.gap;
+  const double tolerance = tolerance_of_gap();
   const bool exact = closing || !settings_.shortcuts;
   const std::vector<double> without_shear = distance_;
   for (int turn = 1;; ++turn)
@@ -210,8 +218,7 @@ bool CoupledContact::renews_law(IncrementReport& report)
   for (const std::span<const double>& shear : shears)
     for (const double q : shear)
       largest = std::max(largest, std::abs(q));
-  report.converged =
-      change.shear <= settings_.yield_tolerance * largest && change.gap <= settings_.contact_tolerance * scales_.gap;
+  report.converged = change.shear <= settings_.yield_tolerance * largest && change.gap <= tolerance_of_gap();
   return !report.converged;
 }
 

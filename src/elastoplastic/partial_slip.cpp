@@ -126,17 +126,36 @@ double PartialSlip::imposed(std::size_t axis, int column, int row) const
   return shift + drive_.spin * (axis == 0 ? -grid.y(row) : grid.x(column));
 }
 
-/// Where surfaces roll, errors of the slip pile up from step to step until the points have left the contact: they must be small
-/// beside what is imposed in one, which may be much less than the approach, down to what stays clear of rounding.
+/// What the drive moves the surfaces by in the increment, about: a force moves them as it would from a bound that is nowhere reached.
+/// @returns 0 if nothing is driven [m]
+double PartialSlip::motion() const
+{
+  const double carried = sum(bound_before_) * pair_.grid().cell_area();
+  const double displaced = friction().coefficient * start_.approach; // by shears at their bound, about
+  const std::array<double, 2> force = forces();
+  const SurfaceGrid& grid = pair_.grid();
+  double squares = std::pow(drive_.spin * std::hypot(grid.x(grid.nx - 1), grid.y(grid.ny - 1)), 2);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const double value = axis_of(drive_, axis).value;
+    constexpr double rounding = 1e-12; // of a sum of shears: a force of zero is met to it
+    const double share = carried > 0.0 ? std::abs(value - force[axis]) / carried : 0.0;
+    squares += std::pow(is_forced(axis) ? (share > rounding ? share * displaced : 0.0) : value, 2);
+  }
+  return std::sqrt(squares);
+}
+
+/// The tolerance of displacements is relative to the approach. Slip may be far less: shears at their bound displace about
+/// friction times the approach, and what is imposed in an increment may be less still. Where surfaces roll, errors of the slip pile
+/// up from step to step until the points have left the contact.
 double PartialSlip::tolerance_of_slip() const
 {
-  if (carried_[0] == 0)
-    return start_.tolerance;
-  constexpr double share = 1e-3, least = 1e-4;
-  const SurfaceGrid& grid = pair_.grid();
-  const double spins = drive_.spin * std::hypot(grid.x(grid.nx - 1), grid.y(grid.ny - 1));
-  const double imposed = std::hypot(is_forced(0) ? 0.0 : drive_.x.value, is_forced(1) ? 0.0 : drive_.y.value, spins);
-  return imposed > 0.0 ? std::clamp(share * imposed, least * start_.tolerance, start_.tolerance) : start_.tolerance;
+  constexpr double of_bound = 1e-4, of_motion = 1e-3, rounding = 1e-15;
+  const double moved = motion();
+  double wanted = of_bound * friction().coefficient * start_.approach;
+  if (moved > 0.0)
+    wanted = std::min(wanted, of_motion * moved);
+  return std::min(start_.tolerance, std::max(wanted, rounding * start_.approach));
 }
 
 void PartialSlip::begin(Start start)
@@ -151,11 +170,11 @@ void PartialSlip::begin(Start start)
     drive_.x.value -= state_.shift[0];
   if (!is_forced(1))
     drive_.y.value -= state_.shift[1];
-  start_.tolerance = tolerance_of_slip();
   has_bound_ = false;
   set_bound(pressure_before_);
   has_bound_ = false;
   bound_before_ = bound_;
+  start_.tolerance = tolerance_of_slip();
   find_displacement(bodies, pressure_before_, displacement_before_);
   for (std::size_t i = 0; i < bound_.size(); ++i)
   {

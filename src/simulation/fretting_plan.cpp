@@ -74,6 +74,28 @@ void require_held(const FrettingCase& fretting, const std::string& given, double
                                                given, most, carried));
 }
 
+/// Slip that is not lost in the errors of the approach: what the pressing has left is an error of the size of its tolerance, which
+/// is smaller where there is little friction.
+void require_above_errors(const FrettingCase& fretting, const std::string& key, const std::string& given,
+                          const Footprint& footprint)
+{
+  constexpr double least_friction = 1e-10, little = 1e-3;
+  const double mu = fretting.friction.coefficient;
+  if (mu > 0.0 && mu < least_friction)
+    throw KeyError("interface.friction",
+                   fmt::format("interface.friction = {:g}; allowed: 0, or from {:g} on: slip under less is lost in the "
+                               "rounding of the approach",
+                               mu, least_friction));
+  const bool by_force = fretting.kind == FrettingCase::Kind::force;
+  const double step = fretting.solver.contact_tolerance * std::min(1.0, mu / little) *
+                      (by_force ? largest_load(fretting, footprint) : footprint.approach);
+  const double least = 0.25 * fretting.steps_per_cycle * step;
+  if (fretting.amplitude > 0.0 && std::isfinite(least) && fretting.amplitude < least)
+    throw KeyError(key, fmt::format("{}; allowed: 0, or from {:.3g} {} on: steps of less are lost in the error of the "
+                                    "approach, solver.contact_tolerance = {:g}",
+                                    given, least, by_force ? "N" : "m", fretting.solver.contact_tolerance));
+}
+
 /// What friction can carry, and the contact that stays where it is.
 void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
 {
@@ -92,6 +114,7 @@ void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
         key, fmt::format("{}; allowed: up to {:.3g} m, the radius of the contact, which is counted as staying where "
                          "it is",
                          given, footprint.half_x));
+  require_above_errors(fretting, key, given, footprint);
 }
 
 /// Of a round contact (Mindlin 1949): shift over approach at full sliding.

@@ -247,6 +247,7 @@ private:
   [[nodiscard]] std::vector<double> temperature(std::size_t side, const BodyView& view) const;
   void add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const;
   void settle_friction(const Placement& placement);
+  [[nodiscard]] double tolerance_of_gap() const;
   void recall_friction();
   [[nodiscard]] bool carries_off(const Placement& placement) const;
   [[nodiscard]] Outgrown outgrown() const;

@@ -56,6 +56,7 @@ public:
     Bodies bodies;                  ///< before the increment
     bool holds_law = false;         ///< see `renew`
     double tolerance = 0.0;         ///< of displacements [m]
+    double approach = 0.0;          ///< of the bodies, the largest of the run [m]
     std::function<bool()> wants_stop{};
   };
   /// By how much a quantity changed at most.
@@ -82,6 +83,9 @@ public:
   [[nodiscard]] virtual double held_energy() const = 0;
   /// Whether shear moves the gap.
   [[nodiscard]] virtual bool moves_gap() const = 0;
+  /// What the shear asks of the gap, if it is so small that errors of the gap matter to it [m].
+  /// @param usual  largest error of the gap, that of `Start`
+  [[nodiscard]] virtual double tolerance_of_gap(double usual) const { return usual; }
   /// Adds what the shear adds to the gap [m].
   virtual void add_to_gap(std::span<double> gap) const = 0;
   /// Ends an increment.

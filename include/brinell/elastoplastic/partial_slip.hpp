@@ -29,6 +29,8 @@ public:
   Change renew(const Bodies& bodies) override;
   [[nodiscard]] double held_energy() const override;
   [[nodiscard]] bool moves_gap() const override { return couples_; }
+  /// The pressure pulls along the surfaces, so that errors of it are errors of the slip.
+  [[nodiscard]] double tolerance_of_gap(double usual) const override { return couples_ ? start_.tolerance : usual; }
   void add_to_gap(std::span<double> gap) const override;
   void settle(const Bodies& bodies) override;
   void restore() override { state_ = before_; }
@@ -82,6 +84,7 @@ private:
 
   void carry_along(const Bodies& bodies);
   [[nodiscard]] double imposed(std::size_t axis, int column, int row) const;
+  [[nodiscard]] double motion() const;
   [[nodiscard]] double tolerance_of_slip() const;
   void add_parting_heat();
   [[nodiscard]] double moment_of(const Pair& shear) const;

@@ -53,6 +53,9 @@ TEST(FrettingTest, RefusesWhatHasNoSolution)
   expect_refused("fretting.displacement", "radius of the contact", [](auto& c) { c.amplitude = 1e-3; });
   expect_refused("fretting.force", "-1", [](auto& c) { c.kind = Kind::force, c.amplitude = -1.0; });
   expect_refused("fretting.force", "below 0.6 N", [](auto& c) { c.kind = Kind::force, c.amplitude = 0.6; });
+  expect_refused("fretting.displacement", "error of the approach", [](auto& c) { c.amplitude = 1e-14; });
+  expect_refused("fretting.force", "error of the approach", [](auto& c) { c.kind = Kind::force, c.amplitude = 1e-7; });
+  expect_refused("interface.friction", "from 1e-10 on", [](auto& c) { c.friction.coefficient = 1e-11; });
   expect_refused("fretting.load", "= -2", [](auto& c) { c.press.value = -2.0; });
   expect_refused("fretting.approach", "= 0", [](auto& c) { c.press = {contact::Drive::Kind::approach, 0.0}; });
   expect_refused("fretting.press_steps", "= 0", [](auto& c) { c.press_steps = 0; });
@@ -184,6 +187,46 @@ TEST(FrettingTest, WithoutMotionItIsAnIndentation)
     EXPECT_GT(rows.back().dissipation_lower, 0.0);
     // Nothing moves any more, but within the tolerance of the yield condition.
     EXPECT_NEAR(rows.back().dissipation_lower / rows[2].dissipation_lower, 1.0, c.solver.yield_tolerance);
+  }
+}
+
+TEST(FrettingTest, SmallFrictionOrMotionHasTheSameShape)
+{
+  // Shears of little friction leave the pressure alone: all of them, and the displacement, are proportional to it. Motion that is
+  // small beside what slips meets a stiffness that does not depend on it.
+  const constitutive::Material elastic{{210e9, 0.3}, {}}, glass{{70e9, 0.17}, {}};
+  for (const constitutive::Material& upper : {elastic, glass})
+  {
+    const auto cycle = [&](double friction, double amplitude)
+    {
+      FrettingCase c = sample();
+      c.lower.material = elastic;
+      c.upper.material = upper;
+      c.friction.coefficient = friction;
+      c.amplitude = amplitude;
+      c.cycles = 1;
+      c.resolution = 6.0;
+      return test::history(c);
+    };
+    const auto at_turn = [&](double friction, double amplitude)
+    { return cycle(friction, amplitude)[sample().press_steps + 2U].force; };
+    const auto force = [&](double friction) { return at_turn(friction, 2e-7 * friction) / friction; };
+    const auto heat = [&](double friction) // of the cycle
+    {
+      const std::vector<FrettingRecord> rows = cycle(friction, 2e-7 * friction);
+      const double of_pressing = rows[static_cast<std::size_t>(sample().press_steps)].dissipation_friction;
+      return (rows.back().dissipation_friction - of_pressing) / (friction * friction);
+    };
+    for (const double friction : {1e-4, 1e-6, 1e-9})
+    {
+      EXPECT_NEAR(force(friction) / force(1e-3), 1.0, 1e-3) << friction; // ten times the share of the tolerance
+      EXPECT_NEAR(heat(friction) / heat(1e-3), 1.0, 3e-3) << friction;
+    }
+    if (upper == glass) // has shears at their bound from the pressing: what of them sticks grows as the motion falls
+      continue;
+    const auto stiffness = [&](double amplitude) { return at_turn(0.3, amplitude) / amplitude; };
+    for (const double amplitude : {1e-12, 2e-13})
+      EXPECT_NEAR(stiffness(amplitude) / stiffness(1e-10), 1.0, 3e-3) << amplitude;
   }
 }
 
