@@ -147,6 +147,11 @@ int grown(int cells)
   return 2 * static_cast<int>(std::ceil(cells / 6.0 + 1.0)) + cells;
 }
 
+int grown_by_heat(int rows)
+{
+  return 2 * static_cast<int>(std::ceil(rows / 12.0)) + rows;
+}
+
 int step_count(double steps, const std::string& key)
 {
   constexpr double most = 1e9;

@@ -35,6 +35,8 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
 
 /// Columns or rows of a grid that has been outgrown: at least a third more, as many at either end.
 [[nodiscard]] int grown(int cells);
+/// Rows likewise, of a contact that heat widens by little: at least a sixth more. The grid of the heat has no more than a third.
+[[nodiscard]] int grown_by_heat(int rows);
 
 /// A number of steps as a whole one. @throws KeyError of the key if there are far too many
 [[nodiscard]] int step_count(double steps, const std::string& key);

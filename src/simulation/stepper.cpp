@@ -251,7 +251,7 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
   if (outgrown.contact_ends)
     larger.contact.nx = grown(plan_.contact.nx);
   if (outgrown.contact_sides || outgrown.lower.sides || outgrown.upper.sides)
-    larger.contact.ny = grown(plan_.contact.ny);
+    larger.contact.ny = setup_.sliding.heat ? grown_by_heat(plan_.contact.ny) : grown(plan_.contact.ny);
   for (const auto& [body, edges] : {std::pair{&larger.lower, &outgrown.lower}, {&larger.upper, &outgrown.upper}})
   {
     if (edges->ends)
