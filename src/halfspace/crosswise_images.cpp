@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspace/crosswise_images.hpp"
 
-#include "foundation/lane_functions.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,6 +32,28 @@ double gap(int cells, double spacing, double period)
   return period - (cells - 1) * spacing;
 }
 
+/// Pairs of values, at most as many as there are lanes, as complex numbers.
+ComplexLanes load_pairs(const double* from, std::size_t count)
+{
+  if (count == lane_count)
+    return load_lanes(reinterpret_cast<const Complex*>(from));
+  std::array<Complex, lane_count> pairs{};
+  std::copy_n(from, 2 * count, reinterpret_cast<double*>(pairs.data()));
+  return load_lanes(pairs.data());
+}
+
+void store_pairs(const ComplexLanes& value, std::size_t count, double* to)
+{
+  std::array<Complex, lane_count> pairs;
+  store_lanes(value, pairs.data());
+  std::copy_n(reinterpret_cast<const double*>(pairs.data()), 2 * count, to);
+}
+
+ComplexLanes times_minus_i(const ComplexLanes& a)
+{
+  return {a.im, -a.re};
+}
+
 } // namespace
 
 int CrosswiseImages::multiple(double period_x, double period_y)
@@ -45,7 +65,8 @@ int CrosswiseImages::multiple(double period_x, double period_y)
 CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic, double period_x, double period_y)
     : grid_(grid), along_x_(period_x > period_y), multiple_(multiple(period_x, period_y)), waves_(0),
       depth_(grid, along_x_ ? gap(grid.surface.ny, grid.surface.dy, period_y)
-                            : gap(grid.surface.nx, grid.surface.dx, period_x))
+                            : gap(grid.surface.nx, grid.surface.dx, period_x)),
+      coupling_(0, depth_.count, degree, odd_across())
 {
   const SurfaceGrid& s = grid.surface;
   const double period_along = std::max(period_x, period_y);
@@ -67,7 +88,7 @@ CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic,
   for (int i = 0; i < cells_along; ++i)
     for (int wave = 0; wave < 2 * waves_; ++wave)
       along_of_cell_[static_cast<std::size_t>(i * lanes() + wave / lane_count)][wave % lane_count] = along_(i, wave);
-  coupling_.assign(static_cast<std::size_t>(waves_), empty_coupling());
+  coupling_ = WaveCoupling(waves_, depth_.count, degree, odd_across());
 #pragma omp parallel for schedule(dynamic)
   for (int wave = 0; wave < waves_; ++wave)
     fit(wave, elastic, period_along, period_across);
@@ -81,18 +102,6 @@ const std::array<int, stresses>& CrosswiseImages::odd_along() const
 const std::array<int, stresses>& CrosswiseImages::odd_across() const
 {
   return along_x_ ? images::odd_in_y : images::odd_in_x;
-}
-
-/// Moments in the order [component][depth][power].
-MomentCoupling CrosswiseImages::empty_coupling() const
-{
-  std::vector<Moment> moments;
-  for (int c = 0; c < stresses; ++c)
-    for (int q = 0; q < depth_.count; ++q)
-      for (int b = 0; b < powers; ++b)
-        moments.push_back({static_cast<int>(moments.size()), (b + odd_across()[static_cast<std::size_t>(c)]) % 2, b});
-  const std::vector<Moment> of_strain(moments.begin(), moments.begin() + strains * depth_.count * powers);
-  return {moments, of_strain, degree};
 }
 
 /// The waves across the grid for one along it, on the lattice of images minus that on the one which is left. Images so far
@@ -125,6 +134,9 @@ std::vector<images::WaveRow> CrosswiseImages::waves_across(int wave, double peri
   }
 }
 
+/// The part of the kernel along the grid, cos or sin of m (x - x'), is made of products of cos and sin. Sorted by u = (cos of an even
+/// component, sin of an odd one), v = (sin of an even one, -cos of an odd one), it multiplies u into u and v into v, by the same
+/// matrix; a stress that is even, of a strain that is odd, changes the sign.
 void CrosswiseImages::fit(int wave, const Elastic& elastic, double period_along, double period_across)
 {
   const std::vector<images::WaveRow> waves = waves_across(wave, period_along, period_across);
@@ -136,44 +148,20 @@ void CrosswiseImages::fit(int wave, const Elastic& elastic, double period_along,
       std::vector<images::Powers> terms;
       for (int b = images::is_odd(odd_across(), c, e) ? 1 : 0; b <= degree; b += 2)
         terms.push_back(along_x_ ? images::Powers{0, b} : images::Powers{b, 0});
-      couple(c, e, terms, images::fitted(samples, c, e, distances, depth_, terms),
-             coupling_[static_cast<std::size_t>(wave)]);
+      const std::vector<Eigen::MatrixXd> values = images::fitted(samples, c, e, distances, depth_, terms);
+      const bool changes_sign = is_odd_along(e) && !is_odd_along(c);
+      for (std::size_t t = 0; t < terms.size(); ++t)
+        coupling_.set(wave, c, e, terms[t][0] + terms[t][1], (changes_sign ? -1.0 : 1.0) * grid_.cell_volume(),
+                      values[t]);
     }
-}
-
-/// Adds the kernel of one pair of components. Its part along the grid, cos or sin of m (x - x'), is made of products of
-/// cos and sin. Sorted by u = (cos of an even component, sin of an odd one), v = (sin of an even one, -cos of an odd one),
-/// it multiplies u into u and v into v, by the same matrix; a stress that is even, of a strain that is odd, changes the sign.
-void CrosswiseImages::couple(int c, int e, const std::vector<images::Powers>& terms,
-                             const std::vector<Eigen::MatrixXd>& values, MomentCoupling& coupling) const
-{
-  const bool changes_sign =
-      odd_along()[static_cast<std::size_t>(e)] != 0 && odd_along()[static_cast<std::size_t>(c)] == 0;
-  const double factor = (changes_sign ? -1.0 : 1.0) * grid_.cell_volume();
-  for (std::size_t t = 0; t < terms.size(); ++t)
-  {
-    const int b = terms[t][0] + terms[t][1];
-    for (int pb = 0; pb <= b; ++pb)
-    {
-      const double split = factor * images::binomial(b, pb) * ((b - pb) % 2 == 0 ? 1.0 : -1.0);
-      for (int qi = 0; qi < depth_.count; ++qi)
-        for (int qj = 0; qj < depth_.count; ++qj)
-          coupling.add((c * depth_.count + qi) * powers + pb, (e * depth_.count + qj) * powers + b - pb,
-                       split * values[t](qi, qj));
-    }
-  }
 }
 
 CrosswiseImages::Response CrosswiseImages::make_response() const
 {
   const auto values = [&](int count) { return std::vector<double>(static_cast<std::size_t>(count * block())); };
   return {values(strains * grid_.nz), values(strains * depth_.count), values(stresses * depth_.count),
-          std::vector<double>(static_cast<std::size_t>(waves_) * sorted_size())};
-}
-
-std::size_t CrosswiseImages::sorted_size() const
-{
-  return coupling_.front().columns().size() + coupling_.front().rows().size();
+          AlignedVector<ComplexLanes>(static_cast<std::size_t>(strains * powers * depth_.count)),
+          AlignedVector<ComplexLanes>(static_cast<std::size_t>(stresses * powers * depth_.count))};
 }
 
 void CrosswiseImages::take(const Columns& strain, int first, int end, int component, int layer,
@@ -198,7 +186,6 @@ void CrosswiseImages::take(const Columns& strain, int first, int end, int compon
 
 void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const
 {
-  const int parities = along_x_ && symmetry != Symmetry::none ? 1 : 2; // across the grid
 #pragma omp parallel for schedule(static)
   for (int e = 0; e < strains; ++e)
   {
@@ -207,36 +194,40 @@ void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry,
     Plane(response.moments.data() + static_cast<std::ptrdiff_t>(e * depth_.count * block()), block(), depth_.count)
         .noalias() = of_layers * depth_.means.topRows(layers);
   }
-#pragma omp parallel for schedule(static)
-  for (int wave = 0; wave < waves_; ++wave)
-    multiply(wave, response, parities, with_trace);
+  for (int part = 0; part < coupling_.parts(); ++part)
+    multiply(part, response, along_x_ ? symmetry : Symmetry::none, with_trace ? stresses : strains);
 }
 
-/// Moments of the strain for one wave -> coefficients of the stress, for u and v (see `couple`).
-void CrosswiseImages::multiply(int wave, Response& response, int parities, bool with_trace) const
+/// Moments of the strain for some waves -> coefficients of the stress, for u and v (see `fit`).
+/// @param symmetry  across the grid
+void CrosswiseImages::multiply(int part, Response& response, Symmetry symmetry, int components) const
 {
-  const MomentCoupling& coupling = coupling_[static_cast<std::size_t>(wave)];
-  const std::span<double> sorted =
-      std::span(response.sorted).subspan(static_cast<std::size_t>(wave) * sorted_size(), sorted_size());
-  const std::span<double> in = sorted.first(coupling.columns().size());
-  const std::span<double> all = sorted.last(coupling.rows().size());
-  const std::span<double> out =
-      all.first(with_trace ? all.size() : static_cast<std::size_t>(strains * depth_.count * powers));
-  for (const bool is_v : {false, true})
+  const auto used = static_cast<std::size_t>(std::min(lane_count, waves_ - part * lane_count));
+  const auto in_wave_part = [&](int component, int depth, int power) // of cosines and sines by turns
+  { return ((component * depth_.count + depth) * powers + power) * 2 * waves_ + 2 * part * lane_count; };
+  const auto in_coupling = [&](int component, int depth, int power)
+  { return static_cast<std::size_t>((component * powers + power) * depth_.count + depth); };
+  const auto for_moments = [&](int count, const auto& use)
   {
-    const auto place = [&](int moment) // [component][depth][power] -> [component][depth][power][wave]
-    {
-      const bool is_odd = odd_along()[static_cast<std::size_t>(moment / (depth_.count * powers))] != 0;
-      return static_cast<std::size_t>(moment * 2 * waves_ + 2 * wave + (is_odd != is_v ? 1 : 0));
-    };
-    const auto sign = [&](int moment)
-    { return is_v && odd_along()[static_cast<std::size_t>(moment / (depth_.count * powers))] != 0 ? -1.0 : 1.0; };
-    for (std::size_t i = 0; i < in.size(); ++i)
-      in[i] = sign(coupling.columns()[i]) * response.moments[place(coupling.columns()[i])];
-    coupling.multiply(in.data(), out.data(), parities, out.size());
-    for (std::size_t i = 0; i < out.size(); ++i)
-      response.stress[place(coupling.rows()[i])] = sign(coupling.rows()[i]) * out[i];
-  }
+    for (int component = 0; component < count; ++component)
+      for (int q = 0; q < depth_.count; ++q)
+        for (int b = 0; b < powers; ++b)
+          use(in_wave_part(component, q, b), in_coupling(component, q, b), b, is_odd_along(component));
+  };
+  for_moments(strains,
+              [&](int from, std::size_t to, int b, bool is_odd)
+              {
+                const ComplexLanes wave = load_pairs(response.moments.data() + from, used);
+                response.of_strain[to] = WaveCoupling::of_strain(b) * (is_odd ? times_minus_i(wave) : wave);
+              });
+  std::fill(response.of_stress.begin(), response.of_stress.end(), ComplexLanes{});
+  coupling_.multiply(part, response.of_strain.data(), symmetry, components, response.of_stress.data());
+  for_moments(components,
+              [&](int to, std::size_t from, int b, bool is_odd)
+              {
+                const ComplexLanes wave = WaveCoupling::of_stress(b) * response.of_stress[from];
+                store_pairs(is_odd ? times_i(wave) : wave, used, response.stress.data() + to);
+              });
 }
 
 Eigen::VectorXd CrosswiseImages::amplitudes(const Response& response, int component, int layer) const
@@ -244,14 +235,6 @@ Eigen::VectorXd CrosswiseImages::amplitudes(const Response& response, int compon
   const ConstPlane of_depths(response.stress.data() + static_cast<std::ptrdiff_t>(component * depth_.count * block()),
                              block(), depth_.count);
   return of_depths * depth_.means.row(layer).transpose();
-}
-
-Lanes CrosswiseImages::sum_of_waves(const double* amplitudes, int first, std::size_t cells) const
-{
-  Lanes sum{};
-  for (int wave = 0; wave < 2 * waves_; ++wave)
-    sum += amplitudes[wave] * load_lanes(along_.col(wave).data() + first, cells);
-  return sum;
 }
 
 CrosswiseImages::Columns CrosswiseImages::stress(const Response& response, int component, int layer) const

@@ -4,9 +4,9 @@
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "foundation/aligned.hpp"
-#include "foundation/lanes.hpp"
+#include "foundation/lane_functions.hpp"
 #include "halfspace/image_samples.hpp"
-#include "halfspace/moment_coupling.hpp"
+#include "halfspace/wave_coupling.hpp"
 
 #include <span>
 #include <vector>
@@ -33,10 +33,10 @@ public:
   /// Moments of the strain, and polynomial coefficients of the stress.
   struct Response
   {
-    std::vector<double> of_layers; ///< [component][layer][power][wave]
-    std::vector<double> moments;   ///< [component][depth][power][wave]
-    std::vector<double> stress;    ///< [component or trace][depth][power][wave]
-    std::vector<double> sorted;    ///< moments, then stress, of each wave in the order of its coupling
+    std::vector<double> of_layers;                    ///< [component][layer][power][wave]
+    std::vector<double> moments;                      ///< [component][depth][power][wave]
+    std::vector<double> stress;                       ///< [component or trace][depth][power][wave]
+    AlignedVector<ComplexLanes> of_strain, of_stress; ///< moments of some waves, as WaveCoupling has them
   };
   [[nodiscard]] Response make_response() const;
   /// Sums over y (or x) of a field in one layer, times powers of the coordinate across the grid: [cell along][power].
@@ -52,32 +52,41 @@ public:
   void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
   /// Amplitudes of the waves that the stress of the images has in one layer, [power][wave].
   [[nodiscard]] Eigen::VectorXd amplitudes(const Response& response, int component, int layer) const;
-  /// The sum of the waves of one power at neighbouring cells along the grid.
-  [[nodiscard]] Lanes sum_of_waves(const double* amplitudes, int first, std::size_t cells) const;
+  /// The sums of the waves at neighbouring cells along the grid, of the powers from `first_power` on, each `next` after the other.
+  template <int first_power, int next>
+  [[nodiscard]] std::array<Lanes, powers> sums_of_waves(const Eigen::VectorXd& amplitudes, int first,
+                                                        std::size_t cells) const
+  {
+    std::array<Lanes, powers> sums{};
+    for (int wave = 0; wave < waves(); ++wave)
+    {
+      const Lanes along = load_lanes(along_.col(wave).data() + first, cells);
+      for (int b = first_power; b < powers; b += next)
+        sums[static_cast<std::size_t>(b)] += amplitudes[b * waves() + wave] * along;
+    }
+    return sums;
+  }
   /// The stress of the images as a polynomial across the grid.
   [[nodiscard]] Columns stress(const Response& response, int component, int layer) const;
 
 private:
   [[nodiscard]] int block() const { return 2 * waves_ * powers; } ///< values for one component and one depth
   [[nodiscard]] int lanes() const { return (2 * waves_ + lane_count - 1) / lane_count; } ///< of all waves of a cell
-  [[nodiscard]] MomentCoupling empty_coupling() const;
   void fit(int wave, const Elastic& elastic, double period_along, double period_across);
   [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
-  void couple(int c, int e, const std::vector<images::Powers>& terms, const std::vector<Eigen::MatrixXd>& values,
-              MomentCoupling& coupling) const;
-  void multiply(int wave, Response& response, int parities, bool with_trace) const;
-  [[nodiscard]] std::size_t sorted_size() const; ///< of one wave
+  void multiply(int part, Response& response, Symmetry symmetry, int components) const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_along() const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_across() const;
+  [[nodiscard]] bool is_odd_along(int component) const { return odd_along()[static_cast<std::size_t>(component)] != 0; }
 
   VolumeGrid grid_;
   bool along_x_; ///< whether the long axis is x
   int multiple_;
   int waves_; ///< wavenumbers 2 pi i / period, i < waves, of cos and sin
   images::DepthBasis depth_;
-  Eigen::MatrixXd along_;                ///< [cell][2 i: cos, 2 i + 1: sin]
-  AlignedVector<Lanes> along_of_cell_;   ///< the same cell by cell, [cell][wave], zero beyond the last wave
-  std::vector<MomentCoupling> coupling_; ///< of each wave
+  Eigen::MatrixXd along_;              ///< [cell][2 i: cos, 2 i + 1: sin]
+  AlignedVector<Lanes> along_of_cell_; ///< the same cell by cell, [cell][wave], zero beyond the last wave
+  WaveCoupling coupling_;
 };
 
 } // namespace brinell::halfspace

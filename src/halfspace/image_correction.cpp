@@ -18,10 +18,6 @@ constexpr double pi = std::numbers::pi;
 constexpr int enlargement = 2; ///< each lattice has periods this many times those of the one before
 constexpr int enlargements = 3;
 
-/// Parities of the moments: 1 for what is odd in x, 2 for what is odd in y.
-constexpr int odd_in_x_alone = 1;
-constexpr int odd_in_both = 3;
-
 /// Powers of one coordinate: of the parity of the first one.
 struct PowerRange
 {
@@ -123,7 +119,7 @@ ImageCorrection::ImageCorrection(const VolumeGrid& grid, const Elastic& elastic,
       depth_(grid, has_images_ ? distance_of_images(grid.surface, periods_left(grid.surface, fft)[0],
                                                     periods_left(grid.surface, fft)[1])
                                : grid.nz * grid.dz),
-      coupling_(empty_coupling())
+      coupling_(depth_.count, degree)
 {
   if (!has_images_)
     return;
@@ -155,42 +151,8 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
       const auto fitted =
           images::fitted(samples, c, e, {images::offset_nodes, images::offset_nodes}, depth_, powers_here);
       for (std::size_t t = 0; t < powers_here.size(); ++t)
-        couple(c, e, powers_here[t], fitted[t]);
-    }
-}
-
-/// Moments in the order [component][depth][power]. Those of unlike parity in x or in y do not couple.
-MomentCoupling ImageCorrection::empty_coupling() const
-{
-  std::vector<Moment> moments(static_cast<std::size_t>(stresses * depth_.count * powers));
-  for (int c = 0; c < stresses; ++c)
-    for (int q = 0; q < depth_.count; ++q)
-      for (int a = 0; a <= degree; ++a)
-        for (int b = 0; a + b <= degree; ++b)
-        {
-          const auto component = static_cast<std::size_t>(c);
-          const int parity = (a + images::odd_in_x[component]) % 2 + 2 * ((b + images::odd_in_y[component]) % 2);
-          const int index = (c * depth_.count + q) * powers + monomial(a, b);
-          moments[static_cast<std::size_t>(index)] = {index, parity, a + b};
-        }
-  const std::vector<Moment> of_strain(moments.begin(), moments.begin() + strains * depth_.count * powers);
-  return {moments, of_strain, degree};
-}
-
-/// Adds one term of the kernel, (x - x')^a (y - y')^b times polynomials of the depths, as products of monomials of the
-/// point and of the source. The sum over cells stands for an integral.
-void ImageCorrection::couple(int c, int e, const images::Powers& power, const Eigen::MatrixXd& value)
-{
-  const auto [a, b] = power;
-  for (int pa = 0; pa <= a; ++pa)
-    for (int pb = 0; pb <= b; ++pb)
-    {
-      const double split = grid_.cell_volume() * images::binomial(a, pa) * images::binomial(b, pb) *
-                           ((a - pa + b - pb) % 2 == 0 ? 1.0 : -1.0);
-      for (int qi = 0; qi < depth_.count; ++qi)
-        for (int qj = 0; qj < depth_.count; ++qj)
-          coupling_.add((c * depth_.count + qi) * powers + monomial(pa, pb),
-                        (e * depth_.count + qj) * powers + monomial(a - pa, b - pb), split * value(qi, qj));
+        coupling_.add(c, e, powers_here[t], grid_.cell_volume(),
+                      fitted[t]); // the sum over cells stands for an integral
     }
 }
 
@@ -200,8 +162,7 @@ ImageCorrection::Response ImageCorrection::make_response() const
     return {};
   const auto values = [](int count) { return std::vector<double>(static_cast<std::size_t>(count * powers)); };
   return {values(strains * grid_.nz), values(strains * depth_.count), values(stresses * depth_.count),
-          values((strains + stresses) * depth_.count),
-          crosswise_ ? crosswise_->make_response() : CrosswiseImages::Response{}};
+          coupling_.make_work(), crosswise_ ? crosswise_->make_response() : CrosswiseImages::Response{}};
 }
 
 void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const
@@ -211,15 +172,8 @@ void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry,
   if (crosswise_)
     crosswise_->respond(layers, response.crosswise, symmetry, with_trace);
   find_moments(layers, response);
-  const std::size_t columns = coupling_.columns().size();
-  const std::size_t rows =
-      with_trace ? coupling_.rows().size() : static_cast<std::size_t>(strains * depth_.count * powers);
-  for (std::size_t i = 0; i < columns; ++i)
-    response.sorted[i] = response.moments[static_cast<std::size_t>(coupling_.columns()[i])];
-  coupling_.multiply(response.sorted.data(), response.sorted.data() + columns,
-                     symmetry == Symmetry::none ? odd_in_both + 1 : odd_in_x_alone + 1, rows);
-  for (std::size_t i = 0; i < rows; ++i)
-    response.stress[static_cast<std::size_t>(coupling_.rows()[i])] = response.sorted[columns + i];
+  coupling_.multiply(response.moments.data(), symmetry, with_trace ? stresses : strains, response.work,
+                     response.stress.data());
 }
 
 void ImageCorrection::find_moments(int layers, Response& response) const

@@ -36,10 +36,10 @@ public:
   /// Polynomial coefficients of the stress of the images, and what is needed to find them.
   struct Response
   {
-    std::vector<double> of_layers;       ///< moments of the strain, [component][layer][power]
-    std::vector<double> moments;         ///< of strain, [component][depth][power]
-    std::vector<double> stress;          ///< of the stress, [component or trace][depth][power]
-    std::vector<double> sorted;          ///< moments of strain, then of stress, in the order of the coupling
+    std::vector<double> of_layers; ///< moments of the strain, [component][layer][power]
+    std::vector<double> moments;   ///< of strain, [component][depth][power]
+    std::vector<double> stress;    ///< of the stress, [component or trace][depth][power]
+    MomentCoupling::Work work;
     CrosswiseImages::Response crosswise; ///< empty unless the grid is long
   };
   [[nodiscard]] Response make_response() const;
@@ -59,12 +59,9 @@ public:
 private:
   static constexpr int degree = 10;                              ///< largest power of x - x' and y - y' together
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
-  /// Place of x^a y^b among them.
-  [[nodiscard]] static constexpr int monomial(int a, int b) { return (a + b) * (a + b + 1) / 2 + b; }
+  [[nodiscard]] static constexpr int monomial(int a, int b) { return MomentCoupling::monomial(a, b); }
 
   void fit(const Elastic& elastic, double period_x, double period_y);
-  [[nodiscard]] MomentCoupling empty_coupling() const;
-  void couple(int c, int e, const images::Powers& power, const Eigen::MatrixXd& value);
   void find_moments(int layers, Response& response) const;
   /// Powers of y that a field has.
   enum class PowersOfY

@@ -147,9 +147,11 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
     std::array<Lanes, degree + 1> of_columns{}; // coefficients of the powers of y
-    for (int b = first_power; along_x.size() > 0 && b < CrosswiseImages::powers; b += next)
-      of_columns[static_cast<std::size_t>(b)] =
-          crosswise_->sum_of_waves(along_x.data() + static_cast<std::ptrdiff_t>(b) * crosswise_->waves(), first, used);
+    if (along_x.size() > 0)
+    {
+      const auto sums = crosswise_->sums_of_waves<first_power, next>(along_x, first, used);
+      std::copy(sums.begin(), sums.end(), of_columns.begin());
+    }
     for (int a = 0; a <= degree; ++a)
     {
       const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);

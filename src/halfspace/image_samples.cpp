@@ -237,11 +237,11 @@ std::vector<Eigen::MatrixXd> fitted(const std::vector<double>& samples, int c, i
   return result;
 }
 
-double binomial(int n, int k)
+double factorial(int n)
 {
   double value = 1.0;
-  for (int i = 0; i < k; ++i)
-    value = value * (n - i) / (i + 1);
+  for (int i = 2; i <= n; ++i)
+    value *= i;
   return value;
 }
 

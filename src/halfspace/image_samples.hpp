@@ -83,7 +83,7 @@ using Powers = std::array<int, 2>;
                                                   const std::array<int, 2>& distances, const DepthBasis& depth,
                                                   const std::vector<Powers>& powers);
 
-[[nodiscard]] double binomial(int n, int k);
+[[nodiscard]] double factorial(int n);
 
 /// Powers up to `degree` of the coordinates of cells along one axis, which run from -1/2 to 1/2: [cell][power].
 [[nodiscard]] Eigen::MatrixXd coordinate_powers(int cells, int degree);

@@ -1,78 +1,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspace/moment_coupling.hpp"
 
-#include "brinell/foundation/error.hpp"
-
 #include <algorithm>
-#include <tuple>
+#include <array>
 
 namespace brinell::halfspace
 {
 
-namespace
+using images::factorial;
+using images::strains;
+using images::stresses;
+
+MomentCoupling::MomentCoupling(int depths, int degree) : depths_(depths)
 {
-
-constexpr std::size_t shared_values = 32768; ///< from so many on, threads do not mostly wait for each other
-constexpr int rows_of_share = 16;            ///< that a thread does before the next one: they differ in length
-
-} // namespace
-
-MomentCoupling::MomentCoupling(const std::vector<Moment>& stress, std::vector<Moment> strain, int degree)
-    : row_of_(stress.size()), column_of_(strain.size())
-{
-  std::stable_sort(strain.begin(), strain.end(),
-                   [](const Moment& a, const Moment& b)
-                   { return std::tie(a.parity, a.degree) < std::tie(b.parity, b.degree); });
-  for (const Moment& moment : strain)
-  {
-    column_of_[static_cast<std::size_t>(moment.index)] = columns_.size();
-    columns_.push_back(moment.index);
-  }
-  std::size_t values = 0;
-  for (const Moment& moment : stress)
-  {
-    const auto begins = [&](const Moment& m) { return m.parity < moment.parity; };
-    const auto couples = [&](const Moment& m)
-    { return m.parity < moment.parity || (m.parity == moment.parity && m.degree + moment.degree <= degree); };
-    const auto first = std::partition_point(strain.begin(), strain.end(), begins);
-    const auto last = std::partition_point(strain.begin(), strain.end(), couples);
-    row_of_[static_cast<std::size_t>(moment.index)] = rows_.size();
-    rows_.push_back(moment.index);
-    row_.push_back({static_cast<std::size_t>(first - strain.begin()), static_cast<std::size_t>(last - first), values,
-                    moment.parity});
-    values += row_.back().columns;
-  }
-  value_.assign(values, 0.0);
-}
-
-void MomentCoupling::add(int stress, int strain, double value)
-{
-  const Row& row = row_[row_of_[static_cast<std::size_t>(stress)]];
-  const std::size_t column = column_of_[static_cast<std::size_t>(strain)];
-  if (column < row.first_column || column >= row.first_column + row.columns)
-    throw InternalError("MomentCoupling: these moments do not couple");
-  value_[row.value + column - row.first_column] += value;
-}
-
-void MomentCoupling::multiply(const double* strain, double* stress, int parities, std::size_t rows) const
-{
-#pragma omp parallel for schedule(static, rows_of_share) if (value_.size() >= shared_values)
-  for (std::size_t i = 0; i < rows; ++i)
-  {
-    const Row& row = row_[i];
-    if (row.parity >= parities)
+  const auto count = static_cast<std::size_t>(monomial(0, degree) + 1);
+  share_.resize(count);
+  sign_.resize(count);
+  for (int a = 0; a <= degree; ++a)
+    for (int b = 0; a + b <= degree; ++b)
     {
-      stress[i] = 0.0;
-      continue;
+      const auto place = static_cast<std::size_t>(monomial(a, b));
+      share_[place] = 1.0 / (factorial(a) * factorial(b));
+      sign_[place] = (a + b) % 2 == 0 ? 1.0 : -1.0;
     }
-    const double* value = value_.data() + row.value;
-    const double* from = strain + row.first_column;
-    double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t column = 0; column < row.columns; ++column)
-      sum += value[column] * from[column];
-    stress[i] = sum;
+}
+
+void MomentCoupling::add(int c, int e, const images::Powers& power, double factor, const Eigen::MatrixXd& value)
+{
+  const auto [a, b] = power;
+  const std::size_t first = value_.size();
+  terms_.push_back({c, e, a, b, first});
+  value_.resize(first + static_cast<std::size_t>(depths_ * parts()), Lanes{});
+  const double scale = factor * factorial(a) * factorial(b);
+  for (int j = 0; j < depths_; ++j)
+    for (int i = 0; i < depths_; ++i)
+      value_[first + static_cast<std::size_t>(j * parts() + i / lane_count)][i % lane_count] = scale * value(i, j);
+}
+
+MomentCoupling::Work MomentCoupling::make_work() const
+{
+  return {std::vector<double>(static_cast<std::size_t>(strains * monomials() * depths_)),
+          AlignedVector<Lanes>(static_cast<std::size_t>(stresses * monomials() * parts()))};
+}
+
+void MomentCoupling::multiply(const double* strain, Symmetry symmetry, int components, Work& work, double* stress) const
+{
+  const auto of = [this](int component, int depth)
+  { return static_cast<std::ptrdiff_t>(component * depths_ + depth) * monomials(); };
+  for (int e = 0; e < strains; ++e)
+    for (int q = 0; q < depths_; ++q)
+      for (std::size_t p = 0; p < share_.size(); ++p)
+        work.strain[(static_cast<std::size_t>(e) * share_.size() + p) * static_cast<std::size_t>(depths_) +
+                    static_cast<std::size_t>(q)] = sign_[p] * share_[p] * (strain + of(e, q))[p];
+  std::fill(work.stress.begin(), work.stress.end(), Lanes{});
+  for (const Term& term : terms_)
+    if (term.c < components)
+      add_term(term, symmetry, work);
+  for (int c = 0; c < components; ++c)
+    for (int q = 0; q < depths_; ++q)
+      for (std::size_t p = 0; p < share_.size(); ++p)
+        (stress + of(c, q))[p] =
+            share_[p] *
+            work.stress[(static_cast<std::size_t>(c) * share_.size() + p) * static_cast<std::size_t>(parts()) +
+                        static_cast<std::size_t>(q / lane_count)][q % lane_count];
+}
+
+/// Calls add(moment of the strain at all depths, moment of the stress likewise) for all that a term multiplies.
+template <typename Add>
+void MomentCoupling::for_products(const Term& term, Symmetry symmetry, Work& work, const Add& add) const
+{
+  const int step = symmetry == Symmetry::none ? 1 : 2;
+  const int first = symmetry == Symmetry::none ? 0 : images::odd_in_y[static_cast<std::size_t>(term.c)];
+  const double* strain = work.strain.data() + static_cast<std::ptrdiff_t>(term.e * monomials()) * depths_;
+  Lanes* stress = work.stress.data() + static_cast<std::ptrdiff_t>(term.c * monomials()) * parts();
+  for (int a = 0; a <= term.a; ++a)
+    for (int b = first; b <= term.b; b += step)
+      add(strain + static_cast<std::ptrdiff_t>(monomial(term.a - a, term.b - b)) * depths_,
+          stress + static_cast<std::ptrdiff_t>(monomial(a, b)) * parts());
+}
+
+/// Of few depths: the kernel stays in registers.
+template <std::size_t depths>
+void MomentCoupling::add_short_term(const Term& term, Symmetry symmetry, Work& work) const
+{
+  static_assert(depths <= lane_count);
+  std::array<Lanes, depths> value;
+  std::copy_n(value_.data() + term.value, depths, value.begin());
+  for_products(term, symmetry, work,
+               [&](const double* from, Lanes* to)
+               {
+                 Lanes sum = *to;
+#pragma GCC unroll 8
+                 for (std::size_t q = 0; q < depths; ++q)
+                   sum += value[q] * from[q];
+                 *to = sum;
+               });
+}
+
+void MomentCoupling::add_term(const Term& term, Symmetry symmetry, Work& work) const
+{
+  switch (depths_)
+  {
+  case 5:
+    return add_short_term<5>(term, symmetry, work);
+  case 6:
+    return add_short_term<6>(term, symmetry, work);
+  case 7:
+    return add_short_term<7>(term, symmetry, work);
+  case 8:
+    return add_short_term<8>(term, symmetry, work);
+  default:
+    break;
   }
+  for_products(term, symmetry, work,
+               [&](const double* from, Lanes* to)
+               {
+                 const Lanes* value = value_.data() + term.value;
+                 for (int q = 0; q < depths_; ++q)
+                   for (int part = 0; part < parts(); ++part)
+                     to[part] += *value++ * from[q];
+               });
 }
 
 } // namespace brinell::halfspace

@@ -1,49 +1,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
+#include "brinell/foundation/symmetry.hpp"
+#include "foundation/aligned.hpp"
+#include "foundation/lanes.hpp"
+#include "halfspace/image_samples.hpp"
+
 #include <vector>
 
 namespace brinell::halfspace
 {
 
-/// A moment of a field: with which others it couples.
-struct Moment
-{
-  int index;  ///< in the caller's arrays
-  int parity; ///< moments of unlike parity do not couple
-  int degree; ///< of its monomial
-};
-
-/// Matrix from moments of the strain to moments of the stress. A kernel that is a polynomial of some degree in the
-/// distance couples two moments only if the sum of their degrees is no larger. Stored are the rows up to there.
+/// Matrix from moments of the strain to moments of the stress, of a kernel that is a sum of terms (x - x')^a (y - y')^b, a + b at
+/// most `degree`, each with a matrix over functions of the depths. By the binomial theorem
+///   a'! b'! stress[a', b'] = sum over a'', b'' of  (a' + a'')! (b' + b'')! kernel[a' + a'', b' + b'']
+///                                                  (-1)^(a'' + b'') strain[a'', b''] / (a''! b''!)
+/// so that only the kernel is stored, which stays in the cache, and not the matrix, which is several times as large.
 class MomentCoupling
 {
 public:
-  /// @param stress, strain  all moments; their indices are 0, 1, ... in any order
-  MomentCoupling(const std::vector<Moment>& stress, std::vector<Moment> strain, int degree);
+  /// @param depths  number of the functions of depth
+  MomentCoupling(int depths, int degree);
 
-  /// Adds to one entry, which must be one that may couple.
-  void add(int stress, int strain, double value);
-  /// Multiplies moments of strain in the order of `columns()` into those of stress in the order of `rows()`.
-  /// @param parities  the moments of this parity and of larger ones are zero
-  /// @param rows      moments of stress that are wanted, the first ones
-  void multiply(const double* strain, double* stress, int parities, std::size_t rows) const;
+  /// Adds a term to the stress `c` of the strain `e`. @param value  [function of z][function of z']
+  void add(int c, int e, const images::Powers& power, double factor, const Eigen::MatrixXd& value);
 
-  [[nodiscard]] const std::vector<int>& rows() const { return rows_; }       ///< indices of moments of stress
-  [[nodiscard]] const std::vector<int>& columns() const { return columns_; } ///< of strain
+  struct Work
+  {
+    std::vector<double> strain;  ///< [component][monomial][depth]
+    AlignedVector<Lanes> stress; ///< likewise, depths in lanes
+  };
+  [[nodiscard]] Work make_work() const;
+
+  /// Moments are [component][depth][monomial].
+  /// @param symmetry    with one, moments of the strain that are odd for it are zero, and so are those of the stress
+  /// @param components  of the stress that are wanted, the first ones
+  void multiply(const double* strain, Symmetry symmetry, int components, Work& work, double* stress) const;
+
+  /// Place of x^a y^b among the monomials.
+  [[nodiscard]] static constexpr int monomial(int a, int b) { return (a + b) * (a + b + 1) / 2 + b; }
 
 private:
-  struct Row
+  struct Term
   {
-    std::size_t first_column, columns; ///< of strain, in the order of `columns()`
-    std::size_t value;                 ///< of the first one
-    int parity;
+    int c, e, a, b;
+    std::size_t value; ///< [depth of strain][part of the depths of stress]
   };
-  std::vector<int> rows_, columns_;
-  std::vector<std::size_t> row_of_, column_of_; ///< by index of the moment
-  std::vector<Row> row_;
-  std::vector<double> value_;
+  template <typename Add>
+  void for_products(const Term& term, Symmetry symmetry, Work& work, const Add& add) const;
+  template <std::size_t depths>
+  void add_short_term(const Term& term, Symmetry symmetry, Work& work) const;
+  void add_term(const Term& term, Symmetry symmetry, Work& work) const;
+  [[nodiscard]] int monomials() const { return static_cast<int>(share_.size()); }
+  [[nodiscard]] int parts() const { return (depths_ + lane_count - 1) / lane_count; }
+
+  int depths_;
+  std::vector<Term> terms_;
+  AlignedVector<Lanes> value_;
+  std::vector<double> share_; ///< 1 / (a! b!) of each monomial
+  std::vector<double> sign_;  ///< (-1)^(a + b)
 };
 
 } // namespace brinell::halfspace
