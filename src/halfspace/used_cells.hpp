@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "foundation/lanes.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -27,21 +29,42 @@ struct CellRectangle
   return bits << 1U != 0; // all but the sign
 }
 
-/// The smallest rectangle that holds all values of a plane that are not zero. All are read, one after the other: that
-/// also brings them into the cache.
+/// Place of the first value that is not zero, behind the last one if there is none. Eight are looked at together.
+[[nodiscard]] inline int first_nonzero(const double* values, int count)
+{
+  int i = 0;
+  while (i + lane_count <= count && !has_nonzero(values + i, lane_count))
+    i += lane_count;
+  while (i < count && values[i] == 0.0)
+    ++i;
+  return i;
+}
+
+/// Behind the last value from `first` on that is not zero, `first` if there is none.
+[[nodiscard]] inline int end_of_nonzero(const double* values, int first, int count)
+{
+  int end = count;
+  while (end - lane_count >= first && !has_nonzero(values + end - lane_count, lane_count))
+    end -= lane_count;
+  while (end > first && values[end - 1] == 0.0)
+    --end;
+  return end;
+}
+
+/// The smallest rectangle that holds all values of a plane that are not zero. What lies between the ends of a row is not read.
 [[nodiscard]] inline CellRectangle used_cells(const double* plane, int nx, int rows)
 {
   CellRectangle used{nx, 0, rows, 0};
   for (int j = 0; j < rows; ++j)
   {
     const double* row = plane + static_cast<std::ptrdiff_t>(j) * nx;
-    if (!has_nonzero(row, nx))
+    const int first = first_nonzero(row, nx);
+    if (first == nx)
       continue;
     used.first_y = std::min(used.first_y, j);
     used.end_y = j + 1;
-    used.first_x = static_cast<int>(std::find_if(row, row + used.first_x, [](double v) { return v != 0.0; }) - row);
-    while (used.end_x < nx && has_nonzero(row + used.end_x, nx - used.end_x))
-      ++used.end_x;
+    used.first_x = std::min(used.first_x, first);
+    used.end_x = end_of_nonzero(row, used.end_x, nx);
   }
   return used.end_y == 0 ? CellRectangle{} : used;
 }
