@@ -175,35 +175,40 @@ void EigenstrainStress::add_local(int component, const std::array<const double*,
   }
 }
 
-EigenstrainStress::Factors EigenstrainStress::factors_at(int block, int row) const
-{
-  const int folded = fft_.folded(row);
-  Factors f = factors_[static_cast<std::size_t>(block * (fft_.py() / 2 + 1) + folded)];
-  if (row != folded)
-  {
-    f.ly = -f.ly;
-    f.lxly = -f.lxly;
-  }
-  return f;
-}
-
 /// Rows that pass through the layers together.
 struct EigenstrainStress::Tile
 {
-  std::array<Factors, SpectrumRows::most> factors;
+  std::array<const Factors*, SpectrumRows::most> factors;
   std::array<Wave, SpectrumRows::most> waves;
 };
 
 void EigenstrainStress::apply(int block, const SpectrumRows& rows, const Spectra& spectra, Scratch& scratch) const
 {
+  const auto factors_at = [&](int r)
+  { return &factors_[static_cast<std::size_t>(block * (fft_.py() / 2 + 1) + fft_.folded(rows.first + r))]; };
   Tile tile;
   for (int r = 0; r < rows.count; ++r)
-    tile.factors[static_cast<std::size_t>(r)] = factors_at(block, rows.first + r);
+    tile.factors[static_cast<std::size_t>(r)] = factors_at(r);
+  if (rows.first == fft_.folded(rows.first))
+    return go_through(rows, spectra, tile, scratch);
+  std::array<Factors, SpectrumRows::most> opposite;
+  for (int r = 0; r < rows.count; ++r)
+  {
+    Factors& f = opposite[static_cast<std::size_t>(r)] = *factors_at(r);
+    f.ly = -f.ly;
+    f.lxly = -f.lxly;
+    tile.factors[static_cast<std::size_t>(r)] = &f;
+  }
+  go_through(rows, spectra, tile, scratch);
+}
+
+void EigenstrainStress::go_through(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const
+{
   go_up(rows, spectra, tile, scratch);
   for (int r = 0; r < rows.count; ++r)
   {
     Wave& wave = tile.waves[static_cast<std::size_t>(r)];
-    wave = reflect(tile.factors[static_cast<std::size_t>(r)], wave);
+    wave = reflect(*tile.factors[static_cast<std::size_t>(r)], wave);
   }
   go_down(rows, spectra, tile, scratch);
 }
@@ -215,7 +220,7 @@ void EigenstrainStress::go_up(const SpectrumRows& rows, const Spectra& spectra, 
   for (std::ptrdiff_t i = spectra.strained - 1; i >= 0; --i)
     for (std::ptrdiff_t r = 0; r < rows.count; ++r)
     {
-      const Factors& f = tile.factors[static_cast<std::size_t>(r)];
+      const Factors& f = *tile.factors[static_cast<std::size_t>(r)];
       Wave& up = tile.waves[static_cast<std::size_t>(r)];
       Layer& layer = scratch[static_cast<std::size_t>(i * SpectrumRows::most + r)];
       const Field below = emit(f, up);
@@ -239,7 +244,7 @@ void EigenstrainStress::go_down(const SpectrumRows& rows, const Spectra& spectra
   for (std::ptrdiff_t i = 0; i < spectra.layers; ++i)
     for (std::ptrdiff_t r = 0; r < rows.count; ++r)
     {
-      const Factors& f = tile.factors[static_cast<std::size_t>(r)];
+      const Factors& f = *tile.factors[static_cast<std::size_t>(r)];
       Wave& down = tile.waves[static_cast<std::size_t>(r)];
       Field s = emit(f, down);
       ComplexLanes tz;

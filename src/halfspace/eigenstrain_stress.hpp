@@ -76,7 +76,7 @@ public:
 
 private:
   struct Tile;
-  [[nodiscard]] Factors factors_at(int block, int row) const;
+  void go_through(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const;
   void go_up(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const;
   void go_down(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, const Scratch& scratch) const;
 

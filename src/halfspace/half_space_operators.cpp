@@ -114,7 +114,10 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
         pass_waves(block - 1, strained, kernels, work, trace, scratch);
       if (block < volume_fft.blocks())
         transform_layers(block, strained, kernels, work, scratch);
+      if (threads > 1) // else it would be a call of the system all the same
+      {
 #pragma omp barrier
+      }
     }
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft.blocks(); ++block)
