@@ -70,7 +70,8 @@ double Body::energy(const halfspace::SurfaceLoad& load) const
   for (std::size_t a = 0; a < active_.size(); ++a)
     dissipation += copies(a) * active_.dissipation(a);
   const double of_heat = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
-  return dissipation * grid().cell_volume() + locked_in_energy(load) - of_heat;
+  const double locked_in = in_increment_ ? locked_in_energy(load) : state_.locked_in_energy;
+  return dissipation * grid().cell_volume() + locked_in - of_heat;
 }
 
 std::vector<double> Body::work_of_increment() const

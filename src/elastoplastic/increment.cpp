@@ -234,9 +234,12 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   }
   if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.leaves_grid; }))
     throw GridError("the contact has reached the end of a material grid");
-  report.energy = energy_of_trial(drive, report.approach);
   for (Side& side : sides_)
+  {
+    side.body.complete_trial();
     side.body.commit(side.load());
+  }
+  report.energy = energy(imposed_approach(drive, report.approach)); // the bodies know the locked-in part by now
   if (interface_)
     settle_friction(placement);
   if (wear_)

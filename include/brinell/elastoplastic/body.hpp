@@ -147,7 +147,8 @@ public:
   /// Stress in all layers [Pa] of a load and the plastic strain, and that from before the first load: deviator, 5 values per
   /// cell, and trace. The body must not be rigid.
   void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace);
-  /// Locked-in elastic energy plus dissipation of the present trial [J], for the load of the last update.
+  /// Locked-in elastic energy plus dissipation [J] of the present trial, for the load of the last update, or of the increment that was
+  /// committed last.
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
 
 private:
