@@ -301,7 +301,7 @@ std::uintmax_t ResultFile::size_of_pieces() const
 void ResultFile::write_linked() const
 {
   h5::Handle file = h5::create_file_in_memory();
-  write_description(file, description_, history_);
+  write_description(file, description_, history_, Place::memory); // deflating the history took most of the time
   std::vector<StoredState> states;
   {
     // The group must be closed before the file is.
