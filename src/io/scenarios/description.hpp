@@ -13,15 +13,14 @@
 namespace brinell::io
 {
 
-/// To be specialised for each scenario, with a static function `make` that returns its ScenarioIo; then scenario_io is to be
-/// instantiated.
+/// To be specialised for each scenario; then scenario_io is to be instantiated.
 template <typename ScenarioCase>
-struct DescriptionOf;
+ScenarioIo<ScenarioCase> description();
 
 template <typename ScenarioCase>
 const ScenarioIo<ScenarioCase>& scenario_io()
 {
-  static const ScenarioIo<ScenarioCase> io = DescriptionOf<ScenarioCase>::make();
+  static const ScenarioIo<ScenarioCase> io = description<ScenarioCase>();
   return io;
 }
 

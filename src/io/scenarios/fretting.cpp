@@ -153,37 +153,34 @@ void cite(Sources& sources, const FrettingCase&)
 } // namespace
 
 template <>
-struct DescriptionOf<FrettingCase>
+ScenarioIo<FrettingCase> description()
 {
-  static ScenarioIo<FrettingCase> make()
-  {
-    return {
-        .name = "fretting",
-        .text = "it is pressed on and moved to and fro along the surface, so little that it sticks in places",
-        .keys = keys,
-        .read = read,
-        .half_x = &FrettingPlan::contact_radius,
-        .half_y = &FrettingPlan::contact_radius_y,
-        .moves = false,
-        .motion = motion,
-        .is_key_step = is_key_step,
-        .key_steps = [](const FrettingCase& f, const FrettingPlan&) { return 1.0 + 3.0 * f.cycles; },
-        .aligned = "in fretting the turns and the ends of the cycles",
-        .place = place,
-        .results = results,
-        .summarise = summarise,
-        .lists = {{"cycles", columns(FrettingCycle())}},
-        .key_numbers = [](const FrettingCase& f) -> std::vector<std::string>
-        {
-          return {f.kind == FrettingCase::Kind::force ? "cycles[].max_displacement_m" : "cycles[].max_force_N",
-                  "cycles[].dissipation_friction_J", "cycles[].slip_amplitude_m"};
-        },
-        .steps = "fretting.steps_per_cycle",
-        .drive_kept = &FrettingCase::press,
-        .cite = cite,
-    };
-  }
-};
+  return {
+      .name = "fretting",
+      .text = "it is pressed on and moved to and fro along the surface, so little that it sticks in places",
+      .keys = keys,
+      .read = read,
+      .half_x = &FrettingPlan::contact_radius,
+      .half_y = &FrettingPlan::contact_radius_y,
+      .moves = false,
+      .motion = motion,
+      .is_key_step = is_key_step,
+      .key_steps = [](const FrettingCase& f, const FrettingPlan&) { return 1.0 + 3.0 * f.cycles; },
+      .aligned = "in fretting the turns and the ends of the cycles",
+      .place = place,
+      .results = results,
+      .summarise = summarise,
+      .lists = {{"cycles", columns(FrettingCycle())}},
+      .key_numbers = [](const FrettingCase& f) -> std::vector<std::string>
+      {
+        return {f.kind == FrettingCase::Kind::force ? "cycles[].max_displacement_m" : "cycles[].max_force_N",
+                "cycles[].dissipation_friction_J", "cycles[].slip_amplitude_m"};
+      },
+      .steps = "fretting.steps_per_cycle",
+      .drive_kept = &FrettingCase::press,
+      .cite = cite,
+  };
+}
 
 template const ScenarioIo<FrettingCase>& scenario_io<FrettingCase>();
 

@@ -175,37 +175,34 @@ void summarise(Json& json, const Case& c, const IndentationCase& /*i*/, const In
 } // namespace
 
 template <>
-struct DescriptionOf<IndentationCase>
+ScenarioIo<IndentationCase> description()
 {
-  static ScenarioIo<IndentationCase> make()
-  {
-    return {
-        .name = "indentation",
-        .text = "the upper body is pressed into the lower one",
-        .keys = keys,
-        .read = read,
-        .half_x = &IndentationPlan::contact_radius,
-        .half_y = &IndentationPlan::contact_radius_y,
-        .moves = false,
-        .motion = motion,
-        .is_key_step = [](const IndentationCase& i, const IndentationRecord& record, NearestToMiddle&)
-        { return (record.step + 1) % i.steps == 0; },
-        .key_steps = [](const IndentationCase& i, const IndentationPlan& plan) { return plan.steps / double(i.steps); },
-        .aligned = "in an indentation the steps that reach an entry of the list",
-        .place = place,
-        .results = results,
-        .summarise = summarise,
-        .lists = {{"indents", columns(Indent())}},
-        .key_numbers = [](const IndentationCase& i) -> std::vector<std::string>
-        {
-          const bool by_load = i.sequence.front().kind == Drive::Kind::load;
-          return {by_load ? "indents[].max_approach_m" : "indents[].max_load_N", "indents[].hardness_Pa",
-                  "indents[].residual_depth_m"};
-        },
-        .steps = "indentation.steps",
-    };
-  }
-};
+  return {
+      .name = "indentation",
+      .text = "the upper body is pressed into the lower one",
+      .keys = keys,
+      .read = read,
+      .half_x = &IndentationPlan::contact_radius,
+      .half_y = &IndentationPlan::contact_radius_y,
+      .moves = false,
+      .motion = motion,
+      .is_key_step = [](const IndentationCase& i, const IndentationRecord& record, NearestToMiddle&)
+      { return (record.step + 1) % i.steps == 0; },
+      .key_steps = [](const IndentationCase& i, const IndentationPlan& plan) { return plan.steps / double(i.steps); },
+      .aligned = "in an indentation the steps that reach an entry of the list",
+      .place = place,
+      .results = results,
+      .summarise = summarise,
+      .lists = {{"indents", columns(Indent())}},
+      .key_numbers = [](const IndentationCase& i) -> std::vector<std::string>
+      {
+        const bool by_load = i.sequence.front().kind == Drive::Kind::load;
+        return {by_load ? "indents[].max_approach_m" : "indents[].max_load_N", "indents[].hardness_Pa",
+                "indents[].residual_depth_m"};
+      },
+      .steps = "indentation.steps",
+  };
+}
 
 template const ScenarioIo<IndentationCase>& scenario_io<IndentationCase>();
 

@@ -249,38 +249,35 @@ void cite(Sources& sources, const RollingCase& r)
 } // namespace
 
 template <>
-struct DescriptionOf<RollingCase>
+ScenarioIo<RollingCase> description()
 {
-  static ScenarioIo<RollingCase> make()
-  {
-    return {
-        .name = "rolling",
-        .text = "it rolls over it along x under load",
-        .keys = keys,
-        .read = read,
-        .half_x = &RollingPlan::half_width_x,
-        .half_y = &RollingPlan::half_width_y,
-        .motion = motion,
-        .is_key_step = [](const RollingCase&, const RollingRecord& record, NearestToMiddle& middle)
-        { return middle(record.pass, record.x); },
-        .key_steps = [](const RollingCase& r, const RollingPlan&) { return double(r.passes); },
-        .place = place,
-        .results = results,
-        .summarise = summarise,
-        .lists = {{"passes", columns(RollingPass())}},
-        .key_numbers = [](const RollingCase& r) -> std::vector<std::string>
-        {
-          std::vector<std::string> names{"passes[].rut_depth_m", "passes[].resistance_N", "passes[].dissipation_J"};
-          if (r.creepage)
-            names.insert(names.end(), {"passes[].F_x_N", "passes[].F_y_N"});
-          return names;
-        },
-        .steps = "rolling.shift",
-        .drive_kept = &RollingCase::drive,
-        .cite = cite,
-    };
-  }
-};
+  return {
+      .name = "rolling",
+      .text = "it rolls over it along x under load",
+      .keys = keys,
+      .read = read,
+      .half_x = &RollingPlan::half_width_x,
+      .half_y = &RollingPlan::half_width_y,
+      .motion = motion,
+      .is_key_step = [](const RollingCase&, const RollingRecord& record, NearestToMiddle& middle)
+      { return middle(record.pass, record.x); },
+      .key_steps = [](const RollingCase& r, const RollingPlan&) { return double(r.passes); },
+      .place = place,
+      .results = results,
+      .summarise = summarise,
+      .lists = {{"passes", columns(RollingPass())}},
+      .key_numbers = [](const RollingCase& r) -> std::vector<std::string>
+      {
+        std::vector<std::string> names{"passes[].rut_depth_m", "passes[].resistance_N", "passes[].dissipation_J"};
+        if (r.creepage)
+          names.insert(names.end(), {"passes[].F_x_N", "passes[].F_y_N"});
+        return names;
+      },
+      .steps = "rolling.shift",
+      .drive_kept = &RollingCase::drive,
+      .cite = cite,
+  };
+}
 
 template const ScenarioIo<RollingCase>& scenario_io<RollingCase>();
 

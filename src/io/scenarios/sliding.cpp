@@ -144,35 +144,32 @@ void cite(Sources& sources, const SlidingCase&)
 } // namespace
 
 template <>
-struct DescriptionOf<SlidingCase>
+ScenarioIo<SlidingCase> description()
 {
-  static ScenarioIo<SlidingCase> make()
-  {
-    return {
-        .name = "sliding",
-        .text = "it is pressed on and slides over it along x, once, on and on, or to and fro",
-        .keys = keys,
-        .read = read,
-        .half_x = &SlidingPlan::half_width_x,
-        .half_y = &SlidingPlan::half_width_y,
-        .moves = false,
-        .motion = motion,
-        .is_key_step = is_key_step,
-        .key_steps = [](const SlidingCase& s, const SlidingPlan&) { return 1.0 + s.strokes; },
-        .aligned = "in sliding when the bodies are pressed together, and in the middle of each stroke",
-        .place = place,
-        .results = results,
-        .summarise = summarise,
-        .lists = {{"strokes", columns(SlidingStroke())}},
-        .key_numbers = [](const SlidingCase&) -> std::vector<std::string> {
-          return {"strokes[].friction", "strokes[].contact_area_m2", "strokes[].dissipation_plastic_J"};
-        },
-        .steps = "sliding.shift",
-        .drive_kept = &SlidingCase::press,
-        .cite = cite,
-    };
-  }
-};
+  return {
+      .name = "sliding",
+      .text = "it is pressed on and slides over it along x, once, on and on, or to and fro",
+      .keys = keys,
+      .read = read,
+      .half_x = &SlidingPlan::half_width_x,
+      .half_y = &SlidingPlan::half_width_y,
+      .moves = false,
+      .motion = motion,
+      .is_key_step = is_key_step,
+      .key_steps = [](const SlidingCase& s, const SlidingPlan&) { return 1.0 + s.strokes; },
+      .aligned = "in sliding when the bodies are pressed together, and in the middle of each stroke",
+      .place = place,
+      .results = results,
+      .summarise = summarise,
+      .lists = {{"strokes", columns(SlidingStroke())}},
+      .key_numbers = [](const SlidingCase&) -> std::vector<std::string> {
+        return {"strokes[].friction", "strokes[].contact_area_m2", "strokes[].dissipation_plastic_J"};
+      },
+      .steps = "sliding.shift",
+      .drive_kept = &SlidingCase::press,
+      .cite = cite,
+  };
+}
 
 template const ScenarioIo<SlidingCase>& scenario_io<SlidingCase>();
 

@@ -259,39 +259,36 @@ void cite(Sources& sources, const TuggingCase& t)
 } // namespace
 
 template <>
-struct DescriptionOf<TuggingCase>
+ScenarioIo<TuggingCase> description()
 {
-  static ScenarioIo<TuggingCase> make()
-  {
-    return {
-        .name = "tugging",
-        .text = "the upper body is carried along x past the lower one at constant height or under a load",
-        .keys = keys,
-        .read = read,
-        .half_x = &TuggingPlan::elastic_contact_radius,
-        .half_y = &TuggingPlan::elastic_contact_radius_y,
-        .against_shape = against_shape,
-        .motion = motion,
-        .drive = drive,
-        .drive_at_yield = drive_at_yield,
-        .evaluations = 12.0,
-        .yields_along_the_track = false, // much of it is not plastic yet
-        .is_key_step = [](const TuggingCase&, const TuggingRecord& record, NearestToMiddle& middle)
-        { return middle(record.pass, record.X); },
-        .key_steps = [](const TuggingCase& t, const TuggingPlan&) { return double(t.passes); },
-        .place = place,
-        .results = results,
-        .summarise = summarise,
-        .result_parts = {"load_ratio", "forces", "heat"},
-        .key_numbers = [](const TuggingCase&) -> std::vector<std::string> {
-          return {"forces.peak_F_X_N", "forces.peak_F_Z_N", "energy.net_J", "residual.max_lower_m",
-                  "residual.max_upper_m"};
-        },
-        .steps = "tugging.shift",
-        .cite = cite,
-    };
-  }
-};
+  return {
+      .name = "tugging",
+      .text = "the upper body is carried along x past the lower one at constant height or under a load",
+      .keys = keys,
+      .read = read,
+      .half_x = &TuggingPlan::elastic_contact_radius,
+      .half_y = &TuggingPlan::elastic_contact_radius_y,
+      .against_shape = against_shape,
+      .motion = motion,
+      .drive = drive,
+      .drive_at_yield = drive_at_yield,
+      .evaluations = 12.0,
+      .yields_along_the_track = false, // much of it is not plastic yet
+      .is_key_step = [](const TuggingCase&, const TuggingRecord& record, NearestToMiddle& middle)
+      { return middle(record.pass, record.X); },
+      .key_steps = [](const TuggingCase& t, const TuggingPlan&) { return double(t.passes); },
+      .place = place,
+      .results = results,
+      .summarise = summarise,
+      .result_parts = {"load_ratio", "forces", "heat"},
+      .key_numbers = [](const TuggingCase&) -> std::vector<std::string> {
+        return {"forces.peak_F_X_N", "forces.peak_F_Z_N", "energy.net_J", "residual.max_lower_m",
+                "residual.max_upper_m"};
+      },
+      .steps = "tugging.shift",
+      .cite = cite,
+  };
+}
 
 template const ScenarioIo<TuggingCase>& scenario_io<TuggingCase>();
 
