@@ -82,4 +82,20 @@ Convergence convergence(std::span<const double> cells, std::span<const double> v
   return {value, half.order, half.extrapolated, value - width, value + width, size > 0.0 ? width / size : 0.0};
 }
 
+void scale_cells(Numerics& numerics, const Shape& lower, const Shape& upper, double size)
+{
+  if (!numerics.spacing)
+  {
+    numerics.resolution /= size;
+    return;
+  }
+  if (size == 1.0)
+    return;
+  for (double& side : *numerics.spacing)
+    side *= size;
+  double& dy = (*numerics.spacing)[1];
+  if (const double length = roller_length(lower, upper); std::isfinite(length))
+    dy = length / (2.0 * std::max(0.0, std::round(0.5 * (length / dy - 1.0))) + 1.0);
+}
+
 } // namespace brinell::simulation

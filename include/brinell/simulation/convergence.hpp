@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/simulation/scenario.hpp"
+
 #include <limits>
 #include <span>
 
@@ -30,5 +32,8 @@ struct Convergence
 /// @param known_error  of such numbers with the finest of these cells, relative; 0: none is known
 [[nodiscard]] Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale,
                                       double known_error = 0.0);
+
+/// Makes the cells of a case so many times as large. A cylinder stays an odd number of them long.
+void scale_cells(Numerics& numerics, const Shape& lower, const Shape& upper, double size);
 
 } // namespace brinell::simulation

@@ -2,14 +2,13 @@
 #include "brinell/io/feasibility.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/simulation/estimates.hpp"
 #include "io/scenarios/scenario_io.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
-#include <limits>
 #include <unistd.h>
 
 namespace brinell::io
@@ -40,25 +39,6 @@ std::string duration_text(double seconds)
   return fmt::format("{:.0f} h", seconds / 3600.0);
 }
 
-/// Seconds on one core, from measured runs: time per cell of the contact's box, per evaluation, growing as N log N.
-/// Without plastic bodies only the contact is solved.
-template <typename ScenarioCase>
-double rough_seconds(const ScenarioCase& c, const simulation::Plan& plan)
-{
-  const ScenarioIo<ScenarioCase>& io = io_of(c);
-  constexpr double seconds_per_cell_level = 4e-9; // one cell, one evaluation, one level of the transforms
-  constexpr double elastic_share = 0.05;          // of the contact in an evaluation
-  const auto box =
-      static_cast<double>(io.yields_along_the_track ? std::max(plan.lower.size(), plan.upper.size())
-                                                    : plan.contact.size() * static_cast<std::size_t>(plan.lower.nz));
-  const double cells = 4.0 * box; // zero padding
-  const int plastic_bodies = (c.lower.material.is_plastic() ? 1 : 0) + (c.upper.material.is_plastic() ? 1 : 0);
-  const double solved = plan.twin != elastoplastic::Twin::none ? 1.0 : plastic_bodies + elastic_share;
-  constexpr double symmetric_share = 0.6; // of the whole in half of it
-  const double half = plan.symmetry == Symmetry::none ? 1.0 : symmetric_share;
-  return half * plan.steps * solved * io.evaluations * cells * std::log2(cells + 2.0) * seconds_per_cell_level;
-}
-
 /// Steps whose fields will be stored, beside the final state.
 template <typename ScenarioCase>
 double stored_steps(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
@@ -71,25 +51,13 @@ double stored_steps(const ScenarioCase& c, const typename ScenarioCase::Plan& pl
   return count;
 }
 
-/// Bytes of one stored state: pressure and gap; of each body that deforms the tensors of stress and plastic strain, their
-/// equivalents, and the surface.
-template <typename ScenarioCase>
-double state_bytes(const ScenarioCase& c, const simulation::Plan& plan)
-{
-  constexpr double fields_per_cell = 14.0;
-  double numbers = 2.0 * static_cast<double>(plan.contact.size());
-  for (const auto& [body, grid] : {std::pair{&c.lower, &plan.lower}, std::pair{&c.upper, &plan.upper}})
-    if (!body->material.elastic.is_rigid())
-      numbers += fields_per_cell * static_cast<double>(grid->size()) + static_cast<double>(grid->surface.size());
-  return numbers * sizeof(double);
-}
-
 template <typename ScenarioCase>
 std::string result_report(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
 {
   const double steps = stored_steps(c, plan, rule);
   return fmt::format("# Result: {:.0f} stored step{} and the final state, {} before compression\n", steps,
-                     steps == 1.0 ? "" : "s", size_text((steps + 1.0) * state_bytes(c, plan)));
+                     steps == 1.0 ? "" : "s",
+                     size_text((steps + 1.0) * simulation::state_bytes(plan, c.lower.material, c.upper.material)));
 }
 
 std::string volume_text(const VolumeGrid& grid)
@@ -203,17 +171,19 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
 {
   const std::string head =
       fmt::format("# Resolved case of {}\n{}\n{}", c.file.string(), resolved_files(c.values).text, critical_report(c));
-  return head + std::visit(
-                    [&](const auto& scenario)
-                    {
-                      using Plan = decltype(simulation::plan(scenario));
-                      const Plan& p = std::get<Plan>(plan);
-                      return io_of(scenario).motion(scenario, p) + grid_report(p) +
-                             fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(p.memory_bytes),
-                                         duration_text(rough_seconds(scenario, p))) +
-                             result_report(scenario, p, c.snapshots) + quality_report(scenario, p);
-                    },
-                    c.scenario);
+  return head +
+         std::visit(
+             [&](const auto& scenario)
+             {
+               using Plan = decltype(simulation::plan(scenario));
+               const Plan& p = std::get<Plan>(plan);
+               return io_of(scenario).motion(scenario, p) + grid_report(p) +
+                      fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(p.memory_bytes),
+                                  duration_text(simulation::rough_seconds(
+                                      p, scenario.lower.material, scenario.upper.material, io_of(scenario).work))) +
+                      result_report(scenario, p, c.snapshots) + quality_report(scenario, p);
+             },
+             c.scenario);
 }
 
 } // namespace brinell::io

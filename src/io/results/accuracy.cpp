@@ -133,20 +133,6 @@ double expected_error(const std::vector<simulation::ExpectedError>& errors, std:
   return 0.0;
 }
 
-/// A cylinder is an odd number of cells long.
-double fitting_dy(const Scenario& scenario, double dy)
-{
-  return std::visit(
-      [dy](const auto& s)
-      {
-        if constexpr (requires { s.lower.shape; })
-          if (const double length = simulation::roller_length(s.lower.shape, s.upper.shape); std::isfinite(length))
-            return length / (2.0 * std::max(0.0, std::round(0.5 * (length / dy - 1.0))) + 1.0);
-        return dy;
-      },
-      scenario);
-}
-
 } // namespace
 
 Level level_of(const std::string& summary, double cells)
@@ -168,19 +154,7 @@ Numbers numbers_of(const std::string& summary)
 Case with_cells(const Case& c, double size)
 {
   Case finer = c;
-  std::visit(
-      [&](auto& scenario)
-      {
-        if (!scenario.spacing)
-        {
-          scenario.resolution /= size;
-          return;
-        }
-        Vector3& spacing = *scenario.spacing;
-        if (size != 1.0)
-          spacing = {spacing[0] * size, fitting_dy(c.scenario, spacing[1] * size), spacing[2] * size};
-      },
-      finer.scenario);
+  std::visit([size](auto& s) { simulation::scale_cells(s, s.lower.shape, s.upper.shape, size); }, finer.scenario);
   return finer;
 }
 

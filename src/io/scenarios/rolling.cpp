@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/reference/hertz.hpp"
+#include "brinell/simulation/estimates.hpp"
 #include "description.hpp"
-
-#include <cmath>
-#include <numbers>
 
 /// The rolling in files and messages.
 namespace brinell::io
@@ -131,18 +128,11 @@ double load_of_hertz_pressure(const CaseReader& reader, Case& c, const RollingCa
     warn(c, "low_pressure",
          "{} = {:g} Pa is next to nothing for these materials; is a unit missing, as in \"{:g} {}\"?", key, pressure,
          pressure, pressure < 100.0 ? "GPa" : "MPa");
-  const auto k = simulation::relative_curvature(rolling.lower.shape, rolling.upper.shape);
-  const double length = simulation::line_length(rolling.lower.shape, rolling.upper.shape, rolling.domain);
-  if (k && (*k)[0] > 0.0 && (*k)[1] == 0.0 && std::isfinite(length))
-    return pressure * pressure * std::numbers::pi * length / ((*k)[0] * c.contact_modulus);
-  if (k && (*k)[0] > 0.0 && (*k)[1] > 0.0)
-  {
-    const double of_one_newton =
-        reference::elliptical_contact_at_load(1.0 / (*k)[0], 1.0 / (*k)[1], c.contact_modulus, 1.0).peak_pressure;
-    return std::pow(pressure / of_one_newton, 3);
-  }
-  reader.add(key, "has no meaning for these shapes; allowed: rolling.load or rolling.approach");
-  return 1.0;
+  const auto load = simulation::load_of_peak_pressure(rolling.lower.shape, rolling.upper.shape, rolling.domain,
+                                                      c.contact_modulus, pressure);
+  if (!load)
+    reader.add(key, "has no meaning for these shapes; allowed: rolling.load or rolling.approach");
+  return load.value_or(1.0);
 }
 
 std::string read(const CaseReader& reader, Case& c, RollingCase& r)

@@ -4,6 +4,7 @@
 #include "brinell/io/case_file.hpp"
 #include "brinell/io/history_csv.hpp"
 #include "brinell/io/snapshot_choice.hpp"
+#include "brinell/simulation/estimates.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -47,8 +48,7 @@ struct ScenarioIo
   std::string (*drive)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return std::string(); };
   std::string (*drive_at_yield)(const ScenarioCase& scenario, const reference::CriticalValues& critical) =
       [](const ScenarioCase&, const reference::CriticalValues&) { return std::string(); };
-  double evaluations = 6.0;           ///< in a step, roughly
-  bool yields_along_the_track = true; ///< else, for the most part, only under the contact
+  simulation::Work work{};
 
   // --- Steps and results ---
   bool (*is_key_step)(const ScenarioCase& scenario, const Record& record, NearestToMiddle& middle); ///< "aligned"

@@ -272,8 +272,7 @@ ScenarioIo<TuggingCase> description()
       .motion = motion,
       .drive = drive,
       .drive_at_yield = drive_at_yield,
-      .evaluations = 12.0,
-      .yields_along_the_track = false, // much of it is not plastic yet
+      .work = {.evaluations = 12.0, .yields_along_the_track = false}, // much of the track is not plastic yet
       .is_key_step = [](const TuggingCase&, const TuggingRecord& record, NearestToMiddle& middle)
       { return middle(record.pass, record.X); },
       .key_steps = [](const TuggingCase& t, const TuggingPlan&) { return double(t.passes); },

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -116,6 +117,23 @@ TEST(Convergence, RefusesWhatIsNoSeries)
   EXPECT_THROW((void)convergence(std::vector{1.0}, std::vector{1.0}, 0.0), InputError);
   EXPECT_THROW((void)convergence(std::vector{1.0, 2.0}, std::vector{1.0, 1.0}, 0.0), InputError);
   EXPECT_THROW((void)convergence(std::vector{2.0, 1.0}, std::vector{1.0}, 0.0), InputError);
+}
+
+TEST(Convergence, CellsOfAnotherSizeStayAnOddNumberAlongACylinder)
+{
+  const Shape ball = Paraboloid{1e-3, 1e-3}, roller = Roller{1e-3, 0.9e-3}, flat = Plane{};
+  Numerics by_resolution;
+  scale_cells(by_resolution, ball, flat, 0.5);
+  EXPECT_DOUBLE_EQ(by_resolution.resolution, 2.0 * Numerics{}.resolution);
+  const auto scaled = [&](const Shape& upper)
+  {
+    Numerics cells;
+    cells.spacing = {1e-5, 1e-4, 5e-6}; // nine along y of the roller
+    scale_cells(cells, flat, upper, 0.8);
+    return *cells.spacing;
+  };
+  EXPECT_EQ(scaled(ball), (std::array{0.8 * 1e-5, 0.8 * 1e-4, 0.8 * 5e-6}));
+  EXPECT_EQ(scaled(roller), (std::array{0.8 * 1e-5, 0.9e-3 / 11.0, 0.8 * 5e-6}));
 }
 
 } // namespace
