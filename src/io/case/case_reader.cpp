@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_reader.hpp"
 
-#include <fmt/ranges.h>
+#include <algorithm>
+#include <iterator>
 
 namespace brinell::io
 {
 
 std::string CaseReader::only_one_of(std::string_view group, std::string_view advice) const
 {
-  std::vector<std::string> all, given;
-  for (const Entry& entry : case_schema())
-    if (entry.one_of == group)
-    {
-      all.push_back(entry.key);
-      if (has(entry.key))
-        given.push_back(entry.key);
-    }
+  const std::vector<std::string> all = keys_of_group(group);
+  std::vector<std::string> given;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(given), [this](const std::string& key) { return has(key); });
   if (given.size() == 1)
     return given.front();
   if (given.empty())
-    problems.add(place(all.front()), fmt::format("none of {} and {} is given; one is needed{}",
-                                                 fmt::join(all.begin(), all.end() - 1, ", "), all.back(), advice));
+    problems.add(place(all.front()), fmt::format("none of {} is given; one is needed{}", in_words(all), advice));
   else
     add(given[1], "cannot stand together with {}; keep one of them", given.front());
   return {};

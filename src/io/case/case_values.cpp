@@ -21,7 +21,9 @@ std::string allowed(const Entry& entry, bool pure)
   plain.pure_if.clear();
   if (pure)
     plain.of.dimension = dimension::none;
-  return fmt::format("allowed: {}{}{}", allowed_values(plain), entry.hint.empty() ? "" : "; ", entry.hint);
+  if (!entry.one_of.empty())
+    plain.hint = "one of " + in_words(keys_of_group(entry.one_of));
+  return fmt::format("allowed: {}{}{}", allowed_values(plain), plain.hint.empty() ? "" : "; ", plain.hint);
 }
 
 InputError wrong_type(const Raw& raw, const Entry& entry, bool pure)
@@ -329,11 +331,10 @@ private:
   /// Whether the command line sets another key of which only one is given.
   [[nodiscard]] bool is_pushed_out(const Entry& entry, const Given& given) const
   {
-    const std::vector<Entry>& all = case_schema();
-    return !entry.one_of.empty() && std::any_of(all.begin(), all.end(),
-                                                [&](const Entry& other) {
-                                                  return other.one_of == entry.one_of && overridden(given, other.key);
-                                                });
+    if (entry.one_of.empty())
+      return false;
+    const auto rivals = keys_of_group(entry.one_of);
+    return std::any_of(rivals.begin(), rivals.end(), [&](const std::string& key) { return overridden(given, key); });
   }
 
   /// Whether the number carries no dimension here.

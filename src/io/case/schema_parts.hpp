@@ -85,6 +85,11 @@ Entry bound(Entry entry, First first, Rest... rest)
 /// The keys of a table, which apply under one condition unless they have their own.
 [[nodiscard]] std::vector<Entry> in_table(const std::string& table, const Condition& when, std::vector<Entry> entries);
 
+/// The keys of a group (Entry::one_of), in the order of the schema.
+[[nodiscard]] std::vector<std::string> keys_of_group(std::string_view group);
+/// "a, b and c"
+[[nodiscard]] std::string in_words(const std::vector<std::string>& keys);
+
 /// The entries of several tables.
 [[nodiscard]] std::vector<Entry> joined(std::vector<std::vector<Entry>> parts);
 

@@ -262,6 +262,20 @@ std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario)
   return entry.fallback;
 }
 
+std::vector<std::string> keys_of_group(std::string_view group)
+{
+  std::vector<std::string> keys;
+  for (const Entry& entry : case_schema())
+    if (entry.one_of == group)
+      keys.push_back(entry.key);
+  return keys;
+}
+
+std::string in_words(const std::vector<std::string>& keys)
+{
+  return fmt::format("{} and {}", fmt::join(keys.begin(), keys.end() - 1, ", "), keys.back());
+}
+
 bool is_list_of_tables(std::string_view key)
 {
   for (const Entry& entry : case_schema())

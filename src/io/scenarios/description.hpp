@@ -36,14 +36,19 @@ template <typename ScenarioCase>
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
-/// A key that imposes the drive of a case.
+/// A key of a group, of which one is given: it imposes the drive of a case.
 template <typename ScenarioCase>
-[[nodiscard]] Entry drive_key(Entry entry, contact::Drive ScenarioCase::*drive, contact::Drive::Kind kind)
+[[nodiscard]] Entry drive_key(const std::string& key, const ValueKind& of, const std::string& text,
+                              const std::string& group, contact::Drive ScenarioCase::*drive, contact::Drive::Kind kind)
 {
-  entry.fill = [drive, kind](Case& c, const Value& value) {
-    std::get<ScenarioCase>(c.scenario).*drive = {kind, std::get<double>(value)};
-  };
-  return entry;
+  return {.key = key,
+          .of = of,
+          .unset = "not imposed",
+          .text = text,
+          .one_of = group,
+          .fill = [drive, kind](Case& c, const Value& value) {
+            std::get<ScenarioCase>(c.scenario).*drive = {kind, std::get<double>(value)};
+          }};
 }
 
 /// "load = 1.000000e+01 N"

@@ -24,14 +24,10 @@ std::vector<Entry> keys()
 {
   const auto press = [](const char* key, const char* other, const ValueKind& of, Drive::Kind kind, const char* text)
   {
-    return drive_key({.key = std::string("fretting.") + key,
-                      .of = of.above(0.0),
-                      .unset = std::string("fretting.") + other,
-                      .text = text,
-                      .hint = "one of fretting.load and fretting.approach",
-                      .excludes = std::string("fretting.") + other,
-                      .one_of = press_group},
-                     &FrettingCase::press, kind);
+    Entry entry =
+        drive_key(std::string("fretting.") + key, of.above(0.0), text, press_group, &FrettingCase::press, kind);
+    entry.unset = entry.excludes = std::string("fretting.") + other;
+    return entry;
   };
   const auto amplitude =
       [](const char* key, const char* other, const ValueKind& of, FrettingCase::Kind kind, const char* text)
@@ -40,7 +36,6 @@ std::vector<Entry> keys()
                  .of = of.at_least(0.0),
                  .unset = std::string("fretting.") + other,
                  .text = text,
-                 .hint = "one of fretting.displacement and fretting.force",
                  .excludes = std::string("fretting.") + other,
                  .one_of = motion_group,
                  .fill = [kind](Case& c, const Value& value)

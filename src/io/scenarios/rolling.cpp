@@ -59,15 +59,7 @@ constexpr const char* drive_group = "rolling drive";
 std::vector<Entry> motion_keys()
 {
   const auto drive = [](const char* key, const ValueKind& of, Drive::Kind kind, const char* text)
-  {
-    return drive_key({.key = std::string("rolling.") + key,
-                      .of = of.above(0.0),
-                      .unset = "not imposed",
-                      .text = text,
-                      .hint = "one of rolling.load, rolling.hertz_pressure and rolling.approach",
-                      .one_of = drive_group},
-                     &RollingCase::drive, kind);
-  };
+  { return drive_key(std::string("rolling.") + key, of.above(0.0), text, drive_group, &RollingCase::drive, kind); };
   return {
       drive("load", kind::force, Drive::Kind::load, "Load kept while rolling."),
       drive("hertz_pressure", kind::pressure, Drive::Kind::load,

@@ -22,15 +22,7 @@ constexpr const char* press_group = "sliding drive";
 std::vector<Entry> keys()
 {
   const auto press = [](const char* key, const ValueKind& of, Drive::Kind kind, const char* text)
-  {
-    return drive_key({.key = std::string("sliding.") + key,
-                      .of = of,
-                      .unset = "not imposed",
-                      .text = text,
-                      .hint = "one of sliding.load, sliding.pressure, sliding.mean_gap and sliding.approach",
-                      .one_of = press_group},
-                     &SlidingCase::press, kind);
-  };
+  { return drive_key(std::string("sliding.") + key, of, text, press_group, &SlidingCase::press, kind); };
   return {
       press("load", kind::force.above(0.0), Drive::Kind::load, "Load that is reached first, and kept while sliding."),
       press("pressure", kind::pressure.above(0.0), Drive::Kind::load,
