@@ -83,20 +83,14 @@ public:
   /// @param data  "CellData" or "PointData"
   void begin(const char* data) { data_.emplace(h5::create_group(group_, data)); }
 
-  /// A part of the array at one state: where it is in the array, and which box of which dataset.
-  struct Part
-  {
-    std::string dataset; ///< in the group of the state
-    Shape shape;         ///< of that dataset
-    h5::Box source, target;
-  };
-  using Parts = std::function<std::vector<Part>(const StateLayout&)>;
+  /// Parts of the array at one state, of datasets in its group.
+  using Parts = std::function<std::vector<h5::VirtualPart>(const StateLayout&)>;
 
   void add(const char* name, const Shape& shape, double fill, const Parts& parts_of)
   {
     std::vector<h5::VirtualPart> parts;
     for (std::size_t step = 0; step < states_.size(); ++step)
-      for (Part& part : parts_of(states_[step].layout))
+      for (h5::VirtualPart& part : parts_of(states_[step].layout))
         parts.push_back({at(part.target, step), states_[step].file, states_[step].group + "/" + part.dataset,
                          std::move(part.shape), std::move(part.source)});
     Shape all = shape;
@@ -122,8 +116,8 @@ public:
     const auto parts_of = [&](const StateLayout& layout)
     {
       const Shape shape = shape_of(layout.*body);
-      std::vector<Part> parts(
-          count, {fmt::format("{}/{}", body_, name), shape, whole(shape), place_of(shape, all, layout.*body)});
+      std::vector<h5::VirtualPart> parts(
+          count, {place_of(shape, all, layout.*body), "", fmt::format("{}/{}", body_, name), shape, whole(shape)});
       for (hsize_t c = 0; count > 1 && c < count; ++c)
       {
         parts[c].dataset += fmt::format("/{}", components[c]);
@@ -198,7 +192,7 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
 }
 
 /// The cells of the contact that lie on the lower body's grid, placed on that of `all`. @returns none if the grids are apart.
-std::vector<Block::Part> contact_part(const char* name, const StateLayout& layout, const BodyLayout& all)
+std::vector<h5::VirtualPart> contact_part(const char* name, const StateLayout& layout, const BodyLayout& all)
 {
   const ContactLayout& c = layout.contact;
   const SurfaceGrid& lower = layout.lower.grid.surface;
@@ -215,10 +209,8 @@ std::vector<Block::Part> contact_part(const char* name, const StateLayout& layou
   const auto [row, column] = offset(all, layout.lower);
   target.start[0] += row;
   target.start[1] += column;
-  return {{fmt::format("contact/{}", name),
-           {static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)},
-           box(c.row, c.column),
-           target}};
+  const Shape shape{static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)};
+  return {{target, "", fmt::format("contact/{}", name), shape, box(c.row, c.column)}};
 }
 
 /// A sheet of points in the cells' centres: so it can be warped by its values.
