@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "io/files.hpp"
 #include "io/npy.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -46,13 +47,7 @@ InputError wrong_line(const Line& line, const std::string& why, const std::strin
       fmt::format("has in line {} \"{}\"{}; allowed: {}", line.number, line.text.substr(first, 40), why, allowed));
 }
 
-/// Without the blanks and quotes around it.
-std::string trimmed(std::string_view field)
-{
-  constexpr std::string_view around = " \t\r\"";
-  const auto first = field.find_first_not_of(around), last = field.find_last_not_of(around);
-  return first == field.npos ? "" : std::string(field.substr(first, last - first + 1));
-}
+constexpr std::string_view blanks_and_quotes = " \t\r\"";
 
 /// Between any of the separators; empty ones, as behind the last separator of a line, are left out.
 std::vector<std::string> split(std::string_view line, std::string_view separators)
@@ -61,7 +56,7 @@ std::vector<std::string> split(std::string_view line, std::string_view separator
   while (!line.empty())
   {
     const auto end = std::min(line.find_first_of(separators), line.size());
-    if (std::string field = trimmed(line.substr(0, end)); !field.empty())
+    if (std::string field(trimmed(line.substr(0, end), blanks_and_quotes)); !field.empty())
       fields.push_back(std::move(field));
     line.remove_prefix(std::min(end + 1, line.size()));
   }
@@ -83,7 +78,7 @@ bool has_comma_at_end(const std::string& field)
 /// The columns of a line of a curve; decimal commas have become points.
 std::vector<std::string> columns_of(const std::string& line)
 {
-  const std::string inside = trimmed(line);
+  const std::string inside(trimmed(line, blanks_and_quotes));
   if (inside.find(';') != inside.npos)
     return with_points(split(inside, ";"));
   if (inside.find('\t') != inside.npos && inside.find(",\t") == inside.npos)
@@ -109,7 +104,7 @@ catch (const InputError&)
 
 bool begins_like_a_number(const std::string& line)
 {
-  const std::string text = trimmed(line);
+  const std::string_view text = trimmed(line, blanks_and_quotes);
   const auto first = text.find_first_not_of("+-.,");
   return first != text.npos && text[first] >= '0' && text[first] <= '9';
 }

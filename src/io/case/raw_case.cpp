@@ -3,6 +3,7 @@
 
 #include "brinell/io/schema.hpp"
 #include "io/files.hpp"
+#include "io/text.hpp"
 #include "old_names.hpp"
 #include "suggestion.hpp"
 #include "toml_text.hpp"
@@ -153,12 +154,6 @@ toml::table override_table(const std::string& value)
   return text;
 }
 
-std::string trimmed(std::string_view text)
-{
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? "" : std::string(text.substr(first, last - first + 1));
-}
-
 /// A table, or a list of them, given to --set replaces that table as a whole.
 void forget_table(RawCase& raw_case, const std::string& key)
 {
@@ -212,7 +207,7 @@ void apply_override(const std::string& text, const std::string& scenario, RawCas
     return;
   Target target{raw_case, problems, "--set " + text, scenario};
   const auto equals = text.find('=');
-  const std::string key = trimmed(std::string_view(text).substr(0, equals));
+  const std::string key(trimmed(std::string_view(text).substr(0, equals)));
   if (equals == text.npos || key.empty())
   {
     problems.add(target.override_place, "must have the form section.key=value, as in --set tugging.interference=4");
@@ -223,7 +218,7 @@ void apply_override(const std::string& text, const std::string& scenario, RawCas
   {
     if (std::count(key.begin(), key.end(), '.') >= deepest_key)
       throw InputError(too_deep());
-    parsed = override_table(trimmed(std::string_view(text).substr(equals + 1)));
+    parsed = override_table(std::string(trimmed(std::string_view(text).substr(equals + 1))));
   }
   catch (const InputError& error)
   {

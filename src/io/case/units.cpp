@@ -2,6 +2,7 @@
 #include "brinell/io/units.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -131,12 +132,6 @@ std::string units_like(std::string_view symbol)
   return found.empty() ? "" : fmt::format(" (did you mean {}?)", found);
 }
 
-void skip_spaces(std::string_view& text)
-{
-  while (text.starts_with(' ') || text.starts_with('\t'))
-    text.remove_prefix(1);
-}
-
 /// A decimal number, split so that the power of a unit can be added to its exponent.
 struct Number
 {
@@ -171,13 +166,6 @@ void multiply(Unit& product, const Unit& factor, int exponent)
   product.dimension.length += factor.dimension.length * exponent;
   product.dimension.time += factor.dimension.time * exponent;
   product.dimension.temperature += factor.dimension.temperature * exponent;
-}
-
-std::string replaced(std::string text, std::string_view from, std::string_view to)
-{
-  for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
 }
 
 /// "W/(m K)" as "W/m/K", and "1/K" as "/K". What else stands in parentheses stays, and is no unit.
@@ -244,15 +232,13 @@ std::string_view example_quantity(Dimension dimension)
 
 Quantity quantity(std::string_view text)
 {
-  skip_spaces(text);
+  text = trimmed(text);
   const auto number = take_number(text);
   if (!number)
     throw InputError("is not a number with a unit, such as \"3.85 mm\"");
   if (text.size() > 1 && text[0] == ',' && text[1] >= '0' && text[1] <= '9')
     throw InputError("has a comma in its number; allowed: a decimal point, as in \"3.85 mm\"");
-  skip_spaces(text);
-  while (text.ends_with(' ') || text.ends_with('\t'))
-    text.remove_suffix(1);
+  text = trimmed(text);
   const Unit unit = text.empty() ? Unit{} : unit_expression(text);
   const std::string decimal = fmt::format("{}e{}", number->mantissa, number->exponent + unit.power);
   Quantity result{0.0, unit.dimension};
@@ -265,12 +251,10 @@ Quantity quantity(std::string_view text)
 double degrees_celsius(std::string_view text)
 {
   constexpr double ice_point = 273.15; // [K]
+  text = trimmed(text);
   std::string_view rest = text;
-  skip_spaces(rest);
   const std::size_t unit = take_number(rest) ? text.size() - rest.size() : text.size();
-  skip_spaces(rest);
-  while (rest.ends_with(' ') || rest.ends_with('\t'))
-    rest.remove_suffix(1);
+  rest = trimmed(rest);
   const bool is_celsius = rest == "degC" || rest == "\u00b0C";
   if (!is_celsius && rest != "K")
     throw InputError("is no temperature; allowed: a number in degC, or text as in \"20 degC\" or \"293.15 K\"");

@@ -2,6 +2,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/citations.hpp"
 #include "io/embedded.hpp"
+#include "io/text.hpp"
 
 #include <fmt/format.h>
 #include <sstream>
@@ -11,13 +12,6 @@ namespace brinell::io
 
 namespace
 {
-
-std::string replaced(std::string text, std::string_view from, std::string_view to)
-{
-  for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
 
 /// The field of a line such as `  title = {{Contact Mechanics}},`.
 std::pair<std::string, std::string> field_of(const std::string& line, std::size_t equals)
