@@ -166,11 +166,11 @@ void load_hardening_file(CaseValues& values, const RawCase& raw, const std::stri
   }
 }
 
-simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body)
+simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body, const simulation::Domain* domain)
 {
   const std::string shape = body + ".shape.";
   return {made(reader, shape, chosen(reader, shape + "type", shape_options())), material(reader, body + ".material."),
-          read_texture(reader, body + ".texture")};
+          read_texture(reader, body + ".texture", domain)};
 }
 
 } // namespace brinell::io

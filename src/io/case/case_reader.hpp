@@ -114,10 +114,13 @@ Product made(const CaseReader& reader, const std::string& table, const Option<Pr
 }
 
 /// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
-[[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body);
+/// @param domain  whose period a random texture takes; nullptr if there are problems with it
+[[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body,
+                                               const simulation::Domain* domain);
 
 /// The sum of the textures in the tables of a list, or what its one table says; of what cannot be made, the problem is told.
-[[nodiscard]] simulation::Texture read_texture(const CaseReader& reader, const std::string& key);
+[[nodiscard]] simulation::Texture read_texture(const CaseReader& reader, const std::string& key,
+                                               const simulation::Domain* domain);
 
 /// Fills in the thermal constants, if there are any; without the elastic ones a body must be known to be rigid or not.
 /// @param table  ends with a dot

@@ -110,7 +110,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   const bool domain_is_known = reader.problems.empty(); // else its sizes are defaults that nobody has given
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
   {
-    *body = read_body(reader, name);
+    *body = read_body(reader, name, domain_is_known ? &domain : nullptr);
     if (const auto reason = against_shape(body->shape); !reason.empty())
       reader.add(fmt::format("{}.shape.type", name), reason);
     const auto* roller = std::get_if<simulation::Roller>(&body->shape);

@@ -44,23 +44,9 @@ simulation::Texture height_map(const CaseReader& reader, const std::string& tabl
                                .periodic = reader.get<bool>(table + "periodic")};
 }
 
-/// Period of the grid along x and along y, where it is given.
-std::array<std::optional<double>, 2> grid_period(const CaseReader& reader)
-{
-  const auto& boundary = reader.get<std::string>("grid.boundary");
-  if (!reader.has("grid.size"))
-    return {};
-  const auto& size = reader.get<std::vector<double>>("grid.size");
-  if (boundary == "periodic" && (size.size() == 1 || size.size() == 2))
-    return {size.front(), size.back()};
-  if (size.size() != 1 || boundary == "periodic") // told with the domain
-    return {};
-  return boundary == "periodic_x" ? std::array<std::optional<double>, 2>{size[0], std::nullopt}
-                                  : std::array<std::optional<double>, 2>{std::nullopt, size[0]};
-}
-
 /// Period of a random surface; none, with the problem told, if it cannot be known.
-std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const std::string& table)
+std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const std::string& table,
+                                                 const simulation::Domain* domain)
 {
   constexpr double rolloffs = 8.0; // so that the longest waves are many
   if (reader.has(table + "size"))
@@ -71,7 +57,11 @@ std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const
     reader.add(table + "size", "needs two lengths, [along x, along y]");
     return std::nullopt;
   }
-  auto [along_x, along_y] = grid_period(reader);
+  if (!domain)
+    return std::nullopt;
+  const auto period = [&](const simulation::Domain::Axis& axis)
+  { return axis.is_periodic() && reader.has("grid.size") ? std::optional(axis.size) : std::nullopt; };
+  auto along_x = period(domain->x), along_y = period(domain->y);
   if (reader.has(table + "rolloff"))
   {
     const double size = rolloffs * reader.get<double>(table + "rolloff");
@@ -85,7 +75,7 @@ std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const
 }
 
 /// Smooth, with the problem told, if the keys do not fit together.
-simulation::Texture random_surface(const CaseReader& reader, const std::string& table)
+simulation::Texture random_surface(const CaseReader& reader, const std::string& table, const simulation::Domain* domain)
 {
   const auto number = [&](const char* key)
   { return reader.has(table + key) ? std::optional(reader.get<double>(table + key)) : std::nullopt; };
@@ -100,7 +90,7 @@ simulation::Texture random_surface(const CaseReader& reader, const std::string& 
     reader.add(table + "type", "needs {0}rms_height or {0}rms_slope", table);
     return {};
   }
-  const auto size = random_size(reader, table);
+  const auto size = random_size(reader, table, domain);
   if (!size)
     return {};
   p.size_x = (*size)[0];
@@ -123,7 +113,7 @@ simulation::Texture random_surface(const CaseReader& reader, const std::string& 
 
 } // namespace
 
-simulation::Texture read_texture(const CaseReader& reader, const std::string& key)
+simulation::Texture read_texture(const CaseReader& reader, const std::string& key, const simulation::Domain* domain)
 {
   simulation::Texture sum;
   for (const std::string& name : reader.raw.tables_of(key))
@@ -133,7 +123,7 @@ simulation::Texture read_texture(const CaseReader& reader, const std::string& ke
     if (option.name == "sinusoid" && !reader.has(table + "wavelength_x") && !reader.has(table + "wavelength_y"))
       reader.add(table + "type", "needs {0}wavelength_x or {0}wavelength_y, or both", table);
     simulation::Texture part = option.make               ? made(reader, table, option)
-                               : option.name == "random" ? random_surface(reader, table)
+                               : option.name == "random" ? random_surface(reader, table, domain)
                                                          : height_map(reader, table);
     std::move(part.parts.begin(), part.parts.end(), std::back_inserter(sum.parts));
   }
