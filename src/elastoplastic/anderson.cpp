@@ -58,15 +58,28 @@ void Anderson::advance(std::span<double> x, std::span<const double> g, std::span
     remember(x, g, y, compares);
   if (depth_ > 0 && (compares || count_ == 0))
     ++count_;
-  const std::vector<double> weight = weights(count_ > 0 ? std::min(count_ - 1, depth_) : 0);
+  weight_ = weights(count_ > 0 ? std::min(count_ - 1, depth_) : 0);
   for_pieces(x.size(),
              [&](std::size_t first, std::size_t last)
              {
                std::copy(g.begin() + first, g.begin() + last, x.begin() + first);
-               for (std::size_t a = 0; a < weight.size(); ++a)
+               for (std::size_t a = 0; a < weight_.size(); ++a)
                  for (std::size_t i = first; i < last; ++i)
-                   x[i] -= weight[a] * dg_[a][i];
+                   x[i] -= weight_[a] * dg_[a][i];
              });
+}
+
+std::vector<double> Anderson::residual() const
+{
+  std::vector<double> f(previous_f_);
+  for_pieces(f.size(),
+             [&](std::size_t first, std::size_t last)
+             {
+               for (std::size_t a = 0; a < weight_.size(); ++a)
+                 for (std::size_t i = first; i < last; ++i)
+                   f[i] -= weight_[a] * df_[a][i];
+             });
+  return f;
 }
 
 /// Of the differences dg in the next x; none if they do not tell.

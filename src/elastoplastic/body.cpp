@@ -306,6 +306,9 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   if (!is_plastic())
     return false;
   find_stress(load);
+  const auto acts = [](double shear) { return shear != 0.0; };
+  bears_shear_ = std::any_of(load.shear_x.begin(), load.shear_x.end(), acts) ||
+                 std::any_of(load.shear_y.begin(), load.shear_y.end(), acts);
   yield_error_ = std::visit(
       [&](const auto& law)
       {

@@ -56,6 +56,19 @@ private:
 /// Errors over their tolerances below which the next evaluation is likely to be the last one.
 constexpr double closing_factor = 5.0;
 
+/// Violations of the yield condition between which trials may go further than their residual leads: from afar they would go too
+/// far, and nearer than tolerances ask for the plain combination is as good.
+constexpr double near = 0.02, nearest = 1e-4;
+
+/// To tolerances that are much smaller than the usual ones trials never go further: there it has cost increments.
+bool may_go_further(const Settings& settings)
+{
+  constexpr double share = 0.1;
+  const Settings usual;
+  return settings.yield_tolerance >= share * usual.yield_tolerance &&
+         settings.displacement_tolerance >= share * usual.displacement_tolerance;
+}
+
 bool is_finite(const IncrementReport& report)
 {
   return std::isfinite(report.yield_error + report.displacement_error + report.gap_error);
@@ -198,7 +211,8 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     if (report.energy_rose || stalls)
       return report;
     closing = strategy.watch_energy || is_within(closing_factor, report);
-    acceleration.advance(sides_, complete && !was_complete);
+    const bool is_near = report.yield_error <= near && report.yield_error >= nearest;
+    acceleration.advance(sides_, complete && !was_complete, is_near && may_go_further(settings_));
     was_complete = complete;
   }
 }

@@ -30,6 +30,9 @@ concept Participant = requires(Part& part, const Part& fixed)
     fixed.flow()
     } -> std::same_as<const std::vector<double>&>; ///< factors of changes of g in the work on the strain of the trial
   {
+    part.go_further(std::vector<double>{})
+    } -> std::same_as<void>; ///< trials, from a combination of evaluations with this residual
+  {
     fixed.copies_of_unknown(std::size_t{})
     } -> std::same_as<int>; ///< its weight in products
 };
@@ -76,6 +79,18 @@ public:
                  });
     }
   }
+  /// Lets the trials go further from where the residual of all is f.
+  template <typename Sides>
+  void go_further(const std::vector<double>& f, Sides& sides) const
+  {
+    for (std::size_t part = 0; part < places_.size(); ++part)
+    {
+      std::vector<double> residual(places_[part].size());
+      for (std::size_t i = 0; i < residual.size(); ++i)
+        residual[i] = f[places_[part][i]];
+      sides[part].body.go_further(residual);
+    }
+  }
   template <typename Sides>
   void unpack(const std::vector<double>& x, Sides& sides) const
   {
@@ -101,11 +116,13 @@ private:
 class Acceleration
 {
 public:
-  explicit Acceleration(int depth) : anderson_(depth) {}
+  /// @param depth  0: the plain fixed point, which goes where the trials are mapped to
+  explicit Acceleration(int depth) : is_plain_(depth == 0), anderson_(depth) {}
 
+  /// @param is_near  whether trials may go further than their residual leads
   /// @param changes_map  the evaluation is not of the same map as the one before, see Anderson::change_map
   template <typename Sides>
-  void advance(Sides& sides, bool changes_map)
+  void advance(Sides& sides, bool changes_map, bool is_near)
   {
     if (changes_map)
       anderson_.change_map();
@@ -113,9 +130,12 @@ public:
     unknowns_.pack(sides, x_, g_, y_);
     anderson_.advance(x_, g_, y_);
     unknowns_.unpack(x_, sides);
+    if (is_near && !is_plain_)
+      unknowns_.go_further(anderson_.residual(), sides);
   }
 
 private:
+  bool is_plain_;
   Anderson anderson_;
   Unknowns unknowns_;
   std::vector<double> x_, g_, y_;

@@ -21,6 +21,8 @@ public:
   /// Replaces x by the next iterate, given g(x) and y(x). All may be longer than last time: unknowns that came in at the end
   /// have no history, as if they had always been converged.
   void advance(std::span<double> x, std::span<const double> g, std::span<const double> y);
+  /// Residual of the combination that `advance` went to last, from whose x it leads to g; depth > 0.
+  [[nodiscard]] std::vector<double> residual() const;
   /// Tells before `advance` that its g is that of a map which differs a little from the one before: what the history has learnt
   /// still holds, but the difference between these two evaluations tells nothing.
   void change_map() { changes_map_ = true; }
@@ -39,6 +41,7 @@ private:
   std::vector<std::vector<double>> dg_, df_, dy_; ///< ring buffers of differences
   std::vector<double> products_;                  ///< dy . df, [of dy][of df]
   std::vector<double> right_;                     ///< dy . f
+  std::vector<double> weight_;                    ///< of the differences in the last combination
 };
 
 } // namespace brinell::elastoplastic

@@ -134,6 +134,10 @@ public:
   [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
   [[nodiscard]] const std::vector<double>& flow() const { return active_.flow(); }     ///< see ActiveCells::flow
+  /// Lets the trials go further along the flow of the last evaluation in cells near the surface that flow along it, which the body
+  /// around them hardly holds; nothing without shear on the surface.
+  /// @param residual  g - q of the combination of evaluations from which the trials come, unknowns() values. Where it is 0 they stay.
+  void go_further(const std::vector<double>& residual);
   /// Of the last `update`: largest von Mises norm of g - q over the yield stress, over the cells that yield.
   [[nodiscard]] double yield_error() const { return yield_error_; }
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
@@ -217,6 +221,7 @@ private:
   int layers_; ///< layers whose stress is computed, from the surface
   ActiveCells active_;
   double yield_error_ = 0.0; ///< of the last evaluation
+  bool bears_shear_ = false; ///< in the last evaluation
   bool in_increment_ = false;
   /// Deviatoric stress of the trial in the layers computed. Between increments: that of the state, and in the cells that were
   /// active last their q, the guess of the next increment.

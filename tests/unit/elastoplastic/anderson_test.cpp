@@ -220,6 +220,57 @@ TEST(AndersonTest, OrthogonalToTheDifferencesOfYItIsConjugateGradients)
   }
 }
 
+/// Likewise where x goes further in some unknowns: the residual is that of g, so it is preconditioned conjugate gradients.
+TEST(AndersonTest, GoingFurtherPreconditionsConjugateGradients)
+{
+  constexpr std::size_t n = 9;
+  const std::vector<double> b = test::random_field(n, 5);
+  const auto times_a = [&](const std::vector<double>& v) // tridiagonal, and soft in the unknowns of odd number
+  {
+    const auto scale = [](std::size_t i) { return i % 2 == 1 ? 0.3 : 1.0; };
+    std::vector<double> result(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double beside = (i > 0 ? scale(i - 1) * v[i - 1] : 0.0) + (i + 1 < n ? scale(i + 1) * v[i + 1] : 0.0);
+      result[i] = scale(i) * (scale(i) * v[i] - 0.49 * beside);
+    }
+    return result;
+  };
+  const auto further = [](std::size_t i) { return i % 2 == 1 ? 1.0 / 0.09 : 1.0; };
+  const auto dot = [](const std::vector<double>& a, const std::vector<double>& c)
+  { return std::inner_product(a.begin(), a.end(), c.begin(), 0.0); };
+  Anderson anderson(static_cast<int>(n));
+  std::vector<double> x(n, 0.0), cg(n, 0.0), r = b, z(n), p;
+  for (std::size_t i = 0; i < n; ++i)
+    z[i] = further(i) * r[i];
+  p = z;
+  for (int step = 0; step < 6; ++step)
+  {
+    std::vector<double> g = x;
+    const std::vector<double> ax = times_a(x);
+    for (std::size_t i = 0; i < n; ++i)
+      g[i] += b[i] - ax[i];
+    const std::vector<double> y = x;
+    anderson.advance(x, g, y);
+    const std::vector<double> residual = anderson.residual();
+    for (std::size_t i = 0; i < n; ++i)
+      x[i] += (further(i) - 1.0) * residual[i];
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_NEAR(x[i], cg[i] + z[i], 1e-8) << step;
+    const std::vector<double> ap = times_a(p);
+    const double before = dot(r, z), length = before / dot(p, ap);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      cg[i] += length * p[i];
+      r[i] -= length * ap[i];
+      z[i] = further(i) * r[i];
+    }
+    const double ratio = dot(r, z) / before;
+    for (std::size_t i = 0; i < n; ++i)
+      p[i] = z[i] + ratio * p[i];
+  }
+}
+
 /// An unknown of weight two does what two alike would.
 TEST(AndersonTest, WeightsStandForCopies)
 {
