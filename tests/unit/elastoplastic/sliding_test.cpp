@@ -144,19 +144,22 @@ TEST(SlidingTest, GuardedAndAcceleratedIterationMeet)
 
 TEST(SlidingTest, SolutionDoesNotKnowHowFarTrialsGo)
 {
-  // The plain iteration never goes further than its residual leads: the same state by path integration, which a softer cell would change.
+  // The plain iteration never goes further than its residual leads: the same state.
   PressOptions options = sliding(0.4);
   options.hardening_modulus = 20e9;
-  options.settings.yield_tolerance = 1e-5; // to smaller ones trials never go further
-  options.settings.displacement_tolerance = 1e-6;
-  SpherePress accelerated(options), plain(options);
   Strategy slow;
   slow.max_evaluations = 20000;
   slow.anderson_depth = 0;
-  ASSERT_TRUE(accelerated.press(3.0).converged);
+  SpherePress plain(options);
+  options.settings.yield_tolerance = 1e-5; // to smaller ones trials never go further
+  options.settings.displacement_tolerance = 1e-6;
+  SpherePress accelerated(options);
   ASSERT_TRUE(plain.press(3.0, slow).converged);
-  EXPECT_GT(largest(plain.contact().lower().state().equivalent), 1e-4);
-  expect_same_state(plain.contact().lower().state(), accelerated.contact().lower().state(), 1e-6);
+  ASSERT_TRUE(accelerated.press(3.0).converged);
+  const BodyState& state = plain.contact().lower().state();
+  EXPECT_GT(largest(state.equivalent), 1e-4);
+  // 1e-5 of the yield stress, over a tenth of the stiffness of a cell, is some 1e-4 of this strain.
+  expect_same_state(state, accelerated.contact().lower().state(), 1e-4);
 }
 
 TEST(SlidingTest, FailedIncrementLeavesNothingBehind)
