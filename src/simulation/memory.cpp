@@ -57,11 +57,14 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
 
 /// What the cells in the fixed point take in an increment, with the history of the accelerator. Their number is not known
 /// before: a plastic zone fills less of a box than of its section, and of a period little more than what lies under peaks.
-double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material, int anderson_depth,
-                   double contact_share)
+/// Without short cuts they are all that is computed.
+double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
+                   const elastoplastic::Settings& solver, const Plan& plan)
 {
-  const double active_share = is_plane(grid.surface) ? 0.5 : std::min(0.15, 0.75 * contact_share);
-  const double of_unknowns = 5.0 * (3.0 * anderson_depth + 11.0);
+  const double computed = plan.symmetry == Symmetry::none ? 1.0 : 0.5;
+  const double near_yield = is_plane(grid.surface) ? 0.5 : std::min(0.15, 0.75 * plan.contact_share);
+  const double active_share = solver.shortcuts ? near_yield : computed;
+  const double of_unknowns = 5.0 * (3.0 * solver.anderson_depth + 11.0);
   return material.is_plastic() ? field_bytes(grid, active_share * of_unknowns) : 0.0;
 }
 
@@ -85,10 +88,11 @@ double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& ma
 }
 
 /// Waves of a flux that has always moved: temperature and stress in each layer, as spectra and as the tables of which they are
-/// made, and as much as one and a half of them, by measurement, in lattices of which those are summed.
+/// made, and as much again, by measurement, in lattices of which those are summed. With two threads the most that is held at a time
+/// differs by a quarter from run to run.
 double steady_heat_bytes(const VolumeGrid& grid)
 {
-  constexpr double parts = 7.0, copies = 3.5;
+  constexpr double parts = 7.0, copies = 3.0;
   const PaddedLengths padded = padded_lengths(grid.surface);
   return parts * copies * grid.nz * padded.x * padded.y * sizeof(double);
 }
@@ -115,10 +119,11 @@ double lattices_of_heat(const SurfaceGrid& grid, bool shortcuts)
 }
 
 /// All heat since the start, some sixty waves in depth, as it is and as it was for when an increment fails; and the waves of fields
-/// while they are read. With symmetry half of the waves are kept. The heat of plastic work adds the layers of the body
+/// while they are read, of a body that may yield. With symmetry half of the waves are kept. The heat of plastic work adds the layers of the body
 /// and some fifteen beneath: how warm they are, and what makes them so, now and before; on lattices that take off images at least
 /// two layers are one, with short cuts.
-double transient_heat_bytes(const VolumeGrid& volume, bool of_plastic_work, bool shortcuts, Symmetry symmetry)
+double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Material& material, bool of_plastic_work,
+                            bool shortcuts, Symmetry symmetry)
 {
   constexpr double waves = 60.0, copies = 2.0, copies_of_layers = 3.0, fields = 7.0,
                    most_bytes_read = 16.0 * 1024 * 1024, expected_and_lacking = 3.0;
@@ -129,21 +134,21 @@ double transient_heat_bytes(const VolumeGrid& volume, bool of_plastic_work, bool
   const PaddedLengths padded = padded_lengths(grid.surface);
   const double field = (symmetry == Symmetry::none ? 1.0 : 0.5) * sizeof(double) * padded.x * padded.y;
   const double kept = waves * lattices * copies + layers * of_layers * copies_of_layers;
-  return kept * field + std::min(most_bytes_read, fields * grid.nz * field) +
-         field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
+  const double read = material.is_plastic() ? std::min(most_bytes_read, fields * grid.nz * field) : 0.0;
+  return kept * field + read + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
 }
 
-/// The heat of a body; and its stress, now and before, and softening.
+/// The heat of a body; and, if it may yield, its stress, now and before, and softening.
 double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, const elastoplastic::Settings& solver,
                   Symmetry symmetry, const elastoplastic::HeatSettings& heat)
 {
   if (!material.thermal)
     return 0.0;
-  const double fields = field_bytes(grid, material.softening ? 16.0 : 15.0);
+  const double fields = material.is_plastic() ? field_bytes(grid, material.softening ? 16.0 : 15.0) : 0.0;
   if (heat.regime == elastoplastic::HeatRegime::steady)
     return steady_heat_bytes(grid) + fields;
-  return transient_heat_bytes(grid, material.is_plastic() && heat.of_plastic_work > 0.0, solver.shortcuts, symmetry) +
-         fields;
+  const bool of_plastic_work = material.is_plastic() && heat.of_plastic_work > 0.0;
+  return transient_heat_bytes(grid, material, of_plastic_work, solver.shortcuts, symmetry) + fields;
 }
 
 /// Fields of the contact's solver and of what is read from it, and its transforms.
@@ -160,7 +165,7 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
                     const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
 {
-  constexpr double program = 17e6;                              // with its libraries
+  constexpr double program = 22e6;                              // with its libraries, and what writes the files
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
   double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
   for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
@@ -170,7 +175,7 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
       continue;
     bodies += body_bytes(*grid, *material, shears) +
               (heat ? heat_bytes(*grid, *material, solver, plan.symmetry, *heat) : 0.0);
-    trials += trial_bytes(*grid, *material, solver.anderson_depth, plan.contact_share);
+    trials += trial_bytes(*grid, *material, solver, plan);
     bodies += window_bytes(plan, *grid, *material, shears);
     checkpoint += checkpoint_bytes(*grid, *material, shears);
   }

@@ -72,29 +72,35 @@ TEST_P(Memory, IsAsForetold)
   EXPECT_NEAR(foretold(checked.out) / memory, 1.0, 0.2) << memory << " MB"; // what is promised
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Memory,
-                         testing::Values(Sized{"tugging-paper",
-                                               {R"(grid.spacing=["1.5 mm", "3 mm", "0.75 mm"])",
-                                                R"(tugging.shift="12 mm")", "tugging.interference=4",
-                                                "output.snapshots=all"}},
-                                         Sized{"tugging", {"grid.resolution=12", R"(tugging.shift="0.2 um")"}},
-                                         Sized{"rolling-sliding", {"grid.resolution=6", "rolling.passes=1"}},
-                                         Sized{"sliding-rough",
-                                               {"sliding.strokes=1", R"(sliding.distance="2 um")",
-                                                "output.checkpoint_interval=0"}}, // after each step
-                                         Sized{"fretting-sphere", {}}, Sized{"rough-periodic", {}},
-                                         Sized{"tugging-heat", {"grid.resolution=10", R"(tugging.shift="0.2 mm")"}},
-                                         heated_by_friction("transient"), heated_by_friction("steady"),
-                                         Sized{"rolling-heat", // tracks so long that images need half as many cells
-                                               {"grid.resolution=10", "thermal.heat_of_plastic_work=0"},
-                                               "-long"},
-                                         Sized{"rolling-heat", {"grid.resolution=10"}, "-long-plastic"}),
-                         [](const auto& parameter)
-                         {
-                           std::string name = parameter.param.name + parameter.param.variant;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Cases, Memory,
+    testing::Values(
+        Sized{"tugging-paper",
+              {R"(grid.spacing=["1.5 mm", "3 mm", "0.75 mm"])", R"(tugging.shift="12 mm")", "tugging.interference=4",
+               "output.snapshots=all"}},
+        Sized{"tugging", {"grid.resolution=12", R"(tugging.shift="0.2 um")"}},
+        Sized{"rolling-sliding", {"grid.resolution=6", "rolling.passes=1"}},
+        Sized{"sliding-rough",
+              {"sliding.strokes=1", R"(sliding.distance="2 um")", "output.checkpoint_interval=0"}}, // after each step
+        Sized{"fretting-sphere", {}}, Sized{"rough-periodic", {}},
+        Sized{"rolling-sliding", // all cells are unknowns
+              {"grid.resolution=6", "rolling.passes=1", "solver.shortcuts=false"},
+              "-no-shortcuts"},
+        Sized{
+            "tugging", {"grid.resolution=12", R"(tugging.shift="0.2 um")", "solver.shortcuts=false"}, "-no-shortcuts"},
+        Sized{"flash-temperature", {}}, // elastic
+        Sized{"tugging-heat", {"grid.resolution=10", R"(tugging.shift="0.2 mm")"}}, heated_by_friction("transient"),
+        heated_by_friction("steady"),
+        Sized{"rolling-heat", // tracks so long that images need half as many cells
+              {"grid.resolution=10", "thermal.heat_of_plastic_work=0"},
+              "-long"},
+        Sized{"rolling-heat", {"grid.resolution=10"}, "-long-plastic"}),
+    [](const auto& parameter)
+    {
+      std::string name = parameter.param.name + parameter.param.variant;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 } // namespace
 
