@@ -205,7 +205,10 @@ void require_seal(const fs::path& path, std::string_view mark)
 
 IoError damaged_file(const fs::path& path, std::string_view how)
 {
-  return IoError(fmt::format("{}: is damaged{}{}; run without --resume", path.string(), how.empty() ? "" : ": ", how));
+  std::error_code error;
+  const bool is_there = fs::exists(path, error);
+  const std::string what = !is_there ? "is gone" : how.empty() ? "is damaged" : fmt::format("is damaged: {}", how);
+  return IoError(fmt::format("{}: {}; begin the run anew, without --resume", path.string(), what));
 }
 
 std::size_t valid_utf8(std::string_view text)

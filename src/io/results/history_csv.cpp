@@ -32,7 +32,7 @@ std::vector<double> parsed_row(const std::string& line, std::size_t count, const
   {
     const auto [after, error] = std::from_chars(place, end, value);
     if (error != std::errc{} || (values.size() + 1 < count ? after == end || *after != ',' : after != end))
-      throw IoError(fmt::format("{}: is damaged at \"{}\"; run without --resume", path.string(), line));
+      throw IoError(fmt::format("{}: is damaged at \"{}\"; begin the run anew, without --resume", path.string(), line));
     values.push_back(value);
     place = after;
   }
@@ -120,7 +120,7 @@ void HistoryWriter::keep_rows(const std::string& header, int count, std::string_
   stream.close();
   sum_->add(text);
   if (!sum.empty() && sum_->text() != sum)
-    throw IoError(fmt::format("{}: is damaged; run without --resume", path_.string()));
+    throw IoError(fmt::format("{}: is damaged; begin the run anew, without --resume", path_.string()));
   replace_file(path_, text);
 }
 

@@ -3,6 +3,7 @@
 #include "io/files.hpp"
 #include "sample_result.hpp"
 
+#include <fmt/format.h>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
@@ -40,7 +41,7 @@ void flip_bit(const fs::path& file, std::uintmax_t bit)
 }
 
 /// Refused, and named: what is damaged must never be computed with.
-void expect_refused(const fs::path& folder, const fs::path& file)
+void expect_refused(const fs::path& folder, const fs::path& file, const std::string& why = "is damaged")
 {
   try
   {
@@ -49,7 +50,8 @@ void expect_refused(const fs::path& folder, const fs::path& file)
   }
   catch (const IoError& error)
   {
-    EXPECT_NE(std::string(error.what()).find(file.string() + ": is damaged"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find(fmt::format("{}: {}", file.string(), why)), std::string::npos)
+        << error.what();
   }
 }
 
@@ -94,6 +96,15 @@ TEST(DamagedResult, DamagedPieceIsNotMergedAndStays)
   EXPECT_THROW(results.finish("{}"), IoError);
   EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   EXPECT_TRUE(fs::exists(piece));
+}
+
+TEST(DamagedResult, PieceThatIsGoneIsNamed)
+{
+  const sample::TemporaryFolder folder;
+  write_stopped(folder.path());
+  const fs::path piece = folder.path() / "snapshots" / "000000.h5";
+  fs::remove(piece);
+  expect_refused(folder.path(), piece, "is gone");
 }
 
 /// Changes a checkpoint as somebody would who knows how to seal it.
