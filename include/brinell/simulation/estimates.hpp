@@ -16,8 +16,8 @@ struct Work
   bool yields_along_the_track = true; ///< else, for the most part, only under the contact
 };
 
-/// Seconds on one core, from measured runs: time per cell of the contact's box, per evaluation, growing as N log N.
-/// Without plastic bodies only the contact is solved.
+/// Seconds on one core, from measured runs: time per cell of the bodies that yield, per evaluation, growing as N log N. Bodies that are
+/// heated count for some evaluations more, and where none yields only the contact is solved. Good to a factor of three.
 [[nodiscard]] double rough_seconds(const Plan& plan, const constitutive::Material& lower,
                                    const constitutive::Material& upper, const Work& work);
 

@@ -241,6 +241,7 @@ ScenarioIo<RollingCase> description()
       .half_x = &RollingPlan::half_width_x,
       .half_y = &RollingPlan::half_width_y,
       .motion = motion,
+      .work = {.evaluations = 4.0},
       .is_key_step = [](const RollingCase&, const RollingRecord& record, NearestToMiddle& middle)
       { return middle(record.pass, record.x); },
       .key_steps = [](const RollingCase& r, const RollingPlan&) { return double(r.passes); },
