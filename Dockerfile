@@ -2,7 +2,7 @@
 FROM debian:12 AS tools
 RUN apt-get update && apt-get install -y --no-install-recommends \
   build-essential cmake ninja-build pkg-config python3-dev python3-venv \
-  libfftw3-dev libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev zlib1g-dev nlohmann-json3-dev \
+  libfftw3-dev libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev zlib1g-dev libxxhash-dev nlohmann-json3-dev \
   && rm -rf /var/lib/apt/lists/*
 
 FROM tools AS build

@@ -9,8 +9,10 @@
 #include <fstream>
 #include <limits>
 #include <unistd.h>
-#include <utility>
 #include <vector>
+
+#define XXH_INLINE_ALL // the library itself is not needed then
+#include <xxhash.h>
 
 namespace brinell::io
 {
@@ -134,42 +136,26 @@ void Replacement::commit()
   is_committed_ = true;
 }
 
-/// Multiplication by an odd number carries damage upwards, the shift brings it down again.
-void Checksum::mix(std::uint64_t word)
+struct Checksum::State
 {
-  state_ = (state_ ^ word) * 0xff51afd7ed558ccd;
-  state_ ^= state_ >> 32;
+  XXH3_state_t xxh3;
+};
+
+Checksum::Checksum() : state_(std::make_unique<State>())
+{
+  XXH3_64bits_reset(&state_->xxh3);
 }
+
+Checksum::~Checksum() = default;
 
 void Checksum::add(std::string_view bytes)
 {
-  constexpr std::size_t size = sizeof(word_);
-  while (!bytes.empty())
-  {
-    const std::size_t filled = size_ % size;
-    if (filled == 0 && bytes.size() >= size)
-    {
-      std::uint64_t word = 0;
-      std::memcpy(&word, bytes.data(), size);
-      mix(word);
-      size_ += size;
-      bytes.remove_prefix(size);
-      continue;
-    }
-    word_ |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes.front())) << (8 * filled);
-    ++size_;
-    bytes.remove_prefix(1);
-    if (size_ % size == 0)
-      mix(std::exchange(word_, 0));
-  }
+  XXH3_64bits_update(&state_->xxh3, bytes.data(), bytes.size());
 }
 
 std::string Checksum::text() const
 {
-  Checksum whole = *this;
-  whole.mix(word_);
-  whole.mix(size_);
-  return fmt::format("{:016x}", whole.state_);
+  return fmt::format("{:016x}", XXH3_64bits_digest(&state_->xxh3));
 }
 
 std::string checksum(std::string_view bytes)

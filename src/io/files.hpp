@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <ios>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -31,21 +32,23 @@ void read_blocks(const std::filesystem::path& file, std::size_t largest,
 /// Replaces a file in one piece: readers see the old content or the new one. @throws IoError
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// 64 bits of what has been added, in whatever pieces. Every step is one to one, so that no single damaged word goes unnoticed;
-/// of other damage one in 2^64 does. It is no signature: who damages on purpose can mend the checksum too.
+/// 64 bits of what has been added, in whatever pieces: XXH3, which leaves one damage in 2^64 unnoticed. It is no signature: who damages
+/// on purpose can mend the checksum too.
 class Checksum
 {
 public:
+  Checksum();
+  ~Checksum();
+  Checksum(const Checksum&) = delete;
+  Checksum& operator=(const Checksum&) = delete;
+
   void add(std::string_view bytes);
   /// Sixteen hexadecimal digits.
   [[nodiscard]] std::string text() const;
 
 private:
-  void mix(std::uint64_t word);
-
-  std::uint64_t state_ = 0x9e3779b97f4a7c15; // any number that is not 0
-  std::uint64_t size_ = 0;
-  std::uint64_t word_ = 0; ///< bytes that do not make a word yet
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 [[nodiscard]] std::string checksum(std::string_view bytes);
