@@ -74,10 +74,9 @@ DepthSums::DepthSums(std::span<const DepthWave> waves, std::span<const DepthFact
   {
     numbers2_.push_back(waves[w].number * waves[w].number);
     at_surface_.push_back(left[w] * factors.front().at_surface[skipped + w]);
-    is_left_.push_back(left[w] > nothing);
+    if (!(left[w] > nothing))
+      first_left_ = w + 1;
   }
-  if (factors.front().temperature.empty())
-    return;
   for (std::size_t d = 0; d < factors.size(); d += together)
   {
     Group group{count, std::vector<Factors>(count)};
@@ -93,7 +92,7 @@ DepthSums::DepthSums(std::span<const DepthWave> waves, std::span<const DepthFact
         constexpr double hardly = 1e-7;
         const double turned =
             std::max(std::abs(f.temperature[at]), std::abs(f.slope[at]) / std::max(waves[w].number, 1e-300));
-        if (is_left_[w] && turned > hardly * waves[w].weight)
+        if (w >= first_left_ && turned > hardly * waves[w].weight)
           group.first = w;
       }
     groups_.push_back(std::move(group));
@@ -102,96 +101,59 @@ DepthSums::DepthSums(std::span<const DepthWave> waves, std::span<const DepthFact
 
 DepthSums::Row DepthSums::make_row(std::size_t columns) const
 {
+  const std::size_t blocks = (columns + lane_count - 1) / lane_count;
   Row row;
-  row.pitch = (2 * columns + lane_count - 1) / lane_count * lane_count;
-  const std::size_t stored = has_layers() ? numbers2_.size() * row.pitch : 0;
-  row.heat.resize(stored);
-  row.integrated.resize(stored);
-  row.k2.assign(columns, 1.0);
+  row.pitch = 2 * lane_count * blocks;
+  row.integrated.resize(blocks * (numbers2_.size() + 1));
   row.at_surface.resize(row.pitch);
   for (AlignedVector<double>* sum : {&row.temperature, &row.potential, &row.slope})
-    sum->resize(has_layers() ? together * row.pitch : 0);
+    sum->resize(together * row.pitch);
   return row;
 }
 
-namespace
+void DepthSums::gather(const Heat& heat, Row& row) const
 {
-
-/// A row divided by k^2 + s^2, with one division for both parts of a value. `take` gets some parts of it from a number on.
-template <typename Take>
-void divide_row(const double* from, const AlignedVector<double>& k2, double s2, std::size_t columns, const Take& take)
-{
-  std::size_t i = 0;
-  for (; i + lane_count <= columns; i += lane_count)
+  row.heat = heat;
+  const std::size_t waves = numbers2_.size() + 1;
+  for (std::size_t block = 0; 2 * lane_count * block < row.pitch; ++block)
   {
-    const Lanes inverse = 1.0 / (s2 + load_lanes(k2.data() + i));
-    const std::size_t low = 2 * i, high = low + lane_count;
-    take(low, lane_count, load_lanes(from + low),
-         __builtin_shufflevector(inverse, inverse, 0, 0, 1, 1, 2, 2, 3, 3) * load_lanes(from + low));
-    take(high, lane_count, load_lanes(from + high),
-         __builtin_shufflevector(inverse, inverse, 4, 4, 5, 5, 6, 6, 7, 7) * load_lanes(from + high));
-  }
-  for (; i < columns; ++i)
-  {
-    const Lanes value = load_lanes(from + 2 * i, 2);
-    take(2 * i, 2, value, (1.0 / (s2 + k2[i])) * value);
-  }
-}
-
-} // namespace
-
-void DepthSums::gather(std::span<const SurfaceWave> along, const Complex* heat, std::size_t apart, Row& row) const
-{
-  for (std::size_t i = 0; i < along.size(); ++i)
-    row.k2[i] = along[i].k * along[i].k;
-  std::fill(row.at_surface.begin(), row.at_surface.end(), 0.0);
-  for (std::size_t w = 0; w < numbers2_.size(); ++w)
-  {
-    if (!is_left_[w])
-      continue;
-    const auto* from = reinterpret_cast<const double*>(heat + w * apart);
-    const double of_surface = at_surface_[w];
-    double *sum = row.at_surface.data(), *packed = row.heat.data() + w * row.pitch,
-           *integrated = row.integrated.data() + w * row.pitch;
-    const auto add = [&](std::size_t n, std::size_t count, const Lanes& divided)
-    { store_lanes(load_lanes(sum + n, count) + of_surface * divided, count, sum + n); };
-    if (!has_layers())
-      divide_row(from, row.k2, numbers2_[w], along.size(),
-                 [&](std::size_t n, std::size_t count, const Lanes&, const Lanes& divided) { add(n, count, divided); });
-    else
-      divide_row(from, row.k2, numbers2_[w], along.size(),
-                 [&](std::size_t n, std::size_t count, const Lanes& value, const Lanes& divided)
-                 {
-                   store_lanes(value, count, packed + n);
-                   store_lanes(divided, count, integrated + n);
-                   add(n, count, divided);
-                 });
+    const ComplexLanes* from = heat.values + block * waves;
+    ComplexLanes* integrated = row.integrated.data() + block * waves;
+    ComplexLanes sum;
+    for (std::size_t w = first_left_; w < numbers2_.size(); ++w)
+    {
+      integrated[w] = 1.0 / (numbers2_[w] + heat.k2[block]) * from[w];
+      sum = sum + at_surface_[w] * integrated[w];
+    }
+    store_lanes(sum, reinterpret_cast<Complex*>(row.at_surface.data()) + block * lane_count);
   }
 }
 
 void DepthSums::sum(std::size_t first, std::size_t columns, Row& row) const
 {
   const Group& group = groups_[first / together];
-  for (std::size_t n = 0; n < 2 * columns; n += lane_count)
+  const std::size_t waves = numbers2_.size() + 1;
+  for (std::size_t block = 0; block * lane_count < columns; ++block)
   {
-    std::array<Lanes, together> temperature{}, potential{}, slope{};
+    std::array<ComplexLanes, together> temperature{}, potential{}, slope{};
     for (std::size_t w = group.first; w < numbers2_.size(); ++w)
     {
-      const Lanes heat = load_lanes(row.heat.data() + w * row.pitch + n);
-      const Lanes integrated = load_lanes(row.integrated.data() + w * row.pitch + n);
+      const ComplexLanes heat = row.heat.values[block * waves + w], integrated = row.integrated[block * waves + w];
       const Factors& factors = group.factors[w];
       for (std::size_t d = 0; d < together; ++d)
       {
-        temperature[d] += factors.temperature[d] * heat;
-        potential[d] += factors.potential[d] * integrated;
-        slope[d] += factors.slope[d] * integrated;
+        temperature[d] = temperature[d] + factors.temperature[d] * heat;
+        potential[d] = potential[d] + factors.potential[d] * integrated;
+        slope[d] = slope[d] + factors.slope[d] * integrated;
       }
     }
     for (std::size_t d = 0; d < together; ++d)
     {
-      store_lanes(temperature[d], lane_count, row.temperature.data() + d * row.pitch + n);
-      store_lanes(potential[d], lane_count, row.potential.data() + d * row.pitch + n);
-      store_lanes(slope[d], lane_count, row.slope.data() + d * row.pitch + n);
+      const auto put = [&](const ComplexLanes& value, AlignedVector<double>& sums)
+      { store_lanes(value, reinterpret_cast<Complex*>(sums.data() + d * row.pitch) + block * lane_count); };
+      put(temperature[d], row.temperature);
+      put(potential[d], row.potential);
+      put(slope[d], row.slope);
     }
   }
 }

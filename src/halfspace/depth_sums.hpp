@@ -3,6 +3,7 @@
 
 #include "depth_waves.hpp"
 #include "foundation/aligned.hpp"
+#include "foundation/lanes.hpp"
 
 #include <array>
 #include <cstddef>
@@ -32,8 +33,8 @@ struct DepthFactors
 
 /// The sums over the waves in depth at several depths, for one row of waves after the other.
 ///
-/// All waves in depth of a row are laid side by side, divided by k^2 + s^2 beside, and up to four depths are summed at a time in
-/// registers. What is nothing is left out: waves that turn so often down to a depth that their mean is nothing, and waves along the
+/// All waves in depth of some neighbouring columns lie side by side. They are divided by k^2 + s^2 once, and up to four depths are
+/// summed at a time in registers. What is nothing is left out: waves that turn so often down to a depth that their mean is nothing, and waves along the
 /// surface that no heat has brought so deep, as at all times it is at most e^{-kz} of what has entered.
 class DepthSums
 {
@@ -42,25 +43,29 @@ public:
   /// @param left     of each of `waves` but the last one, what its heat is multiplied with
   DepthSums(std::span<const DepthWave> waves, std::span<const DepthFactors> factors, std::span<const double> left);
 
-  /// One row: real and imaginary parts in turn.
+  /// Waves of a row in depth, `lane_count` columns after the other: [block][wave].
+  struct Heat
+  {
+    const ComplexLanes* values;
+    const Lanes* k2; ///< of the waves along the surface, [block]
+  };
+  /// One row. Sums have real and imaginary parts in turn.
   struct Row
   {
-    std::size_t pitch = 0;
-    AlignedVector<double> heat, integrated;              ///< [wave][pitch]; the latter divided by k^2 + s^2
-    AlignedVector<double> k2;                            ///< [column]
+    std::size_t pitch = 0;                               ///< of whole blocks
+    Heat heat{};                                         ///< as it was given
+    AlignedVector<ComplexLanes> integrated;              ///< divided by k^2 + s^2, [block][wave]
     AlignedVector<double> at_surface;                    ///< potential without its factor k, the same for all depths
     AlignedVector<double> temperature, potential, slope; ///< of depths together, [depth][pitch]
   };
   [[nodiscard]] Row make_row(std::size_t columns) const;
-  /// Lays a row of `along` side by side.
-  /// @param heat  of the first wave in depth; `apart` values from one to the next
-  void gather(std::span<const SurfaceWave> along, const Complex* heat, std::size_t apart, Row& row) const;
+  /// Divides a row, and sums its potential at the surface.
+  void gather(const Heat& heat, Row& row) const;
 
   static constexpr std::size_t together = 4;
   /// Sums of the depths from `first` on, at most `together`.
   /// @param columns  of the row that count
   void sum(std::size_t first, std::size_t columns, Row& row) const;
-  [[nodiscard]] bool has_layers() const { return !groups_.empty(); }
 
 private:
   /// What one wave is multiplied with at depths together.
@@ -73,8 +78,8 @@ private:
     std::size_t first; ///< wave that does not turn too often at the least of the depths
     std::vector<Factors> factors;
   };
+  std::size_t first_left_ = 0;                ///< faster waves have decayed
   std::vector<double> numbers2_, at_surface_; ///< of each wave but the last one
-  std::vector<bool> is_left_;
   std::vector<Group> groups_;
 };
 

@@ -23,9 +23,11 @@ double cell_mean(double angle)
 } // namespace
 
 HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-                       Symmetry symmetry, const std::shared_ptr<const LayeredConduction>& layers)
+                       const DepthFactors& surface, Symmetry symmetry, const std::shared_ptr<const LayeredConduction>& layers)
     : fft_(grid, px, py, symmetry), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
-      waves_(std::move(waves)), heat_(waves_.waves.size() * fft_.plane())
+      waves_(std::move(waves)), at_surface_(surface.at_surface.end() - static_cast<std::ptrdiff_t>(waves_.waves.size()),
+                                          surface.at_surface.end() - 1),
+      heat_(block_of(fft_.rows()) * waves_.waves.size())
 {
   const PlaneOfWaves& all = fft_.all();
   for (int row = 0; row < fft_.rows(); ++row)
@@ -33,6 +35,13 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
     {
       const double kx = all.wavenumber_x(i), ky = all.wavenumber_y(row);
       along_.push_back({kx, ky, std::hypot(kx, ky), 2 * i == px ? 0.0 : kx, 2 * row == py ? 0.0 : ky});
+    }
+  for (int row = 0; row < fft_.rows(); ++row)
+    for (std::size_t block = 0; block < blocks(); ++block)
+    {
+      Lanes& k2 = k2_.emplace_back();
+      for (std::size_t lane = 0; lane < lane_count; ++lane)
+        k2[lane] = std::pow(row_of_waves(row)[std::min(block * lane_count + lane, columns() - 1)].k, 2);
     }
   if (waves_.has_fields)
     for (const SurfaceWave& wave : along_)
@@ -46,54 +55,55 @@ std::span<const SurfaceWave> HeatMemory::row_of_waves(int row) const
   return std::span(along_).subspan(begin_of(row), columns());
 }
 
+/// Of each wave in depth after a while.
 std::vector<double> HeatMemory::left_in_depth(double duration) const
 {
   std::vector<double> left;
+  left.reserve(waves_.waves.size());
   for (const DepthWave& wave : waves_.waves)
     left.push_back(std::exp(-diffusivity_ * wave.number * wave.number * duration));
   return left;
 }
 
+double HeatMemory::left_along(int row, std::size_t column, double duration) const
+{
+  if (duration == 0.0)
+    return 1.0;
+  if (step_ && step_->motion.duration == duration)
+    return step_->blocks[block_of(row) + column / lane_count].left[column % lane_count];
+  const double k = row_of_waves(row)[column].k;
+  return std::exp(-(diffusivity_ * k * k * duration));
+}
+
 void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid& heated,
                                std::span<double> temperature) const
 {
-  AlignedVector<Complex> sum(fft_.plane() + ToldRowsFft::slack);
-  const std::vector<double> left = left_in_depth(duration);
-  constexpr double nothing = 1e-20;
-#pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
+  AlignedVector<Complex> sum =
+      sums_ && sums_->duration == duration ? sums_->temperature : find_sums(duration).temperature;
+  std::vector<double> mean_x(columns());
+  for (std::size_t i = 0; i < columns(); ++i)
+    mean_x[i] = cell_mean(along_[i].kx * heated.dx);
   for (int row = 0; row < fft_.rows(); ++row)
   {
-    const std::span<const SurfaceWave> along = row_of_waves(row);
-    auto* all = reinterpret_cast<double*>(sum.data() + begin_of(row));
-    for (std::size_t w = 0; w < waves_.waves.size(); ++w)
-    {
-      if (left[w] <= nothing)
-        continue;
-      const auto* heat = reinterpret_cast<const double*>(heat_.data() + w * fft_.plane() + begin_of(row));
-      const double weight = factor * waves_.waves[w].weight * left[w];
-#pragma omp simd
-      for (std::size_t n = 0; n < 2 * along.size(); ++n)
-        all[n] += weight * heat[n];
-    }
-    const double mean_y = cell_mean(along.front().ky * heated.dy);
-    for (std::size_t i = 0; i < along.size(); ++i)
-      sum[begin_of(row) + i] *=
-          std::exp(-diffusivity_ * along[i].k * along[i].k * duration) * cell_mean(along[i].kx * heated.dx) * mean_y;
+    const double of_row = factor * cell_mean(row_of_waves(row).front().ky * heated.dy);
+    for (std::size_t i = 0; i < columns(); ++i)
+      sum[begin_of(row) + i] *= left_along(row, i, duration) * mean_x[i] * of_row;
   }
   const ToldRowsFft::Told told{sum.data(), fft_.all().kx()};
   fft_.inverse({&told, 1}, {false}, true, {temperature});
 }
 
-HeatMemory::RowEnd HeatMemory::row_end(int row, double duration, double factor) const
+void HeatMemory::find_row_end(int row, double duration, double factor, RowEnd& end) const
 {
-  const std::span<const SurfaceWave> along = row_of_waves(row);
-  const std::size_t at = begin_of(row);
-  RowEnd end{std::vector<double>(along.size(), factor),
-             std::span(heat_).subspan((waves_.waves.size() - 1) * fft_.plane() + at, along.size()),
-             std::span(slow_share_).subspan(at, along.size())};
-  for (std::size_t i = 0; i < along.size() && duration > 0.0; ++i)
-    end.left[i] *= std::exp(-diffusivity_ * along[i].k * along[i].k * duration);
-  return end;
+  end.left.resize(columns());
+  end.slowest.resize(columns());
+  end.slow_share = std::span(slow_share_).subspan(begin_of(row), columns());
+  for (std::size_t i = 0; i < columns(); ++i)
+  {
+    const ComplexLanes& slowest = heat_of_block(block_of(row) + i / lane_count)[waves_.waves.size() - 1];
+    end.left[i] = factor * left_along(row, i, duration);
+    end.slowest[i] = {slowest.re[i % lane_count], slowest.im[i % lane_count]};
+  }
 }
 
 namespace
@@ -161,13 +171,16 @@ void HeatMemory::add_buried_row(double depth, double factor, std::size_t columns
 void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
 {
   const std::span<const SurfaceWave> along = row_of_waves(row);
-  const RowEnd end = row_end(row, wanted.duration, wanted.factor);
+  find_row_end(row, wanted.duration, wanted.factor, sums.end);
   DepthSums::Row& of_surface = sums.of_surface;
-  wanted.sums.gather(along, heat_.data() + begin_of(row), fft_.plane(), of_surface);
-  finish_surface(along, end, of_surface);
+  if (wanted.sums != nullptr)
+    wanted.sums->gather({heat_of_block(block_of(row)), k2_.data() + block_of(row)}, of_surface);
+  else
+    std::copy_n(wanted.at_surface + begin_of(row), columns(), complex_values(of_surface.at_surface, 0, columns()).data());
+  finish_surface(along, sums.end, of_surface);
   if (wanted.has_buried)
   {
-    if (wanted.sums.has_layers())
+    if (wanted.sums != nullptr)
       buried_->gather(begin_of(row), along.size(), sums.buried);
     buried_->add_potential_at_surface(begin_of(row), along.size(), wanted.factor,
                                       complex_values(of_surface.at_surface, 0, along.size()).data());
@@ -177,16 +190,16 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
   {
     const auto group = wanted.depths.subspan(first, std::min(DepthSums::together, wanted.depths.size() - first));
     const auto by_depth = [](const DepthFactors& a, const DepthFactors& b) { return a.depth < b.depth; };
-    if (wanted.sums.has_layers()) // depths may be in any order
-      wanted.sums.sum(first, columns_that_reach(std::min_element(group.begin(), group.end(), by_depth)->depth, along),
+    if (wanted.sums != nullptr) // depths may be in any order
+      wanted.sums->sum(first, columns_that_reach(std::min_element(group.begin(), group.end(), by_depth)->depth, along),
                       of_surface);
     for (std::size_t d = first; d < first + group.size(); ++d)
     {
       const double depth = wanted.depths[d].depth;
       std::size_t columns = columns_that_reach(depth, along);
-      if (wanted.sums.has_layers())
-        finish(depth, along.first(columns), end, d - first, of_surface);
-      if (wanted.sums.has_layers() && wanted.has_buried)
+      if (wanted.sums != nullptr)
+        finish(depth, along.first(columns), sums.end, d - first, of_surface);
+      if (wanted.sums != nullptr && wanted.has_buried)
       {
         add_buried_row(depth, wanted.factor, columns, d - first, sums);
         columns = along.size();
@@ -208,7 +221,7 @@ void HeatMemory::put_fields(int row, std::size_t number, std::size_t columns, co
   std::vector<Complex*> out(count);
   for (std::size_t f = 0; f < count; ++f)
     out[f] = wanted.spectra + (number * count + f) * fft_.plane() + begin_of(row);
-  const auto decay = wanted.sums.has_layers() ? sums.decay.at(depth, along) : std::span<const double>{};
+  const auto decay = wanted.sums != nullptr ? sums.decay.at(depth, along) : std::span<const double>{};
   wanted.fields_of_heat.waves({depth, along, decay, complex_values(of_surface.temperature, at, columns),
                                complex_values(of_surface.potential, at, columns),
                                complex_values(of_surface.slope, at, columns),
@@ -225,23 +238,50 @@ std::size_t HeatMemory::told_columns(double depth, bool has_buried) const
   return has_buried ? columns() : columns_that_reach(depth, row_of_waves(0));
 }
 
+HeatMemory::Row HeatMemory::make_row(const RowOfFields& wanted) const
+{
+  Row row{wanted.sums != nullptr ? wanted.sums->make_row(columns()) : DepthSums::Row{}, DecayInDepth(columns())};
+  if (wanted.sums == nullptr)
+    row.of_surface.at_surface.resize(2 * columns());
+  if (wanted.has_buried)
+    row.buried = buried_->make_row(columns());
+  return row;
+}
+
 void HeatMemory::fields(double duration, double factor, std::span<const DepthFactors> depths,
                         const FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out, bool adds) const
 {
   // All that counts is written, so that nothing needs to be there before.
   const auto spectra = std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane() + ToldRowsFft::slack));
   auto* const waves = reinterpret_cast<Complex*>(spectra.get());
-  const DepthSums sums(waves_.waves, depths, left_in_depth(duration));
   const bool has_buried = buried_ && !buried_->is_cold();
-  const RowOfFields wanted{duration, factor, has_buried, sums, depths, fields_of_heat, waves};
-#pragma omp parallel if (is_shared(fft_.plane()))
+  const bool is_deep = !depths.front().temperature.empty();
+  std::optional<DepthSums> sums;
+  std::optional<SurfaceSums> found;
+  const Complex* at_surface = nullptr;
+  if (is_deep)
+    sums.emplace(waves_.waves, depths, left_in_depth(duration));
+  else if (sums_ && (duration == 0.0 || duration == sums_->duration))
+    at_surface = (duration == 0.0 ? sums_->potential_now : sums_->potential).data();
+  else
+    at_surface = found.emplace(find_sums(duration)).potential.data();
+  const RowOfFields wanted{duration, factor,         has_buried, sums ? &*sums : nullptr, at_surface,
+                           depths,   fields_of_heat, waves};
+  if (!is_shared(fft_.plane()))
   {
-    Row of_row{sums.make_row(columns()), DecayInDepth(columns())};
-    if (has_buried)
-      of_row.buried = buried_->make_row(columns());
-#pragma omp for schedule(static)
+    Row of_row = make_row(wanted);
     for (int row = 0; row < fft_.rows(); ++row)
       add_row(row, wanted, of_row);
+  }
+  else
+  {
+#pragma omp parallel
+    {
+      Row of_row = make_row(wanted);
+#pragma omp for schedule(static)
+      for (int row = 0; row < fft_.rows(); ++row)
+        add_row(row, wanted, of_row);
+    }
   }
   std::vector<ToldRowsFft::Told> told;
   told.reserve(out.size());
@@ -249,72 +289,6 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
     told.push_back({waves + f * fft_.plane(),
                     static_cast<int>(told_columns(depths[f / fields_of_heat.is_odd.size()].depth, has_buried))});
   fft_.inverse(told, fields_of_heat.is_odd, adds, out);
-}
-
-namespace
-{
-
-/// What the waves along the surface do to a flux in one step: real and imaginary parts apart, of a whole plane.
-struct FluxInPlane
-{
-  std::vector<double> rate, turn;             ///< in the plane, z = rate + i turn, both times the duration
-  std::vector<double> left, left_re, left_im; ///< e^{-rate} and e^{-z}
-  std::vector<double> in_re, in_im;           ///< heat that comes in
-};
-
-/// @param scale  of the spectrum of the flux [K m]
-FluxInPlane flux_in_plane(std::span<const SurfaceWave> along, const AlignedVector<Complex>& flux, double scale,
-                          double diffusivity, const HeatMotion& motion)
-{
-  FluxInPlane plane;
-  for (std::vector<double>* part :
-       {&plane.rate, &plane.turn, &plane.left, &plane.left_re, &plane.left_im, &plane.in_re, &plane.in_im})
-    part->resize(flux.size());
-#pragma omp parallel for schedule(static) if (is_shared(flux.size()))
-  for (std::size_t i = 0; i < along.size(); ++i)
-  {
-    const SurfaceWave& wave = along[i];
-    const double way = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
-    plane.rate[i] = diffusivity * wave.k * wave.k * motion.duration;
-    plane.turn[i] = -way;
-    plane.left[i] = std::exp(-plane.rate[i]);
-    plane.left_re[i] = plane.left[i] * std::cos(way);
-    plane.left_im[i] = plane.left[i] * std::sin(way);
-    plane.in_re[i] = scale * flux[i].real();
-    plane.in_im[i] = scale * flux[i].imag();
-  }
-  return plane;
-}
-
-/// One wave in depth takes up its neighbours in the plane: remains before + (1 - e^{-x})/x in, with x = rate + z.
-/// @param decays  whether what was there has decayed; otherwise all of it stays
-ComplexLanes taken_up(const FluxInPlane& plane, std::size_t i, double rate, double left_in_depth, bool decays,
-                      const ComplexLanes& before)
-{
-  const auto of = [i](const std::vector<double>& part) { return load_lanes(part.data() + i); };
-  const Lanes x = rate + of(plane.rate), y = of(plane.turn), norm = x * x + y * y;
-  // (1 - e^{-x})/x, by its series where x is small.
-  const auto is_small = norm < 1e-6;
-  const Lanes inverse = 1.0 / (is_small ? Lanes{} + 1.0 : norm);
-  const Lanes a = 1.0 - left_in_depth * of(plane.left_re), b = -left_in_depth * of(plane.left_im);
-  const Lanes square_re = x * x - y * y, square_im = 2.0 * x * y;
-  const Lanes gain_re = is_small ? 1.0 - 0.5 * x + square_re * (1.0 / 6.0) : (a * x + b * y) * inverse;
-  const Lanes gain_im = is_small ? -0.5 * y + square_im * (1.0 / 6.0) : (b * x - a * y) * inverse;
-  const Lanes remains = decays ? left_in_depth * of(plane.left) : Lanes{} + 1.0;
-  const Lanes in_re = of(plane.in_re), in_im = of(plane.in_im);
-  return {remains * before.re + gain_re * in_re - gain_im * in_im,
-          remains * before.im + gain_re * in_im + gain_im * in_re};
-}
-
-} // namespace
-
-void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, AlignedVector<Complex>* before)
-{
-  if (before == nullptr)
-    return take_up_from(heat_, flux, motion, true);
-  before->resize(heat_.size());
-  heat_.swap(*before);
-  take_up_from(*before, flux, motion, true);
 }
 
 void HeatMemory::take_up_in_body(const std::vector<std::vector<double>>& rise, double duration)
@@ -336,32 +310,6 @@ void HeatMemory::add_buried(double factor, std::span<double> temperature) const
     wave *= factor;
   const ToldRowsFft::Told told{spectrum.data(), fft_.all().kx()};
   fft_.inverse({&told, 1}, {false}, true, {temperature});
-}
-
-void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
-{
-  take_up_from(heat_, flux, motion, false);
-}
-
-/// @param before  the heat itself, or all of it as it was
-void HeatMemory::take_up_from(const AlignedVector<Complex>& before, std::span<const double> flux,
-                              const HeatMotion& motion, bool decays)
-{
-  const AlignedVector<Complex> spectrum = fft_.forward(flux);
-  const double scale = diffusivity_ / conductivity_ * motion.duration;
-  const std::vector<double> left = left_in_depth(motion.duration);
-  const FluxInPlane plane = flux_in_plane(along_, spectrum, scale, diffusivity_, motion);
-  const std::size_t waves = waves_.waves.size();
-#pragma omp parallel for schedule(static) if (is_shared(fft_.plane()))
-  for (std::size_t w = 0; w < waves; ++w)
-  {
-    const double rate = diffusivity_ * std::pow(waves_.waves[w].number, 2) * motion.duration;
-    for (std::size_t i = 0; i < fft_.plane(); i += lane_count) // a plane has whole cache lines
-    {
-      const std::size_t at = w * fft_.plane() + i;
-      store_lanes(taken_up(plane, i, rate, left[w], decays, load_lanes(before.data() + at)), heat_.data() + at);
-    }
-  }
 }
 
 } // namespace brinell::halfspace

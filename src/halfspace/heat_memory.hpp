@@ -31,11 +31,16 @@ struct HeatRow
 class HeatMemory
 {
 public:
+  /// Of each wave along the surface and in depth: of some neighbouring columns of a row one wave in depth after the other,
+  /// [row][block][wave] [K m].
+  using Heat = AlignedVector<ComplexLanes>;
+
   /// @param grid      where flux and temperature are; periods px, py cells of it
   /// @param symmetry  of all fluxes: half of the waves along y tell all
   /// @param layers    in which heat may arise; nullptr: in none
-  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves, Symmetry symmetry,
-             const std::shared_ptr<const LayeredConduction>& layers = nullptr);
+  /// @param surface  factors of all waves at the surface, of which those of this memory are the last ones
+  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
+             const DepthFactors& surface, Symmetry symmetry, const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.all().grid(); }
   [[nodiscard]] int period_x() const { return fft_.all().px(); } ///< [cells]
@@ -66,7 +71,7 @@ public:
 
   /// All decays over the motion, and its flux comes in.
   /// @param before  gets the heat as it was; nullptr: nothing does
-  void take_up(std::span<const double> flux, const HeatMotion& motion, AlignedVector<Complex>* before = nullptr);
+  void take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before = nullptr);
   /// More flux comes in over the last motion, which all has decayed over already.
   void amend(std::span<const double> flux, const HeatMotion& motion);
 
@@ -75,8 +80,8 @@ public:
   void take_up_in_body(const std::vector<std::vector<double>>& rise, double duration);
   void go_back_in_body() { buried_->go_back(); }
 
-  [[nodiscard]] const AlignedVector<Complex>& heat() const { return heat_; }
-  [[nodiscard]] AlignedVector<Complex>& heat() { return heat_; }
+  [[nodiscard]] const Heat& heat() const { return heat_; }
+  void set_heat(const Heat& heat);
   /// The same with or without symmetry: real and imaginary parts in turn.
   [[nodiscard]] std::vector<double> whole_heat() const;
   void set_whole_heat(std::span<const double> values);
@@ -89,11 +94,18 @@ private:
   /// Where the waves of a row begin.
   [[nodiscard]] std::size_t begin_of(int row) const { return static_cast<std::size_t>(row) * columns(); }
   [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
+  /// Columns of a row that lie side by side in the memory; zero beyond the last one.
+  [[nodiscard]] std::size_t blocks() const { return (columns() + lane_count - 1) / lane_count; }
+  [[nodiscard]] std::size_t block_of(int row) const { return static_cast<std::size_t>(row) * blocks(); }
+  [[nodiscard]] const ComplexLanes* heat_of_block(std::size_t block) const
+  {
+    return heat_.data() + block * waves_.waves.size();
+  }
   /// What the sums of a row are finished with.
   struct RowEnd
   {
-    std::vector<double> left;         ///< of each wave along the surface
-    std::span<const Complex> slowest; ///< heat of the waves that hardly turn in depth
+    std::vector<double> left;     ///< of each wave along the surface
+    std::vector<Complex> slowest; ///< heat of the waves that hardly turn in depth
     std::span<const double> slow_share;
   };
   /// What `fields` wants of every row.
@@ -101,7 +113,8 @@ private:
   {
     double duration, factor;
     bool has_buried; ///< whether there is heat in the body
-    const DepthSums& sums;
+    const DepthSums* sums; ///< nullptr: of the surface alone
+    const Complex* at_surface; ///< potential, without its factor k; where there are no other sums
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
     Complex* spectra; ///< [depth][field][plane]
@@ -112,27 +125,65 @@ private:
   {
     DepthSums::Row of_surface;
     DecayInDepth decay;
+    RowEnd end{};
     BuriedHeat::Row buried{};
   };
+  [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
   void add_row(int row, const RowOfFields& wanted, Row& sums) const;
   void put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
   [[nodiscard]] std::size_t told_columns(double depth, bool has_buried) const;
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   [[nodiscard]] AlignedVector<Complex> told(std::span<const double> values) const;
-  [[nodiscard]] RowEnd row_end(int row, double duration, double factor) const;
+  void find_row_end(int row, double duration, double factor, RowEnd& end) const;
   void finish_surface(std::span<const SurfaceWave> along, const RowEnd& end, DepthSums::Row& sums) const;
   void finish(double depth, std::span<const SurfaceWave> along, const RowEnd& end, std::size_t number,
               DepthSums::Row& sums) const;
-  void take_up_from(const AlignedVector<Complex>& before, std::span<const double> flux, const HeatMotion& motion,
-                    bool decays);
+  [[nodiscard]] AlignedVector<Complex> planes() const;
+
+  /// What a step does to some waves along the surface.
+  struct StepOfBlock
+  {
+    Lanes rate, turn;             ///< z = rate + i turn, both times the duration
+    Lanes left, left_re, left_im; ///< e^{-rate} and e^{-z}
+  };
+  struct Step
+  {
+    HeatMotion motion;
+    AlignedVector<StepOfBlock> blocks; ///< [row][block]
+  };
+  /// Sums over the waves in depth at the surface, without what is the same for all of them; [row][column]. For as long as a step lasts.
+  struct SurfaceSums
+  {
+    double duration;
+    AlignedVector<Complex> temperature;              ///< that remains then
+    AlignedVector<Complex> potential, potential_now; ///< then, and as it is; empty where only the temperature is wanted
+  };
+  /// What the waves in depth count in them.
+  struct SurfaceWeights
+  {
+    std::size_t first_left = 0; ///< faster waves have decayed by then
+    std::vector<double> temperature, potential, potential_now;
+  };
+  void plan_step(const HeatMotion& motion);
+  void take_up_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
+                    bool is_settled);
+  [[nodiscard]] double left_along(int row, std::size_t column, double duration) const;
+  [[nodiscard]] SurfaceWeights surface_weights(double duration) const;
+  [[nodiscard]] SurfaceSums empty_sums(double duration) const;
+  void sum_row(int row, const SurfaceWeights& weights, SurfaceSums& sums) const;
+  [[nodiscard]] SurfaceSums find_sums(double duration) const;
 
   ToldRowsFft fft_;
   double diffusivity_, conductivity_;
   DepthWaves waves_;
+  std::vector<double> at_surface_; ///< weights of the waves but the last one in the potential there
   std::vector<SurfaceWave> along_; ///< [plane]
-  AlignedVector<Complex> heat_;    ///< [wave][plane] [K m]
+  AlignedVector<Lanes> k2_;        ///< [row][block]
+  Heat heat_;
   std::vector<double> slow_share_; ///< of each wavenumber, for fields
+  std::optional<Step> step_;       ///< the last one
+  std::optional<SurfaceSums> sums_; ///< of the heat as it is
   std::optional<BuriedHeat> buried_;
 };
 

@@ -33,15 +33,40 @@ AlignedVector<Complex> HeatMemory::told(std::span<const double> values) const
   return told;
 }
 
+/// The heat, [wave][row][column].
+AlignedVector<Complex> HeatMemory::planes() const
+{
+  AlignedVector<Complex> planes(waves_.waves.size() * fft_.plane());
+  for (std::size_t w = 0; w < waves_.waves.size(); ++w)
+    for (int row = 0; row < fft_.rows(); ++row)
+      for (std::size_t i = 0; i < columns(); ++i)
+      {
+        const ComplexLanes& value = heat_of_block(block_of(row) + i / lane_count)[w];
+        planes[w * fft_.plane() + begin_of(row) + i] = {value.re[i % lane_count], value.im[i % lane_count]};
+      }
+  return planes;
+}
+
 std::vector<double> HeatMemory::whole_heat() const
 {
-  return whole(heat_);
+  return whole(planes());
 }
 
 void HeatMemory::set_whole_heat(std::span<const double> values)
 {
   require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.all().plane());
-  heat_ = told(values);
+  const AlignedVector<Complex> planes = told(values);
+  const std::size_t waves = waves_.waves.size();
+  sums_.reset();
+  for (std::size_t w = 0; w < waves; ++w)
+    for (int row = 0; row < fft_.rows(); ++row)
+      for (std::size_t i = 0; i < columns(); ++i)
+      {
+        ComplexLanes& value = heat_[(block_of(row) + i / lane_count) * waves + w];
+        const Complex& given = planes[w * fft_.plane() + begin_of(row) + i];
+        value.re[i % lane_count] = given.real();
+        value.im[i % lane_count] = given.imag();
+      }
 }
 
 std::vector<double> HeatMemory::whole_heat_in_body() const

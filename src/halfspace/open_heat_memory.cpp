@@ -78,7 +78,8 @@ OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const
     : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
       symmetry_(wanted.symmetry), waves_(planned_waves(owner, grid, thermal, times, wanted.deepest)),
       near_(grid, period(grid.nx, grid.is_periodic_x(), wanted.images),
-            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_, wanted.symmetry, layers_)
+            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_, surface_factors(waves_),
+            wanted.symmetry, layers_)
 {
   if (!grid.is_periodic())
     plan_images(thermal, wanted);
@@ -114,6 +115,7 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
     farther_.push_back({CoarserSurface(grid, {0, 0}, {x_is_coarser, y_is_coarser})});
   const int twice_x = x_is_coarser ? px / 2 : px, twice_y = y_is_coarser ? py / 2 : py;
   const int once_x = grid.is_periodic_x() ? px : twice_x / 2, once_y = grid.is_periodic_y() ? py : twice_y / 2;
+  const DepthFactors surface = surface_factors(waves_);
   for (double distance = clear; distance < end; distance *= 2.0)
   {
     const CoarserSurface cells =
@@ -122,8 +124,8 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
     const DepthWaves slow = waves_.slower_than(decayed / distance);
     const auto layers = wanted.images == HeatImages::coarse ? layers_for_images(layers_, distance) : layers_;
     farther_.push_back(
-        {cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, wanted.symmetry, layers),
-                         HeatMemory(cells.grid(), once_x, once_y, thermal, slow, wanted.symmetry, layers), layers}});
+        {cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, surface, wanted.symmetry, layers),
+                         HeatMemory(cells.grid(), once_x, once_y, thermal, slow, surface, wanted.symmetry, layers), layers}});
   }
 }
 
@@ -358,7 +360,7 @@ void OpenHeatMemory::set_heat(const Heat& heat)
 {
   const std::vector<HeatMemory*> all = lattices();
   for (std::size_t n = 0; n < all.size(); ++n)
-    all[n]->heat() = heat.lattices[n];
+    all[n]->set_heat(heat.lattices[n]);
   time_ = heat.time;
 }
 

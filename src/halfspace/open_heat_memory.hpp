@@ -58,7 +58,7 @@ public:
   /// What it remembers: of every lattice, and the time.
   struct Heat
   {
-    std::vector<AlignedVector<Complex>> lattices;
+    std::vector<HeatMemory::Heat> lattices;
     double time = 0.0;
   };
   [[nodiscard]] Heat heat() const;

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "foundation/lane_functions.hpp"
+#include "foundation/sharing.hpp"
+#include "heat_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// What a step does to a memory.
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+/// The first values of a block, zero in the other lanes.
+ComplexLanes load_some(const Complex* from, std::size_t count)
+{
+  ComplexLanes value;
+  if (count == lane_count)
+    return load_lanes(from);
+  for (std::size_t lane = 0; lane < count; ++lane)
+  {
+    value.re[lane] = from[lane].real();
+    value.im[lane] = from[lane].imag();
+  }
+  return value;
+}
+
+void store_some(const ComplexLanes& value, std::size_t count, Complex* to)
+{
+  if (count == lane_count)
+    return store_lanes(value, to);
+  for (std::size_t lane = 0; lane < count; ++lane)
+    to[lane] = {value.re[lane], value.im[lane]};
+}
+
+/// work(row) for all rows of a plane, by several threads if that is worth it.
+template <typename Work>
+void for_rows(int rows, std::size_t plane, const Work& work)
+{
+  if (!is_shared(plane))
+  {
+    for (int row = 0; row < rows; ++row)
+      work(row);
+    return;
+  }
+#pragma omp parallel for schedule(static)
+  for (int row = 0; row < rows; ++row)
+    work(row);
+}
+
+} // namespace
+
+void HeatMemory::set_heat(const Heat& heat)
+{
+  heat_ = heat;
+  sums_.reset();
+}
+
+/// Steps are mostly alike.
+void HeatMemory::plan_step(const HeatMotion& motion)
+{
+  if (step_ && step_->motion == motion)
+    return;
+  step_ = Step{motion, AlignedVector<StepOfBlock>(k2_.size())};
+  for_rows(fft_.rows(), fft_.plane(),
+           [&](int row)
+           {
+             for (std::size_t i = 0; i < columns(); ++i)
+             {
+               const SurfaceWave& wave = row_of_waves(row)[i];
+               StepOfBlock& block = step_->blocks[block_of(row) + i / lane_count];
+               const std::size_t lane = i % lane_count;
+               const double way =
+                   (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
+               block.rate[lane] = diffusivity_ * wave.k * wave.k * motion.duration;
+               block.turn[lane] = -way;
+               block.left[lane] = std::exp(-block.rate[lane]);
+               block.left_re[lane] = block.left[lane] * std::cos(way);
+               block.left_im[lane] = block.left[lane] * std::sin(way);
+             }
+           });
+}
+
+namespace
+{
+
+/// One wave in depth takes up its neighbours along the surface: remains before + (1 - e^{-x})/x in, with x = rate + z.
+/// @param decays  whether what was there has decayed; otherwise all of it stays
+template <typename Along>
+ComplexLanes taken_up(const Along& along, const ComplexLanes& in, double rate, double left_in_depth, bool decays,
+                      const ComplexLanes& before)
+{
+  const Lanes x = rate + along.rate, y = along.turn, norm = x * x + y * y;
+  // (1 - e^{-x})/x, by its series where x is small.
+  const auto is_small = norm < 1e-6;
+  const Lanes inverse = 1.0 / (is_small ? Lanes{} + 1.0 : norm);
+  const Lanes a = 1.0 - left_in_depth * along.left_re, b = -left_in_depth * along.left_im;
+  const Lanes square_re = x * x - y * y, square_im = 2.0 * x * y;
+  const Lanes gain_re = is_small ? 1.0 - 0.5 * x + square_re * (1.0 / 6.0) : (a * x + b * y) * inverse;
+  const Lanes gain_im = is_small ? -0.5 * y + square_im * (1.0 / 6.0) : (b * x - a * y) * inverse;
+  const Lanes remains = decays ? left_in_depth * along.left : Lanes{} + 1.0;
+  return {remains * before.re + gain_re * in.re - gain_im * in.im,
+          remains * before.im + gain_re * in.im + gain_im * in.re};
+}
+
+} // namespace
+
+void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before)
+{
+  if (before == nullptr)
+    return take_up_from(heat_, flux, motion, true, true);
+  before->resize(heat_.size());
+  heat_.swap(*before);
+  take_up_from(*before, flux, motion, true, false);
+}
+
+void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
+{
+  take_up_from(heat_, flux, motion, false, true);
+}
+
+/// @param before      the heat itself, or all of it as it was
+/// @param is_settled  whether the step ends, so that what remains at the surface is asked for
+void HeatMemory::take_up_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
+                              bool is_settled)
+{
+  const AlignedVector<Complex> spectrum = fft_.forward(flux);
+  const double scale = diffusivity_ / conductivity_ * motion.duration;
+  plan_step(motion);
+  const std::size_t waves = waves_.waves.size();
+  const std::vector<double> left = left_in_depth(motion.duration);
+  std::vector<double> rates(waves);
+  for (std::size_t w = 0; w < waves; ++w)
+    rates[w] = diffusivity_ * std::pow(waves_.waves[w].number, 2) * motion.duration;
+  sums_.reset();
+  SurfaceWeights weights;
+  if (is_settled)
+  {
+    sums_ = empty_sums(motion.duration);
+    weights = surface_weights(motion.duration);
+  }
+  const auto take_up_row = [&](int row)
+  {
+    for (std::size_t block = 0; block < blocks(); ++block)
+    {
+      const std::size_t number = block_of(row) + block, first = block * lane_count;
+      const std::size_t count = std::min<std::size_t>(lane_count, columns() - first);
+      const ComplexLanes in = scale * load_some(spectrum.data() + begin_of(row) + first, count);
+      const StepOfBlock along = step_->blocks[number];
+      for (std::size_t w = 0; w < waves; ++w)
+        heat_[number * waves + w] = taken_up(along, in, rates[w], left[w], decays, before[number * waves + w]);
+    }
+    if (is_settled) // while the row is in the cache
+      sum_row(row, weights, *sums_);
+  };
+  for_rows(fft_.rows(), fft_.plane(), take_up_row);
+}
+
+HeatMemory::SurfaceWeights HeatMemory::surface_weights(double duration) const
+{
+  constexpr double nothing = 1e-20;
+  const std::vector<double> left = left_in_depth(duration);
+  SurfaceWeights weights;
+  for (std::size_t w = 0; w < left.size(); ++w)
+  {
+    if (left[w] <= nothing)
+      weights.first_left = w + 1;
+    weights.temperature.push_back(left[w] * waves_.waves[w].weight);
+  }
+  for (std::size_t w = 0; w < at_surface_.size(); ++w)
+  {
+    weights.potential.push_back(w < weights.first_left ? 0.0 : left[w] * at_surface_[w]);
+    weights.potential_now.push_back(at_surface_[w]);
+  }
+  return weights;
+}
+
+HeatMemory::SurfaceSums HeatMemory::empty_sums(double duration) const
+{
+  const AlignedVector<Complex> plane(fft_.plane() + ToldRowsFft::slack), none;
+  return {duration, plane, waves_.has_fields ? plane : none, waves_.has_fields ? plane : none};
+}
+
+void HeatMemory::sum_row(int row, const SurfaceWeights& weights, SurfaceSums& sums) const
+{
+  const std::size_t waves = waves_.waves.size();
+  for (std::size_t block = 0; block < blocks(); ++block)
+  {
+    const std::size_t number = block_of(row) + block, first = block * lane_count;
+    const std::size_t count = std::min<std::size_t>(lane_count, columns() - first), to = begin_of(row) + first;
+    const ComplexLanes* heat = heat_of_block(number);
+    const Lanes k2 = k2_[number];
+    ComplexLanes temperature, potential, potential_now;
+    for (std::size_t w = weights.first_left; w < waves; ++w)
+      temperature = temperature + weights.temperature[w] * heat[w];
+    store_some(temperature, count, sums.temperature.data() + to);
+    if (!waves_.has_fields)
+      continue;
+    for (std::size_t w = 0; w + 1 < waves; ++w)
+    {
+      const double number_of_wave = waves_.waves[w].number;
+      const ComplexLanes integrated = 1.0 / (number_of_wave * number_of_wave + k2) * heat[w];
+      potential = potential + weights.potential[w] * integrated;
+      potential_now = potential_now + weights.potential_now[w] * integrated;
+    }
+    store_some(potential, count, sums.potential.data() + to);
+    store_some(potential_now, count, sums.potential_now.data() + to);
+  }
+}
+
+HeatMemory::SurfaceSums HeatMemory::find_sums(double duration) const
+{
+  SurfaceSums sums = empty_sums(duration);
+  const SurfaceWeights weights = surface_weights(duration);
+  for_rows(fft_.rows(), fft_.plane(), [&](int row) { sum_row(row, weights, sums); });
+  return sums;
+}
+
+} // namespace brinell::halfspace
