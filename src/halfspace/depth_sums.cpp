@@ -67,6 +67,7 @@ std::size_t columns_that_reach(double depth, std::span<const SurfaceWave> along)
 
 DepthSums::DepthSums(std::span<const DepthWave> waves, std::span<const DepthFactors> factors,
                      std::span<const double> left)
+    : slow_weight_(waves.back().weight)
 {
   const std::size_t count = waves.size() - 1, skipped = factors.front().at_surface.size() - waves.size();
   constexpr double nothing = 1e-20;
@@ -79,8 +80,10 @@ DepthSums::DepthSums(std::span<const DepthWave> waves, std::span<const DepthFact
   }
   for (std::size_t d = 0; d < factors.size(); d += together)
   {
-    Group group{count, std::vector<Factors>(count)};
+    Group group{count, {}, std::vector<Factors>(count)};
     const std::size_t depths = std::min(together, factors.size() - d);
+    for (std::size_t n = 0; n < depths; ++n)
+      group.depths[n] = factors[d + n].depth;
     for (std::size_t w = count; w-- > 0;)
       for (std::size_t n = 0; n < depths; ++n)
       {
@@ -111,21 +114,23 @@ DepthSums::Row DepthSums::make_row(std::size_t columns) const
   return row;
 }
 
-void DepthSums::gather(const Heat& heat, Row& row) const
+void DepthSums::gather(const Along& along, Row& row) const
 {
-  row.heat = heat;
+  row.along = along;
   const std::size_t waves = numbers2_.size() + 1;
   for (std::size_t block = 0; 2 * lane_count * block < row.pitch; ++block)
   {
-    const ComplexLanes* from = heat.values + block * waves;
+    const ComplexLanes* heat = along.heat + block * waves;
     ComplexLanes* integrated = row.integrated.data() + block * waves;
+    const Lanes k = along.k[block], k2 = k * k;
     ComplexLanes sum;
     for (std::size_t w = first_left_; w < numbers2_.size(); ++w)
     {
-      integrated[w] = 1.0 / (numbers2_[w] + heat.k2[block]) * from[w];
+      integrated[w] = 1.0 / (numbers2_[w] + k2) * heat[w];
       sum = sum + at_surface_[w] * integrated[w];
     }
-    store_lanes(sum, reinterpret_cast<Complex*>(row.at_surface.data()) + block * lane_count);
+    store_lanes(along.left[block] * (k * sum + along.slow_share[block] * heat[waves - 1]),
+                reinterpret_cast<Complex*>(row.at_surface.data()) + block * lane_count);
   }
 }
 
@@ -135,25 +140,28 @@ void DepthSums::sum(std::size_t first, std::size_t columns, Row& row) const
   const std::size_t waves = numbers2_.size() + 1;
   for (std::size_t block = 0; block * lane_count < columns; ++block)
   {
+    const ComplexLanes *heat = row.along.heat + block * waves, *integrated = row.integrated.data() + block * waves;
     std::array<ComplexLanes, together> temperature{}, potential{}, slope{};
     for (std::size_t w = group.first; w < numbers2_.size(); ++w)
     {
-      const ComplexLanes heat = row.heat.values[block * waves + w], integrated = row.integrated[block * waves + w];
+      const ComplexLanes of_wave = heat[w], divided = integrated[w];
       const Factors& factors = group.factors[w];
       for (std::size_t d = 0; d < together; ++d)
       {
-        temperature[d] = temperature[d] + factors.temperature[d] * heat;
-        potential[d] = potential[d] + factors.potential[d] * integrated;
-        slope[d] = slope[d] + factors.slope[d] * integrated;
+        temperature[d] = temperature[d] + factors.temperature[d] * of_wave;
+        potential[d] = potential[d] + factors.potential[d] * divided;
+        slope[d] = slope[d] + factors.slope[d] * divided;
       }
     }
+    const Lanes k = row.along.k[block], share = row.along.slow_share[block], left = row.along.left[block];
+    const ComplexLanes slowest = heat[waves - 1];
     for (std::size_t d = 0; d < together; ++d)
     {
       const auto put = [&](const ComplexLanes& value, AlignedVector<double>& sums)
-      { store_lanes(value, reinterpret_cast<Complex*>(sums.data() + d * row.pitch) + block * lane_count); };
-      put(temperature[d], row.temperature);
-      put(potential[d], row.potential);
-      put(slope[d], row.slope);
+      { store_lanes(left * value, reinterpret_cast<Complex*>(sums.data() + d * row.pitch) + block * lane_count); };
+      put(temperature[d] + slow_weight_ * slowest, row.temperature);
+      put(k * potential[d] + share * slowest, row.potential);
+      put(slope[d] - group.depths[d] * (slow_weight_ - k * share) * slowest, row.slope);
     }
   }
 }

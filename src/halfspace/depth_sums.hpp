@@ -43,24 +43,26 @@ public:
   /// @param left     of each of `waves` but the last one, what its heat is multiplied with
   DepthSums(std::span<const DepthWave> waves, std::span<const DepthFactors> factors, std::span<const double> left);
 
-  /// Waves of a row in depth, `lane_count` columns after the other: [block][wave].
-  struct Heat
+  /// One row of the waves along the surface, `lane_count` columns after the other: [block].
+  struct Along
   {
-    const ComplexLanes* values;
-    const Lanes* k2; ///< of the waves along the surface, [block]
+    const Lanes* k;
+    const Lanes* slow_share;   ///< of the potential, of the waves in depth that hardly turn: `DepthWaves::slow_share`
+    const Lanes* left;         ///< what all sums are multiplied with
+    const ComplexLanes* heat;  ///< [block][wave]
   };
-  /// One row. Sums have real and imaginary parts in turn.
+  /// Sums have real and imaginary parts in turn.
   struct Row
   {
     std::size_t pitch = 0;                               ///< of whole blocks
-    Heat heat{};                                         ///< as it was given
-    AlignedVector<ComplexLanes> integrated;              ///< divided by k^2 + s^2, [block][wave]
-    AlignedVector<double> at_surface;                    ///< potential without its factor k, the same for all depths
-    AlignedVector<double> temperature, potential, slope; ///< of depths together, [depth][pitch]
+    Along along{};                                       ///< as it was given
+    AlignedVector<ComplexLanes> integrated;              ///< heat divided by k^2 + s^2, [block][wave]
+    AlignedVector<double> at_surface;                    ///< k psi, the same for all depths
+    AlignedVector<double> temperature, potential, slope; ///< of depths together, [depth][pitch]; the potential times k
   };
   [[nodiscard]] Row make_row(std::size_t columns) const;
   /// Divides a row, and sums its potential at the surface.
-  void gather(const Heat& heat, Row& row) const;
+  void gather(const Along& along, Row& row) const;
 
   static constexpr std::size_t together = 4;
   /// Sums of the depths from `first` on, at most `together`.
@@ -76,10 +78,12 @@ private:
   struct Group
   {
     std::size_t first; ///< wave that does not turn too often at the least of the depths
+    std::array<double, together> depths{};
     std::vector<Factors> factors;
   };
   std::size_t first_left_ = 0;                ///< faster waves have decayed
   std::vector<double> numbers2_, at_surface_; ///< of each wave but the last one
+  double slow_weight_;                        ///< of that: it hardly turns, cos(s z) = 1, s sin(s z) = s^2 z
   std::vector<Group> groups_;
 };
 

@@ -37,15 +37,18 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
       along_.push_back({kx, ky, std::hypot(kx, ky), 2 * i == px ? 0.0 : kx, 2 * row == py ? 0.0 : ky});
     }
   for (int row = 0; row < fft_.rows(); ++row)
-    for (std::size_t block = 0; block < blocks(); ++block)
+    for (std::size_t i = 0; i < lane_count * blocks(); ++i)
     {
-      Lanes& k2 = k2_.emplace_back();
-      for (std::size_t lane = 0; lane < lane_count; ++lane)
-        k2[lane] = std::pow(row_of_waves(row)[std::min(block * lane_count + lane, columns() - 1)].k, 2);
+      if (i % lane_count == 0)
+        k_.emplace_back();
+      k_.back()[i % lane_count] = row_of_waves(row)[std::min(i, columns() - 1)].k;
     }
-  if (waves_.has_fields)
-    for (const SurfaceWave& wave : along_)
-      slow_share_.push_back(waves_.slow_share(wave.k));
+  for (std::size_t n = 0; waves_.has_fields && n < k_.size(); ++n)
+  {
+    Lanes& share = slow_share_.emplace_back();
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      share[lane] = waves_.slow_share(k_[n][lane]);
+  }
   if (layers)
     buried_.emplace(layers, along_, fft_.plane(), diffusivity_);
 }
@@ -65,14 +68,17 @@ std::vector<double> HeatMemory::left_in_depth(double duration) const
   return left;
 }
 
-double HeatMemory::left_along(int row, std::size_t column, double duration) const
+/// Of each wave along the surface after a while.
+Lanes HeatMemory::left_along(std::size_t block, double duration) const
 {
   if (duration == 0.0)
-    return 1.0;
+    return Lanes{} + 1.0;
   if (step_ && step_->motion.duration == duration)
-    return step_->blocks[block_of(row) + column / lane_count].left[column % lane_count];
-  const double k = row_of_waves(row)[column].k;
-  return std::exp(-(diffusivity_ * k * k * duration));
+    return step_->blocks[block].left;
+  Lanes left = diffusivity_ * k_[block] * k_[block] * duration;
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    left[lane] = std::exp(-left[lane]);
+  return left;
 }
 
 void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid& heated,
@@ -86,24 +92,15 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
   for (int row = 0; row < fft_.rows(); ++row)
   {
     const double of_row = factor * cell_mean(row_of_waves(row).front().ky * heated.dy);
-    for (std::size_t i = 0; i < columns(); ++i)
-      sum[begin_of(row) + i] *= left_along(row, i, duration) * mean_x[i] * of_row;
+    for (std::size_t block = 0; block < blocks(); ++block)
+    {
+      const Lanes left = left_along(block_of(row) + block, duration);
+      for (std::size_t i = block * lane_count; i < std::min(columns(), (block + 1) * lane_count); ++i)
+        sum[begin_of(row) + i] *= left[i % lane_count] * mean_x[i] * of_row;
+    }
   }
   const ToldRowsFft::Told told{sum.data(), fft_.all().kx()};
   fft_.inverse({&told, 1}, {false}, true, {temperature});
-}
-
-void HeatMemory::find_row_end(int row, double duration, double factor, RowEnd& end) const
-{
-  end.left.resize(columns());
-  end.slowest.resize(columns());
-  end.slow_share = std::span(slow_share_).subspan(begin_of(row), columns());
-  for (std::size_t i = 0; i < columns(); ++i)
-  {
-    const ComplexLanes& slowest = heat_of_block(block_of(row) + i / lane_count)[waves_.waves.size() - 1];
-    end.left[i] = factor * left_along(row, i, duration);
-    end.slowest[i] = {slowest.re[i % lane_count], slowest.im[i % lane_count]};
-  }
 }
 
 namespace
@@ -114,44 +111,19 @@ std::span<Complex> complex_values(AlignedVector<double>& parts, std::size_t firs
   return parts.empty() ? std::span<Complex>{} : std::span(reinterpret_cast<Complex*>(parts.data() + first), count);
 }
 
-/// Real and imaginary parts in turn.
-const double* parts_of(std::span<const Complex> values)
-{
-  return reinterpret_cast<const double*>(values.data());
-}
-
 } // namespace
 
-/// The slowest waves hardly turn in depth: cos(s z) = 1, s sin(s z) = s^2 z.
-void HeatMemory::finish_surface(std::span<const SurfaceWave> along, const RowEnd& end, DepthSums::Row& sums) const
+/// Of the potential at the surface where nothing else is summed.
+void HeatMemory::finish_surface(int row, const Complex* potential, Row& sums) const
 {
-  const double *left = end.left.data(), *share = end.slow_share.data(), *heat = parts_of(end.slowest);
-  double* potential = sums.at_surface.data();
-#pragma omp simd
-  for (std::size_t i = 0; i < along.size(); ++i)
-    for (std::size_t part = 2 * i; part < 2 * i + 2; ++part)
-      potential[part] = left[i] * (along[i].k * potential[part] + share[i] * heat[part]);
-}
-
-/// @param number  of the depth among those together
-void HeatMemory::finish(double depth, std::span<const SurfaceWave> along, const RowEnd& end, std::size_t number,
-                        DepthSums::Row& sums) const
-{
-  const std::size_t first = number * sums.pitch;
-  double *temperature = sums.temperature.data() + first, *potential = sums.potential.data() + first,
-         *slope = sums.slope.data() + first;
-  const double *left = end.left.data(), *share = end.slow_share.data(), *heat = parts_of(end.slowest);
-  const double weight = waves_.waves.back().weight;
-#pragma omp simd
-  for (std::size_t i = 0; i < along.size(); ++i)
+  const std::size_t slowest = waves_.waves.size() - 1;
+  auto* out = reinterpret_cast<Complex*>(sums.of_surface.at_surface.data());
+  for (std::size_t i = 0; i < columns(); ++i)
   {
-    const double k = along[i].k, of_slope = depth * (weight - k * share[i]);
-    for (std::size_t part = 2 * i; part < 2 * i + 2; ++part)
-    {
-      temperature[part] = left[i] * (temperature[part] + weight * heat[part]);
-      potential[part] = left[i] * (k * potential[part] + share[i] * heat[part]);
-      slope[part] = left[i] * (slope[part] - of_slope * heat[part]);
-    }
+    const std::size_t block = block_of(row) + i / lane_count, lane = i % lane_count;
+    const ComplexLanes& heat = heat_of_block(block)[slowest];
+    out[i] = sums.left[i / lane_count][lane] *
+             (k_[block][lane] * potential[i] + slow_share_[block][lane] * Complex{heat.re[lane], heat.im[lane]});
   }
 }
 
@@ -171,13 +143,14 @@ void HeatMemory::add_buried_row(double depth, double factor, std::size_t columns
 void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
 {
   const std::span<const SurfaceWave> along = row_of_waves(row);
-  find_row_end(row, wanted.duration, wanted.factor, sums.end);
   DepthSums::Row& of_surface = sums.of_surface;
+  const std::size_t block = block_of(row);
+  for (std::size_t n = 0; n < blocks(); ++n)
+    sums.left[n] = wanted.factor * left_along(block + n, wanted.duration);
   if (wanted.sums != nullptr)
-    wanted.sums->gather({heat_of_block(block_of(row)), k2_.data() + block_of(row)}, of_surface);
+    wanted.sums->gather({&k_[block], &slow_share_[block], sums.left.data(), heat_of_block(block)}, of_surface);
   else
-    std::copy_n(wanted.at_surface + begin_of(row), columns(), complex_values(of_surface.at_surface, 0, columns()).data());
-  finish_surface(along, sums.end, of_surface);
+    finish_surface(row, wanted.at_surface + begin_of(row), sums);
   if (wanted.has_buried)
   {
     if (wanted.sums != nullptr)
@@ -197,8 +170,6 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
     {
       const double depth = wanted.depths[d].depth;
       std::size_t columns = columns_that_reach(depth, along);
-      if (wanted.sums != nullptr)
-        finish(depth, along.first(columns), sums.end, d - first, of_surface);
       if (wanted.sums != nullptr && wanted.has_buried)
       {
         add_buried_row(depth, wanted.factor, columns, d - first, sums);
@@ -218,7 +189,8 @@ void HeatMemory::put_fields(int row, std::size_t number, std::size_t columns, co
   DepthSums::Row& of_surface = sums.of_surface;
   const std::size_t at = (number % DepthSums::together) * of_surface.pitch;
   const std::size_t count = wanted.fields_of_heat.is_odd.size();
-  std::vector<Complex*> out(count);
+  std::vector<Complex*>& out = sums.out;
+  out.resize(count);
   for (std::size_t f = 0; f < count; ++f)
     out[f] = wanted.spectra + (number * count + f) * fft_.plane() + begin_of(row);
   const auto decay = wanted.sums != nullptr ? sums.decay.at(depth, along) : std::span<const double>{};
@@ -243,6 +215,7 @@ HeatMemory::Row HeatMemory::make_row(const RowOfFields& wanted) const
   Row row{wanted.sums != nullptr ? wanted.sums->make_row(columns()) : DepthSums::Row{}, DecayInDepth(columns())};
   if (wanted.sums == nullptr)
     row.of_surface.at_surface.resize(2 * columns());
+  row.left.resize(blocks());
   if (wanted.has_buried)
     row.buried = buried_->make_row(columns());
   return row;

@@ -101,13 +101,6 @@ private:
   {
     return heat_.data() + block * waves_.waves.size();
   }
-  /// What the sums of a row are finished with.
-  struct RowEnd
-  {
-    std::vector<double> left;     ///< of each wave along the surface
-    std::vector<Complex> slowest; ///< heat of the waves that hardly turn in depth
-    std::span<const double> slow_share;
-  };
   /// What `fields` wants of every row.
   struct RowOfFields
   {
@@ -125,7 +118,8 @@ private:
   {
     DepthSums::Row of_surface;
     DecayInDepth decay;
-    RowEnd end{};
+    AlignedVector<Lanes> left{}; ///< of each wave along the surface, times the factor: [block]
+    std::vector<Complex*> out{}; ///< fields at a depth
     BuriedHeat::Row buried{};
   };
   [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
@@ -135,10 +129,7 @@ private:
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   [[nodiscard]] AlignedVector<Complex> told(std::span<const double> values) const;
-  void find_row_end(int row, double duration, double factor, RowEnd& end) const;
-  void finish_surface(std::span<const SurfaceWave> along, const RowEnd& end, DepthSums::Row& sums) const;
-  void finish(double depth, std::span<const SurfaceWave> along, const RowEnd& end, std::size_t number,
-              DepthSums::Row& sums) const;
+  void finish_surface(int row, const Complex* potential, Row& sums) const;
   [[nodiscard]] AlignedVector<Complex> planes() const;
 
   /// What a step does to some waves along the surface.
@@ -168,7 +159,7 @@ private:
   void plan_step(const HeatMotion& motion);
   void take_up_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
                     bool is_settled);
-  [[nodiscard]] double left_along(int row, std::size_t column, double duration) const;
+  [[nodiscard]] Lanes left_along(std::size_t block, double duration) const;
   [[nodiscard]] SurfaceWeights surface_weights(double duration) const;
   [[nodiscard]] SurfaceSums empty_sums(double duration) const;
   void sum_row(int row, const SurfaceWeights& weights, SurfaceSums& sums) const;
@@ -179,9 +170,9 @@ private:
   DepthWaves waves_;
   std::vector<double> at_surface_; ///< weights of the waves but the last one in the potential there
   std::vector<SurfaceWave> along_; ///< [plane]
-  AlignedVector<Lanes> k2_;        ///< [row][block]
+  AlignedVector<Lanes> k_;         ///< [row][block]
   Heat heat_;
-  std::vector<double> slow_share_; ///< of each wavenumber, for fields
+  AlignedVector<Lanes> slow_share_; ///< [row][block], for fields
   std::optional<Step> step_;       ///< the last one
   std::optional<SurfaceSums> sums_; ///< of the heat as it is
   std::optional<BuriedHeat> buried_;

@@ -63,7 +63,7 @@ void HeatMemory::plan_step(const HeatMotion& motion)
 {
   if (step_ && step_->motion == motion)
     return;
-  step_ = Step{motion, AlignedVector<StepOfBlock>(k2_.size())};
+  step_ = Step{motion, AlignedVector<StepOfBlock>(k_.size())};
   for_rows(fft_.rows(), fft_.plane(),
            [&](int row)
            {
@@ -191,7 +191,7 @@ void HeatMemory::sum_row(int row, const SurfaceWeights& weights, SurfaceSums& su
     const std::size_t number = block_of(row) + block, first = block * lane_count;
     const std::size_t count = std::min<std::size_t>(lane_count, columns() - first), to = begin_of(row) + first;
     const ComplexLanes* heat = heat_of_block(number);
-    const Lanes k2 = k2_[number];
+    const Lanes k2 = k_[number] * k_[number];
     ComplexLanes temperature, potential, potential_now;
     for (std::size_t w = weights.first_left; w < waves; ++w)
       temperature = temperature + weights.temperature[w] * heat[w];
