@@ -94,7 +94,17 @@ std::vector<double> CoarserSurface::from_finer(std::span<const double> load) con
 
 std::vector<double> CoarserSurface::to_finer(std::span<const double> field) const
 {
-  std::vector<double> rows(static_cast<std::size_t>(coarse_.nx) * static_cast<std::size_t>(fine_.ny));
+  std::vector<double> rows, result;
+  to_finer(field, rows, result);
+  return result;
+}
+
+/// Along y, then along x. Next to each other the weights come by turns.
+void CoarserSurface::to_finer(std::span<const double> field, std::vector<double>& room,
+                              std::vector<double>& result) const
+{
+  std::vector<double>& rows = x_.empty() ? result : room;
+  rows.resize(static_cast<std::size_t>(coarse_.nx) * static_cast<std::size_t>(fine_.ny));
   for (int j = 0; j < fine_.ny; ++j)
   {
     double* to = rows.data() + static_cast<std::ptrdiff_t>(j) * coarse_.nx;
@@ -104,29 +114,35 @@ std::vector<double> CoarserSurface::to_finer(std::span<const double> field) cons
       continue;
     }
     const Between& at = y_[static_cast<std::size_t>(j)];
-    for (int n = 0; n < 4; ++n)
-    {
-      const double share = at.weights[static_cast<std::size_t>(n)];
-      const double* from = field.data() + coarse_.index(0, at.first + n);
-      for (int i = 0; i < coarse_.nx; ++i)
-        to[i] += share * from[i];
-    }
+    const double* four = field.data() + coarse_.index(0, at.first);
+    for (int i = 0; i < coarse_.nx; ++i)
+      to[i] = at.weights[0] * four[i] + at.weights[1] * four[coarse_.nx + i] + at.weights[2] * four[2 * coarse_.nx + i] +
+              at.weights[3] * four[3 * coarse_.nx + i];
   }
   if (x_.empty())
-    return rows;
-  std::vector<double> result(fine_.size());
+    return;
+  result.resize(fine_.size());
+  // Behind the first fine cell two of them have each coarse cell as the first of their four.
+  const Between &once = x_.front(), &twice = x_[std::min<std::size_t>(1, x_.size() - 1)];
   for (int j = 0; j < fine_.ny; ++j)
   {
     const double* row = rows.data() + static_cast<std::ptrdiff_t>(j) * coarse_.nx;
-    for (int i = 0; i < fine_.nx; ++i)
+    double* to = result.data() + fine_.index(0, j);
+    const double *four = row + once.first, *next = row + twice.first;
+    for (int n = 0; n < fine_.nx / 2; ++n)
     {
-      const Between& at = x_[static_cast<std::size_t>(i)];
-      const double* four = row + at.first;
-      result[fine_.index(i, j)] =
-          at.weights[0] * four[0] + at.weights[1] * four[1] + at.weights[2] * four[2] + at.weights[3] * four[3];
+      to[2 * n] = once.weights[0] * four[n] + once.weights[1] * four[n + 1] + once.weights[2] * four[n + 2] +
+                  once.weights[3] * four[n + 3];
+      to[2 * n + 1] = twice.weights[0] * next[n] + twice.weights[1] * next[n + 1] + twice.weights[2] * next[n + 2] +
+                      twice.weights[3] * next[n + 3];
+    }
+    if (fine_.nx % 2 != 0)
+    {
+      const int n = fine_.nx / 2;
+      to[2 * n] = once.weights[0] * four[n] + once.weights[1] * four[n + 1] + once.weights[2] * four[n + 2] +
+                  once.weights[3] * four[n + 3];
     }
   }
-  return result;
 }
 
 int memory_length(int cells, bool begins_coarser)

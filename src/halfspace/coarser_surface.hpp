@@ -32,6 +32,9 @@ public:
   [[nodiscard]] std::array<int, 2> margins() const { return margins_; }
   [[nodiscard]] std::vector<double> from_finer(std::span<const double> load) const; ///< mean over the coarse cells
   [[nodiscard]] std::vector<double> to_finer(std::span<const double> field) const;
+  /// The same, without new memory.
+  /// @param room  for what is in between
+  void to_finer(std::span<const double> field, std::vector<double>& room, std::vector<double>& result) const;
 
 private:
   /// Where the fine cells of one axis are among the coarse ones: each between the second and the third of four.

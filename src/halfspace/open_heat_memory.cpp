@@ -143,6 +143,7 @@ OpenHeatMemory::Fields OpenHeatMemory::sum_of_images(std::size_t count, double f
 {
   // From the coarsest cells to the finest.
   Fields sums(count);
+  std::vector<double> room, finer;
   for (std::size_t n = farther_.size(); n-- > 0;)
   {
     const FartherImages& images = farther_[n];
@@ -155,7 +156,10 @@ OpenHeatMemory::Fields OpenHeatMemory::sum_of_images(std::size_t count, double f
       add(images.lattices->once, -factor, sums);
     }
     for (std::vector<double>& field : sums)
-      field = images.cells.to_finer(field);
+    {
+      images.cells.to_finer(field, room, finer);
+      field.swap(finer);
+    }
   }
   for (std::vector<double>& field : sums)
     field.resize(grid().size());

@@ -32,18 +32,38 @@ ToldRowsFft::ToldRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symme
     turn_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * n * (grid.ny - 1) / py));
 }
 
-ToldRowsFft::Work ToldRowsFft::make_work() const
+std::unique_ptr<ToldRowsFft::Work> ToldRowsFft::Works::take()
 {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty())
+    return nullptr;
+  std::unique_ptr<Work> work = std::move(idle_.back());
+  idle_.pop_back();
+  return work;
+}
+
+void ToldRowsFft::Works::give(std::unique_ptr<Work> work)
+{
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(work));
+}
+
+std::unique_ptr<ToldRowsFft::Work> ToldRowsFft::take_work() const
+{
+  if (std::unique_ptr<Work> idle = works_->take())
+    return idle;
   const auto py = static_cast<std::size_t>(all_.py()), ny = static_cast<std::size_t>(all_.grid().ny);
-  return {AlignedVector<ComplexLanes>(py), AlignedVector<ComplexLanes>(columns_.work_size()),
-          AlignedVector<ComplexLanes>(static_cast<std::size_t>(row_fft_->blocks()) * ny), row_fft_->make_work(),
-          std::vector<double>(all_.grid().size())};
+  return std::make_unique<Work>(Work{AlignedVector<ComplexLanes>(py),
+                                     AlignedVector<ComplexLanes>(columns_.work_size()),
+                                     AlignedVector<ComplexLanes>(static_cast<std::size_t>(row_fft_->blocks()) * ny),
+                                     row_fft_->make_work(), std::vector<double>(all_.grid().size())});
 }
 
 AlignedVector<Complex> ToldRowsFft::forward(std::span<const double> field) const
 {
   const SurfaceGrid& g = all_.grid();
-  Work work = make_work();
+  std::unique_ptr<Work> taken = take_work();
+  Work& work = *taken;
   for (int first = 0; first < g.ny; first += RowFft::most_rows)
     row_fft_->forward(field.data() + g.index(0, first), std::min(RowFft::most_rows, g.ny - first),
                       work.rows.data() + first, {g.ny, false}, work.row);
@@ -64,6 +84,7 @@ AlignedVector<Complex> ToldRowsFft::forward(std::span<const double> field) const
           to[lane] = {value.re[lane], value.im[lane]};
     }
   }
+  works_->give(std::move(taken));
   return spectrum;
 }
 
@@ -117,13 +138,13 @@ void ToldRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* column)
 }
 
 /// The first rows of the field, as waves along x.
-void ToldRowsFft::put_in_rows(const Pair& pair, int rows, Work& work) const
+/// @param apart  from block to block
+void ToldRowsFft::put_in_rows(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const
 {
   const int columns =
       std::max(pair.even != nullptr ? pair.even->columns : 0, pair.odd != nullptr ? pair.odd->columns : 0);
-  for (int block = 0; block < row_fft_->blocks(); ++block)
+  for (int block = 0; block < row_fft_->blocks(); ++block, to += apart)
   {
-    ComplexLanes* to = work.rows.data() + static_cast<std::ptrdiff_t>(block) * rows;
     if (block * lane_count >= columns)
     {
       std::fill_n(to, rows, ComplexLanes{});
@@ -146,13 +167,13 @@ void put(double value, double& to)
 /// The parts of a field that are even and odd about the middle row.
 /// @param even, odd  nullptr if there is none; then the field is the other one
 template <bool adds>
-void put_parts(const SurfaceGrid& g, const std::vector<double>& field, double* even, double* odd)
+void put_parts(const SurfaceGrid& g, const double* field, double* even, double* odd)
 {
   for (int j = 0; 2 * j < g.ny; ++j)
   {
     const std::size_t here = g.index(0, j), there = g.index(0, g.ny - 1 - j);
     const bool is_middle = here == there;
-    const double *at = field.data() + here, *opposite = field.data() + there;
+    const double *at = field + here, *opposite = field + there;
     if (even == nullptr || odd == nullptr)
     {
       double *to = (even != nullptr ? even : odd) + here, *mirrored = (even != nullptr ? even : odd) + there;
@@ -178,44 +199,62 @@ void put_parts(const SurfaceGrid& g, const std::vector<double>& field, double* e
 
 } // namespace
 
+/// Of an even and an odd field, or of one of them: then half of the rows tell all.
+int ToldRowsFft::rows_of(std::size_t pair, const Together& together) const
+{
+  const int ny = all_.grid().ny;
+  const bool is_whole =
+      symmetry_ == Symmetry::none || (pair < together.even.size() && pair < together.odd.size());
+  return is_whole ? ny : (ny + 1) / 2;
+}
+
+/// Rows of all the fields lie one after the other, so that those that are transformed together are as many as can be.
+void ToldRowsFft::invert(const Together& together, bool adds, Work& work) const
+{
+  const SurfaceGrid& g = all_.grid();
+  const double scale = 1.0 / (static_cast<double>(all_.px()) * all_.py());
+  const std::size_t pairs = std::max(together.even.size(), together.odd.size());
+  int rows = 0;
+  for (std::size_t n = 0; n < pairs; ++n)
+    rows += rows_of(n, together);
+  const auto all_rows = static_cast<std::size_t>(rows);
+  if (work.field.size() < all_rows * static_cast<std::size_t>(g.nx))
+  {
+    work.field.resize(all_rows * static_cast<std::size_t>(g.nx));
+    work.rows.resize(all_rows * static_cast<std::size_t>(row_fft_->blocks()));
+  }
+  int first = 0;
+  for (std::size_t n = 0; n < pairs; first += rows_of(n, together), ++n)
+    put_in_rows({n < together.even.size() ? &together.spectra[together.even[n]] : nullptr,
+                 n < together.odd.size() ? &together.spectra[together.odd[n]] : nullptr},
+                rows_of(n, together), work.rows.data() + first, rows, work);
+  for (first = 0; first < rows; first += RowFft::most_rows)
+    row_fft_->inverse(work.rows.data() + first, {rows, false}, std::min(RowFft::most_rows, rows - first), scale,
+                      work.field.data() + static_cast<std::ptrdiff_t>(first) * g.nx, work.row);
+  const double* field = work.field.data();
+  for (std::size_t n = 0; n < pairs; field += static_cast<std::ptrdiff_t>(rows_of(n, together)) * g.nx, ++n)
+  {
+    double* even = n < together.even.size() ? together.fields[together.even[n]].data() : nullptr;
+    double* odd = n < together.odd.size() ? together.fields[together.odd[n]].data() : nullptr;
+    if (symmetry_ != Symmetry::none)
+      (adds ? put_parts<true> : put_parts<false>)(g, field, even, odd);
+    else
+      for (std::size_t i = 0; i < g.size(); ++i)
+        even[i] = adds ? even[i] + field[i] : field[i];
+  }
+}
+
 void ToldRowsFft::inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
                           const std::vector<std::span<double>>& fields) const
 {
-  const SurfaceGrid& g = all_.grid();
-  Work work = make_work();
-  const double scale = 1.0 / (static_cast<double>(all_.px()) * all_.py());
-  const auto find_rows = [&](const Pair& pair, int rows)
-  {
-    put_in_rows(pair, rows, work);
-    for (int first = 0; first < rows; first += RowFft::most_rows)
-      row_fft_->inverse(work.rows.data() + first, {rows, false}, std::min(RowFft::most_rows, rows - first), scale,
-                        work.field.data() + g.index(0, first), work.row);
-  };
-  if (symmetry_ == Symmetry::none)
-  {
-    for (std::size_t f = 0; f < fields.size(); ++f)
-    {
-      find_rows({&spectra[f], nullptr}, g.ny);
-      for (std::size_t n = 0; n < work.field.size(); ++n)
-        fields[f][n] = adds ? fields[f][n] + work.field[n] : work.field[n];
-    }
-    return;
-  }
-  // Of those that come again and again, an even and an odd field are one, their sum; of one that is left over half of the rows tell all.
-  for (std::size_t first = 0; first < fields.size(); first += is_odd.size())
-  {
-    std::vector<std::size_t> even, odd;
-    for (std::size_t f = 0; f < is_odd.size(); ++f)
-      (is_odd[f] ? odd : even).push_back(first + f);
-    for (std::size_t n = 0; n < std::max(even.size(), odd.size()); ++n)
-    {
-      const bool has_even = n < even.size(), has_odd = n < odd.size();
-      find_rows({has_even ? &spectra[even[n]] : nullptr, has_odd ? &spectra[odd[n]] : nullptr},
-                has_even && has_odd ? g.ny : (g.ny + 1) / 2);
-      const auto put_both = adds ? put_parts<true> : put_parts<false>;
-      put_both(g, work.field, has_even ? fields[even[n]].data() : nullptr, has_odd ? fields[odd[n]].data() : nullptr);
-    }
-  }
+  std::unique_ptr<Work> work = take_work();
+  const std::size_t count = is_odd.size();
+  std::vector<std::size_t> even, odd; // without symmetry all are as even ones
+  for (std::size_t f = 0; f < count; ++f)
+    (is_odd[f] && symmetry_ != Symmetry::none ? odd : even).push_back(f);
+  for (std::size_t first = 0; first < fields.size(); first += count)
+    invert({spectra.subspan(first, count), std::span(fields).subspan(first, count), even, odd}, adds, *work);
+  works_->give(std::move(work));
 }
 
 } // namespace brinell::halfspace

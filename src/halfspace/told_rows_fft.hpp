@@ -6,6 +6,7 @@
 #include "foundation/row_fft.hpp"
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -79,10 +80,30 @@ private:
     RowFft::Work row;
     std::vector<double> field;
   };
-  void fill_column(const Pair& pair, int first, ComplexLanes* column) const;
-  void put_in_rows(const Pair& pair, int rows, Work& work) const;
+  /// Where to work. What has been made is kept, as surfaces are so small that making it takes as long as a transform; every thread has
+  /// its own.
+  class Works
+  {
+  public:
+    [[nodiscard]] std::unique_ptr<Work> take();
+    void give(std::unique_ptr<Work> work);
 
-  [[nodiscard]] Work make_work() const;
+  private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Work>> idle_;
+  };
+  /// Fields that are transformed back together.
+  struct Together
+  {
+    std::span<const Told> spectra;
+    std::span<const std::span<double>> fields;
+    std::span<const std::size_t> even, odd; ///< numbers of those
+  };
+  [[nodiscard]] int rows_of(std::size_t pair, const Together& together) const;
+  void fill_column(const Pair& pair, int first, ComplexLanes* column) const;
+  void put_in_rows(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const;
+  void invert(const Together& together, bool adds, Work& work) const;
+  [[nodiscard]] std::unique_ptr<Work> take_work() const;
 
   PlaneOfWaves all_;
   LaneFft columns_;
@@ -91,6 +112,7 @@ private:
   int rows_;
   std::size_t plane_;
   std::vector<Complex> turn_; ///< w^n of the told rows
+  std::unique_ptr<Works> works_ = std::make_unique<Works>();
 };
 
 } // namespace brinell::halfspace
