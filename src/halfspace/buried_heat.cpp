@@ -87,43 +87,81 @@ void BuriedHeat::take_up(const std::vector<AlignedVector<Complex>>& rise, double
     step.rates.push_back(diffusivity_ * s2 * duration);
     step.left.push_back(std::exp(-step.rates.back()));
   }
-#pragma omp parallel if (is_shared(plane_))
+  plan_step(duration);
+  const auto make_scratch = [&]
   {
     const AlignedVector<double> lanes(n * lane_count);
-    Scratch scratch{lanes, lanes, lanes, lanes};
-#pragma omp for schedule(static)
-    for (std::size_t wave = 0; wave < plane_; wave += lane_count / 2) // a plane has whole cache lines
+    const Scratch half{lanes, lanes, lanes, lanes};
+    return std::array<Scratch, 2>{half, half};
+  };
+  if (!is_shared(plane_))
+  {
+    std::array<Scratch, 2> scratch = make_scratch();
+    for (std::size_t wave = 0; wave < plane_; wave += lane_count) // a plane has whole cache lines
       take_up_from(wave, step, scratch);
+  }
+  else
+  {
+#pragma omp parallel
+    {
+      std::array<Scratch, 2> scratch = make_scratch();
+#pragma omp for schedule(static)
+      for (std::size_t wave = 0; wave < plane_; wave += lane_count)
+        take_up_from(wave, step, scratch);
+    }
   }
   find_potential_at_surface();
 }
 
-/// The waves of some lanes, from that one on.
-void BuriedHeat::take_up_from(std::size_t wave, const Step& step, Scratch& scratch)
+/// Steps are mostly alike.
+void BuriedHeat::plan_step(double duration)
 {
-  Lanes rates{}, left{};
-  for (std::size_t part = 0; part < lane_count; ++part)
+  if (planned_ && planned_->duration == duration)
+    return;
+  planned_ = Planned{duration, {}, {}};
+  for (std::size_t wave = 0; wave < plane_; ++wave)
   {
-    const double k = decays_.k[2 * wave + part];
-    rates[part] = diffusivity_ * k * k * step.duration;
-    left[part] = std::exp(-rates[part]);
+    const double k = decays_.k[2 * wave];
+    planned_->rates.push_back(diffusivity_ * k * k * duration);
+    planned_->left.push_back(std::exp(-planned_->rates.back()));
   }
-  for (std::size_t j = step.first; j < step.last; ++j)
-    store_lanes(step.rise[j].empty() ? Lanes{}
-                                     : load_lanes(reinterpret_cast<const double*>(step.rise[j].data() + wave)),
-                lane_count, scratch.rise.data() + j * lane_count);
-  if (step.last > 0)
-    layers_->to_modes().multiply(scratch.rise.data(), step.first, step.last, scratch.in.data());
+}
+
+/// `lane_count` waves from that one on. What is the same for real and imaginary parts is found once for both.
+void BuriedHeat::take_up_from(std::size_t wave, const Step& step, std::array<Scratch, 2>& halves)
+{
+  constexpr std::size_t half = lane_count / 2;
   const std::size_t n = layers_->size();
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    Scratch& scratch = halves[h];
+    for (std::size_t j = step.first; j < step.last; ++j)
+      store_lanes(step.rise[j].empty()
+                      ? Lanes{}
+                      : load_lanes(reinterpret_cast<const double*>(step.rise[j].data() + wave + h * half)),
+                  lane_count, scratch.rise.data() + j * lane_count);
+    if (step.last > 0)
+      layers_->to_modes().multiply(scratch.rise.data(), step.first, step.last, scratch.in.data());
+  }
+  const Lanes rates = load_lanes(planned_->rates.data() + wave), left = load_lanes(planned_->left.data() + wave);
   for (std::size_t l = 0; l < n; ++l)
   {
     const Decay of_mode = decay(step.rates[l], step.left[l], rates, left);
-    const auto* before = reinterpret_cast<const double*>(before_.data() + l * plane_ + wave);
-    const Lanes mode = of_mode.left * load_lanes(before) + of_mode.in * load_lanes(scratch.in.data() + l * lane_count);
-    store_lanes(mode, lane_count, scratch.modes.data() + l * lane_count);
-    store_lanes(mode, lane_count, reinterpret_cast<double*>(modes_.data() + l * plane_ + wave));
+    const auto take = [&](std::size_t h, const Lanes& remains, const Lanes& share)
+    {
+      const std::size_t at = l * plane_ + wave + h * half;
+      const Lanes mode = remains * load_lanes(reinterpret_cast<const double*>(before_.data() + at)) +
+                         share * load_lanes(halves[h].in.data() + l * lane_count);
+      store_lanes(mode, lane_count, halves[h].modes.data() + l * lane_count);
+      store_lanes(mode, lane_count, reinterpret_cast<double*>(modes_.data() + at));
+    };
+    take(0, __builtin_shufflevector(of_mode.left, of_mode.left, 0, 0, 1, 1, 2, 2, 3, 3),
+         __builtin_shufflevector(of_mode.in, of_mode.in, 0, 0, 1, 1, 2, 2, 3, 3));
+    take(1, __builtin_shufflevector(of_mode.left, of_mode.left, 4, 4, 5, 5, 6, 6, 7, 7),
+         __builtin_shufflevector(of_mode.in, of_mode.in, 4, 4, 5, 5, 6, 6, 7, 7));
   }
-  find_temperature_from(wave, scratch);
+  for (std::size_t h = 0; h < halves.size(); ++h)
+    find_temperature_from(wave + h * half, halves[h]);
 }
 
 /// Of the modes in `scratch`.

@@ -4,7 +4,9 @@
 #include "depth_sums.hpp"
 #include "layered_conduction.hpp"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -74,7 +76,14 @@ private:
   {
     AlignedVector<double> rise, in, modes, warm;
   };
-  void take_up_from(std::size_t wave, const Step& step, Scratch& scratch);
+  /// What a step does to waves along the surface: kappa k^2 t, and e^{-that}.
+  struct Planned
+  {
+    double duration;
+    AlignedVector<double> rates, left; ///< [plane]
+  };
+  void plan_step(double duration);
+  void take_up_from(std::size_t wave, const Step& step, std::array<Scratch, 2>& halves);
   void find_temperature_from(std::size_t wave, Scratch& scratch);
   void find_temperature();
   void find_decay_over_layers(std::size_t begin, std::size_t parts, std::size_t pitch, double* left, double* sum) const;
@@ -93,6 +102,7 @@ private:
   double diffusivity_;
   bool is_cold_ = true, was_cold_ = true;
   Decays decays_;
+  std::optional<Planned> planned_;        ///< of the last step
   AlignedVector<double> potential_;       ///< of the surface, times k, in parts [K m]
   AlignedVector<Complex> modes_, before_; ///< [mode][plane] [K]
   AlignedVector<Complex> temperature_;    ///< [layer][plane] [K]

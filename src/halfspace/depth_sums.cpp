@@ -60,8 +60,8 @@ DepthFactors surface_factors(const DepthWaves& waves)
 std::size_t columns_that_reach(double depth, std::span<const SurfaceWave> along)
 {
   constexpr double nothing = 20.0; // e^{-20} = 2e-9, while sums over waves hold to some 1e-5
-  const auto end =
-      std::find_if(along.begin(), along.end(), [&](const SurfaceWave& wave) { return wave.k * depth > nothing; });
+  const auto end = std::partition_point(along.begin(), along.end(),
+                                        [&](const SurfaceWave& wave) { return !(wave.k * depth > nothing); });
   return static_cast<std::size_t>(end - along.begin());
 }
 

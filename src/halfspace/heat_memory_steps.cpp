@@ -86,23 +86,36 @@ void HeatMemory::plan_step(const HeatMotion& motion)
 namespace
 {
 
+/// (1 - e^{-z})/z
+ComplexLanes gain_of(const Lanes& x, const Lanes& y, const ComplexLanes& left, bool may_be_small)
+{
+  constexpr double small = 1e-6;
+  const Lanes norm = x * x + y * y, a = 1.0 - left.re, b = -left.im;
+  if (!may_be_small)
+  {
+    const Lanes inverse = 1.0 / norm;
+    return {(a * x + b * y) * inverse, (b * x - a * y) * inverse};
+  }
+  const auto is_small = norm < small; // there by its series
+  const Lanes inverse = 1.0 / (is_small ? Lanes{} + 1.0 : norm);
+  const Lanes square_re = x * x - y * y, square_im = 2.0 * x * y;
+  return {is_small ? 1.0 - 0.5 * x + square_re * (1.0 / 6.0) : (a * x + b * y) * inverse,
+          is_small ? -0.5 * y + square_im * (1.0 / 6.0) : (b * x - a * y) * inverse};
+}
+
 /// One wave in depth takes up its neighbours along the surface: remains before + (1 - e^{-x})/x in, with x = rate + z.
 /// @param decays  whether what was there has decayed; otherwise all of it stays
-template <typename Along>
-ComplexLanes taken_up(const Along& along, const ComplexLanes& in, double rate, double left_in_depth, bool decays,
+template <bool decays, typename Along>
+ComplexLanes taken_up(const Along& along, const ComplexLanes& in, double rate, double left_in_depth,
                       const ComplexLanes& before)
 {
-  const Lanes x = rate + along.rate, y = along.turn, norm = x * x + y * y;
-  // (1 - e^{-x})/x, by its series where x is small.
-  const auto is_small = norm < 1e-6;
-  const Lanes inverse = 1.0 / (is_small ? Lanes{} + 1.0 : norm);
-  const Lanes a = 1.0 - left_in_depth * along.left_re, b = -left_in_depth * along.left_im;
-  const Lanes square_re = x * x - y * y, square_im = 2.0 * x * y;
-  const Lanes gain_re = is_small ? 1.0 - 0.5 * x + square_re * (1.0 / 6.0) : (a * x + b * y) * inverse;
-  const Lanes gain_im = is_small ? -0.5 * y + square_im * (1.0 / 6.0) : (b * x - a * y) * inverse;
+  constexpr double surely_large = 2e-3; // its square is larger than what is small, whatever the wave along the surface
+  const ComplexLanes gain =
+      gain_of(rate + along.rate, along.turn, {left_in_depth * along.left_re, left_in_depth * along.left_im},
+              rate < surely_large);
   const Lanes remains = decays ? left_in_depth * along.left : Lanes{} + 1.0;
-  return {remains * before.re + gain_re * in.re - gain_im * in.im,
-          remains * before.im + gain_re * in.im + gain_im * in.re};
+  return {remains * before.re + gain.re * in.re - gain.im * in.im,
+          remains * before.im + gain.re * in.im + gain.im * in.re};
 }
 
 } // namespace
@@ -149,8 +162,11 @@ void HeatMemory::take_up_from(const Heat& before, std::span<const double> flux, 
       const std::size_t count = std::min<std::size_t>(lane_count, columns() - first);
       const ComplexLanes in = scale * load_some(spectrum.data() + begin_of(row) + first, count);
       const StepOfBlock along = step_->blocks[number];
+      const ComplexLanes* was = before.data() + number * waves;
+      ComplexLanes* heat = heat_.data() + number * waves;
       for (std::size_t w = 0; w < waves; ++w)
-        heat_[number * waves + w] = taken_up(along, in, rates[w], left[w], decays, before[number * waves + w]);
+        heat[w] = decays ? taken_up<true>(along, in, rates[w], left[w], was[w])
+                         : taken_up<false>(along, in, rates[w], left[w], was[w]);
     }
     if (is_settled) // while the row is in the cache
       sum_row(row, weights, *sums_);

@@ -5,6 +5,7 @@
 #include "require_thermal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,6 +44,29 @@ double lagrange(std::span<const DepthFactors> nodes, std::size_t of, double dept
     if (n != of)
       weight *= (depth - nodes[n].depth) / (nodes[of].depth - nodes[n].depth);
   return weight;
+}
+
+/// Adds some fields, each times its weight, in one pass.
+/// @param first, apart  their numbers among `fields`
+constexpr std::size_t together = 5;
+void add_weighted(std::span<const double> weights, std::span<const std::vector<double>> fields, std::size_t first,
+                  std::size_t apart, std::span<double> to)
+{
+  std::array<double, together> weight{};
+  std::array<const double*, together> field{};
+  for (std::size_t n = 0; n < together; ++n)
+  {
+    weight[n] = n < weights.size() ? weights[n] : 0.0;
+    field[n] = fields[first + (n < weights.size() ? n : 0) * apart].data();
+  }
+  double* sum = to.data();
+  if (weights.size() == 1)
+    for (std::size_t i = 0; i < to.size(); ++i)
+      sum[i] += weight[0] * field[0][i];
+  else
+    for (std::size_t i = 0; i < to.size(); ++i)
+      sum[i] += weight[0] * field[0][i] + weight[1] * field[1][i] + weight[2] * field[2][i] + weight[3] * field[3][i] +
+                weight[4] * field[4][i];
 }
 
 DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
@@ -217,17 +241,16 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
                                                       std::vector<std::span<double>>(sums.begin(), sums.end()), true);
                                       });
   for (std::size_t d = 0; d < depths.size(); ++d)
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-    {
-      const double weight = each ? (n == d ? 1.0 : 0.0) : lagrange(nodes, n, depths[d].depth);
-      for (std::size_t f = 0; f < count && weight != 0.0; ++f)
-      {
-        const std::vector<double>& image = images[n * count + f];
-        const std::span<double> field = out[d * count + f];
-        for (std::size_t i = 0; i < field.size(); ++i)
-          field[i] += weight * image[i];
-      }
-    }
+  {
+    const std::size_t first = each ? d : 0, last = each ? d + 1 : nodes.size();
+    std::vector<double> weights;
+    for (std::size_t n = first; n < last; ++n)
+      weights.push_back(each ? 1.0 : lagrange(nodes, n, depths[d].depth));
+    for (std::size_t f = 0; f < count; ++f)
+      for (std::size_t n = first; n < last; n += together)
+        add_weighted(std::span(weights).subspan(n - first, std::min(together, last - n)), images, n * count + f, count,
+                     out[d * count + f]);
+  }
 }
 
 /// Gives each lattice the flux on its own cells.
