@@ -56,6 +56,10 @@ private:
 /// Errors over their tolerances below which the next evaluation is likely to be the last one.
 constexpr double closing_factor = 5.0;
 
+/// Once the errors are within so many times their tolerances it is clear whether the strain of a body goes on beyond the sides or ends
+/// of its grid: then the increment begins anew on a larger one, and need not converge before.
+constexpr double clear_factor = 50.0;
+
 /// Violations of the yield condition between which trials may go further than their residual leads: from afar they would go too
 /// far, and nearer than tolerances ask for the plain combination is as good.
 constexpr double near = 0.02, nearest = 1e-4;
@@ -170,6 +174,17 @@ void CoupledContact::spread(const Placement& placement)
   }
 }
 
+namespace
+{
+
+/// Of the bodies alone, without what lies beneath: the pressure, and the stress of the last layer, tell only at the end.
+Outgrown along_surface(const Outgrown& outgrown)
+{
+  return {{outgrown.lower.ends, outgrown.lower.sides, false}, {outgrown.upper.ends, outgrown.upper.sides, false}};
+}
+
+} // namespace
+
 /// The fixed point of the trial deviators, to convergence or until it is given up.
 IncrementReport CoupledContact::iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy)
@@ -180,7 +195,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   EnergyWatch energy_watch;
   // The increment may end with an evaluation that has looked at the stress everywhere: the last few do.
   bool closing = strategy.watch_energy || !has_unknowns();
-  bool was_complete = false;
+  bool was_complete = false, has_looked_at_edges = false;
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
@@ -199,6 +214,13 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     const bool renewed = report.converged && strategy.watch_energy && renews_law(report);
     if (report.converged || !is_finite(report) || report.evaluations >= strategy.max_evaluations)
       return report;
+    if (strategy.stay_within_grids && !has_looked_at_edges && is_within(clear_factor, report))
+    {
+      has_looked_at_edges = true;
+      report.outgrown = along_surface(outgrown());
+      if (report.outgrown.any())
+        return report;
+    }
     if (strategy.watch_energy)
     {
       report.energy = energy_of_trial(drive, report.approach);
