@@ -189,6 +189,8 @@ void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::v
   if (is_rigid_)
     return;
   require_layers(body);
+  if (field_ && field_->holds(body.surface))
+    return field_->in_body(body, {out.temperature, out.deviator, out.trace});
   const auto count = static_cast<std::size_t>(body.nz);
   const std::size_t cells = grid_.size();
   const std::size_t deviators = out.deviator.empty() ? 0 : Deviator::size, traces = out.trace.empty() ? 0 : 1,

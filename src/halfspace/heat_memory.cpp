@@ -222,7 +222,8 @@ HeatMemory::Row HeatMemory::make_row(const RowOfFields& wanted) const
 }
 
 void HeatMemory::fields(double duration, double factor, std::span<const DepthFactors> depths,
-                        const FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out, bool adds) const
+                        const FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out, bool adds,
+                        const Window& window) const
 {
   // All that counts is written, so that nothing needs to be there before.
   const auto spectra = std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane() + ToldRowsFft::slack));
@@ -261,7 +262,7 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
   for (std::size_t f = 0; f < out.size(); ++f)
     told.push_back({waves + f * fft_.plane(),
                     static_cast<int>(told_columns(depths[f / fields_of_heat.is_odd.size()].depth, has_buried))});
-  fft_.inverse(told, fields_of_heat.is_odd, adds, out);
+  fft_.inverse(told, fields_of_heat.is_odd, adds, out, window);
 }
 
 void HeatMemory::take_up_in_body(const std::vector<std::vector<double>>& rise, double duration)

@@ -54,6 +54,8 @@ public:
   /// Adds `factor` times the temperature of the surface that the heat in the body gives as it is.
   void add_buried(double factor, std::span<double> temperature) const;
 
+  using Window = ToldRowsFft::Window;
+  [[nodiscard]] Window whole() const { return fft_.whole(); }
   /// Some fields at one depth.
   struct FieldsOfHeat
   {
@@ -65,9 +67,10 @@ public:
   /// For duration = 0 they are those at the end of the last step. What has arisen in the body is in them as it is.
   /// @param depths  factors of all waves, of which those of this memory are the last ones; for each depth
   /// @param out   as many at each depth, [depth][field][cell]
-  /// @param adds  to what is there; otherwise it is overwritten
+  /// @param adds    to what is there; otherwise it is overwritten
+  /// @param window  of the cells that are wanted
   void fields(double duration, double factor, std::span<const DepthFactors> depths, const FieldsOfHeat& fields_of_heat,
-              const std::vector<std::span<double>>& out, bool adds) const;
+              const std::vector<std::span<double>>& out, bool adds, const Window& window) const;
 
   /// All decays over the motion, and its flux comes in.
   /// @param before  gets the heat as it was; nullptr: nothing does

@@ -46,27 +46,32 @@ double lagrange(std::span<const DepthFactors> nodes, std::size_t of, double dept
   return weight;
 }
 
-/// Adds some fields, each times its weight, in one pass.
-/// @param first, apart  their numbers among `fields`
 constexpr std::size_t together = 5;
+
+/// Adds some fields of a grid, each times its weight, in one pass.
+/// @param first, apart  their numbers among `fields`
+/// @param window        cells that `to` has
 void add_weighted(std::span<const double> weights, std::span<const std::vector<double>> fields, std::size_t first,
-                  std::size_t apart, std::span<double> to)
+                  std::size_t apart, const SurfaceGrid& grid, const HeatMemory::Window& window, std::span<double> to)
 {
   std::array<double, together> weight{};
-  std::array<const double*, together> field{};
-  for (std::size_t n = 0; n < together; ++n)
-  {
-    weight[n] = n < weights.size() ? weights[n] : 0.0;
-    field[n] = fields[first + (n < weights.size() ? n : 0) * apart].data();
-  }
+  for (std::size_t n = 0; n < weights.size(); ++n)
+    weight[n] = weights[n];
   double* sum = to.data();
-  if (weights.size() == 1)
-    for (std::size_t i = 0; i < to.size(); ++i)
-      sum[i] += weight[0] * field[0][i];
-  else
-    for (std::size_t i = 0; i < to.size(); ++i)
-      sum[i] += weight[0] * field[0][i] + weight[1] * field[1][i] + weight[2] * field[2][i] + weight[3] * field[3][i] +
-                weight[4] * field[4][i];
+  for (int j = 0; j < window.rows; ++j, sum += window.columns)
+  {
+    std::array<const double*, together> field{};
+    for (std::size_t n = 0; n < together; ++n)
+      field[n] = fields[first + (n < weights.size() ? n : 0) * apart].data() +
+                 grid.index(window.first_column, window.first_row + j);
+    if (weights.size() == 1)
+      for (int i = 0; i < window.columns; ++i)
+        sum[i] += weight[0] * field[0][i];
+    else
+      for (int i = 0; i < window.columns; ++i)
+        sum[i] += weight[0] * field[0][i] + weight[1] * field[1][i] + weight[2] * field[2][i] +
+                  weight[3] * field[3][i] + weight[4] * field[4][i];
+  }
 }
 
 DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
@@ -203,7 +208,7 @@ void OpenHeatMemory::remaining(const char* function_name, double duration, std::
 
 void OpenHeatMemory::fields(const char* function_name, double duration, std::span<const DepthFactors> depths,
                             const HeatMemory::FieldsOfHeat& fields_of_heat,
-                            const std::vector<std::span<double>>& out) const
+                            const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const
 {
   if (duration != 0.0)
     require_step(function_name, duration);
@@ -216,17 +221,17 @@ void OpenHeatMemory::fields(const char* function_name, double duration, std::spa
     const auto some = depths.subspan(done, std::min(most_at_once, depths.size() - done));
     const std::vector<std::span<double>> to(out.begin() + static_cast<std::ptrdiff_t>(done * count),
                                             out.begin() + static_cast<std::ptrdiff_t>((done + some.size()) * count));
-    near_.fields(duration, 1.0, some, fields_of_heat, to, false);
+    near_.fields(duration, 1.0, some, fields_of_heat, to, false, window);
   }
   if (!farther_.empty())
-    add_images(duration, depths, fields_of_heat, out);
+    add_images(duration, depths, fields_of_heat, out, window);
 }
 
 /// What the images give varies slowly in depth, as they are far away: of many layers it is interpolated, by the polynomial
 /// through Chebyshev's points.
 void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> depths,
                                 const HeatMemory::FieldsOfHeat& fields_of_heat,
-                                const std::vector<std::span<double>>& out) const
+                                const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const
 {
   const bool each = image_depths_.empty() || depths.size() <= image_depths_.size();
   const std::span<const DepthFactors> nodes = each ? depths : std::span(image_depths_);
@@ -238,7 +243,8 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
                                       [&](const HeatMemory& memory, double factor, Fields& sums)
                                       {
                                         memory.fields(duration, factor, nodes, fields_of_heat,
-                                                      std::vector<std::span<double>>(sums.begin(), sums.end()), true);
+                                                      std::vector<std::span<double>>(sums.begin(), sums.end()), true,
+                                                      memory.whole());
                                       });
   for (std::size_t d = 0; d < depths.size(); ++d)
   {
@@ -249,7 +255,7 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
     for (std::size_t f = 0; f < count; ++f)
       for (std::size_t n = first; n < last; n += together)
         add_weighted(std::span(weights).subspan(n - first, std::min(together, last - n)), images, n * count + f, count,
-                     out[d * count + f]);
+                     grid(), window, out[d * count + f]);
   }
 }
 

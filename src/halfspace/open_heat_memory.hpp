@@ -40,8 +40,11 @@ public:
   void remaining(const char* function_name, double duration, std::span<double> temperature) const;
   /// Fields that remain after `duration`, or are there at once.
   /// @param out  as many at each depth, [depth][field]
+  /// @param window  of the cells that are wanted
   void fields(const char* function_name, double duration, std::span<const DepthFactors> depths,
-              const HeatMemory::FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out) const;
+              const HeatMemory::FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out,
+              const HeatMemory::Window& window) const;
+  [[nodiscard]] HeatMemory::Window whole() const { return near_.whole(); }
   struct Heat;
   /// @param before  gets what is remembered before the step; nullptr: nothing does
   void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
@@ -85,7 +88,7 @@ private:
   void with_coarser(std::span<const double> flux, const Use& use);
   [[nodiscard]] std::vector<HeatMemory*> lattices();
   void add_images(double duration, std::span<const DepthFactors> depths, const HeatMemory::FieldsOfHeat& fields_of_heat,
-                  const std::vector<std::span<double>>& out) const;
+                  const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const;
   void plan_images(const Thermal& thermal, const Wanted& wanted);
   void require_step(const char* function_name, double duration) const;
   [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;

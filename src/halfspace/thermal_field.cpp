@@ -136,12 +136,44 @@ struct ThermalField::State
   std::unique_ptr<LayerFactors> layers{};
   DepthFactors surface{};
 
+  struct Layers
+  {
+    std::size_t first, count;
+  };
+  void find_layers(double duration, const Layers& which, const ThermalLayer& wanted,
+                   const std::vector<std::span<double>>& fields, const HeatMemory::Window& window) const;
   void tabulate()
   {
     surface = surface_factors(memory.waves());
     layers = std::make_unique<LayerFactors>(memory.waves(), depths);
   }
 };
+
+/// @param wanted  tells which fields there are of each layer
+void ThermalField::State::find_layers(double duration, const Layers& which, const ThermalLayer& wanted,
+                                      const std::vector<std::span<double>>& fields,
+                                      const HeatMemory::Window& window) const
+{
+  const double scale = 2.0 * elastic.shear_modulus() * strain;
+  const bool has_temperature = !wanted.temperature.empty(), has_trace = !wanted.trace.empty(),
+             has_deviator = !wanted.deviator.empty();
+  std::vector<bool> is_odd(static_cast<std::size_t>(has_temperature) + static_cast<std::size_t>(has_trace), false);
+  for (int c = 0; has_deviator && c < Deviator::size; ++c)
+    is_odd.push_back(is_odd_in_y(c));
+  const StressOfRow stress(elastic.poisson_ratio, scale);
+  const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
+  {
+    std::size_t field = 0;
+    if (has_temperature)
+      std::copy(heat.temperature.begin(), heat.temperature.end(), to[field++]);
+    if (has_trace)
+      stress.trace(heat, to[field++]);
+    if (has_deviator)
+      stress.deviator(heat, to.subspan(field));
+  };
+  memory.fields("ThermalField::layer", duration, layers->some(which.first, which.count), {waves, is_odd}, fields,
+                window);
+}
 
 ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
                            const HeatTimes& times, std::vector<double> depths, HeatImages images, Symmetry symmetry,
@@ -269,7 +301,7 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
         (*field++)[i] = wave.odd_y * along;
     }
   };
-  state.memory.fields(name, duration, {&state.surface, 1}, {waves, is_odd}, out);
+  state.memory.fields(name, duration, {&state.surface, 1}, {waves, is_odd}, out, state.memory.whole());
 }
 
 namespace
@@ -305,30 +337,38 @@ void ThermalField::layers(std::size_t first, std::span<const ThermalLayer> out, 
   if (first + out.size() > state.depths.size())
     throw InternalError(
         fmt::format("ThermalField::layers: layer {} of {}", first + out.size() - 1, state.depths.size()));
-  const double scale = 2.0 * state.elastic.shear_modulus() * state.strain;
-  const bool has_temperature = !out.front().temperature.empty(), has_trace = !out.front().trace.empty(),
-             has_deviator = !out.front().deviator.empty();
-  std::vector<bool> is_odd(static_cast<std::size_t>(has_temperature) + static_cast<std::size_t>(has_trace), false);
-  for (int c = 0; has_deviator && c < Deviator::size; ++c)
-    is_odd.push_back(is_odd_in_y(c));
-  const StressOfRow stress(state.elastic.poisson_ratio, scale);
-  const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
-  {
-    std::size_t field = 0;
-    if (has_temperature)
-      std::copy(heat.temperature.begin(), heat.temperature.end(), to[field++]);
-    if (has_trace)
-      stress.trace(heat, to[field++]);
-    if (has_deviator)
-      stress.deviator(heat, to.subspan(field));
-  };
   std::vector<std::span<double>> fields;
   for (const ThermalLayer& layer : out)
     for (const std::span<double>& field : wanted(layer, grid().size()))
       fields.push_back(field);
   if (!fields.empty())
-    state.memory.fields("ThermalField::layer", duration, state.layers->some(first, out.size()), {waves, is_odd},
-                        fields);
+    state.find_layers(duration, {first, out.size()}, out.front(), fields, state.memory.whole());
+}
+
+bool ThermalField::holds(const SurfaceGrid& cells) const
+{
+  return cells.nx <= grid().nx && cells.ny <= grid().ny && (grid().nx - cells.nx) % 2 == 0 &&
+         (grid().ny - cells.ny) % 2 == 0;
+}
+
+void ThermalField::in_body(const VolumeGrid& body, const ThermalLayer& out) const
+{
+  const State& state = *state_;
+  const SurfaceGrid& cells = body.surface;
+  const auto count = static_cast<std::size_t>(body.nz);
+  if (!holds(cells) || count > state.depths.size())
+    throw InternalError("ThermalField::in_body: the body is not within the grid and the layers");
+  require_part("ThermalField::in_body", "temperature", out.temperature, body.size());
+  require_part("ThermalField::in_body", "deviator", out.deviator, Deviator::size * body.size());
+  require_part("ThermalField::in_body", "trace", out.trace, body.size());
+  std::vector<std::span<double>> fields;
+  for (std::size_t k = 0; k < count; ++k)
+    for (const std::span<double>& part : {out.temperature, out.trace, out.deviator})
+      for (std::size_t at = k * cells.size(); at < part.size(); at += body.size())
+        fields.push_back(part.subspan(at, cells.size()));
+  if (!fields.empty())
+    state.find_layers(0.0, {0, count}, out, fields,
+                      {(grid().nx - cells.nx) / 2, cells.nx, (grid().ny - cells.ny) / 2, cells.ny});
 }
 
 } // namespace brinell::halfspace

@@ -164,35 +164,39 @@ void put(double value, double& to)
   to = adds ? to + value : value;
 }
 
-/// The parts of a field that are even and odd about the middle row.
+/// The parts of a field that are even and odd about the middle row, in a window.
 /// @param even, odd  nullptr if there is none; then the field is the other one
 template <bool adds>
-void put_parts(const SurfaceGrid& g, const double* field, double* even, double* odd)
+void put_parts(const SurfaceGrid& g, const ToldRowsFft::Window& window, const double* field, double* even, double* odd)
 {
-  for (int j = 0; 2 * j < g.ny; ++j)
+  const int columns = window.columns;
+  for (int j = window.first_row; 2 * j < g.ny; ++j)
   {
-    const std::size_t here = g.index(0, j), there = g.index(0, g.ny - 1 - j);
+    const int to_row = j - window.first_row, to_opposite = g.ny - 1 - j - window.first_row;
+    const std::ptrdiff_t here = static_cast<std::ptrdiff_t>(to_row) * columns,
+                         there = static_cast<std::ptrdiff_t>(to_opposite) * columns;
     const bool is_middle = here == there;
-    const double *at = field + here, *opposite = field + there;
+    const double *at = field + g.index(window.first_column, j),
+                 *opposite = field + g.index(window.first_column, g.ny - 1 - j);
     if (even == nullptr || odd == nullptr)
     {
       double *to = (even != nullptr ? even : odd) + here, *mirrored = (even != nullptr ? even : odd) + there;
       const double sign = even != nullptr ? 1.0 : -1.0, of_middle = is_middle && odd != nullptr ? 0.0 : 1.0;
-      for (int i = 0; i < g.nx; ++i)
+      for (int i = 0; i < columns; ++i)
         put<adds>(of_middle * at[i], to[i]);
-      for (int i = 0; i < g.nx && !is_middle; ++i)
+      for (int i = 0; i < columns && !is_middle; ++i)
         put<adds>(sign * at[i], mirrored[i]);
       continue;
     }
-    for (int i = 0; i < g.nx; ++i)
+    for (int i = 0; i < columns; ++i)
     {
-      put<adds>(0.5 * (at[i] + opposite[i]), even[here + static_cast<std::size_t>(i)]);
-      put<adds>(0.5 * (at[i] - opposite[i]), odd[here + static_cast<std::size_t>(i)]);
+      put<adds>(0.5 * (at[i] + opposite[i]), even[here + i]);
+      put<adds>(0.5 * (at[i] - opposite[i]), odd[here + i]);
     }
-    for (int i = 0; i < g.nx && !is_middle; ++i)
+    for (int i = 0; i < columns && !is_middle; ++i)
     {
-      put<adds>(0.5 * (at[i] + opposite[i]), even[there + static_cast<std::size_t>(i)]);
-      put<adds>(0.5 * (opposite[i] - at[i]), odd[there + static_cast<std::size_t>(i)]);
+      put<adds>(0.5 * (at[i] + opposite[i]), even[there + i]);
+      put<adds>(0.5 * (opposite[i] - at[i]), odd[there + i]);
     }
   }
 }
@@ -236,16 +240,23 @@ void ToldRowsFft::invert(const Together& together, bool adds, Work& work) const
   {
     double* even = n < together.even.size() ? together.fields[together.even[n]].data() : nullptr;
     double* odd = n < together.odd.size() ? together.fields[together.odd[n]].data() : nullptr;
+    const Window& window = together.window;
     if (symmetry_ != Symmetry::none)
-      (adds ? put_parts<true> : put_parts<false>)(g, field, even, odd);
-    else
-      for (std::size_t i = 0; i < g.size(); ++i)
-        even[i] = adds ? even[i] + field[i] : field[i];
+    {
+      (adds ? put_parts<true> : put_parts<false>)(g, window, field, even, odd);
+      continue;
+    }
+    for (int j = 0; j < window.rows; ++j, even += window.columns)
+    {
+      const double* from = field + g.index(window.first_column, window.first_row + j);
+      for (int i = 0; i < window.columns; ++i)
+        even[i] = adds ? even[i] + from[i] : from[i];
+    }
   }
 }
 
 void ToldRowsFft::inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
-                          const std::vector<std::span<double>>& fields) const
+                          const std::vector<std::span<double>>& fields, const Window& window) const
 {
   std::unique_ptr<Work> work = take_work();
   const std::size_t count = is_odd.size();
@@ -253,7 +264,8 @@ void ToldRowsFft::inverse(std::span<const Told> spectra, const std::vector<bool>
   for (std::size_t f = 0; f < count; ++f)
     (is_odd[f] && symmetry_ != Symmetry::none ? odd : even).push_back(f);
   for (std::size_t first = 0; first < fields.size(); first += count)
-    invert({spectra.subspan(first, count), std::span(fields).subspan(first, count), even, odd}, adds, *work);
+    invert({spectra.subspan(first, count), std::span(fields).subspan(first, count), even, odd, window},
+           adds, *work);
   works_->give(std::move(work));
 }
 

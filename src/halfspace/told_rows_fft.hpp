@@ -58,11 +58,22 @@ public:
     int columns;          ///< beyond which there is nothing; what values there are does not matter
   };
   static constexpr std::size_t slack = lane_count;
-  /// Fields on the grid from the told rows of their spectra.
+  /// Cells in the middle of the grid. With symmetry as many rows lie before as behind them.
+  struct Window
+  {
+    int first_column, columns, first_row, rows;
+  };
+  [[nodiscard]] Window whole() const { return {0, all_.grid().nx, 0, all_.grid().ny}; }
+  /// Fields on the grid, or in a window of it, from the told rows of their spectra.
   /// @param is_odd  of so many fields, again and again; without symmetry it does not matter
   /// @param adds    to what is there; otherwise it is overwritten
   void inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
-               const std::vector<std::span<double>>& fields) const;
+               const std::vector<std::span<double>>& fields) const
+  {
+    inverse(spectra, is_odd, adds, fields, whole());
+  }
+  void inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
+               const std::vector<std::span<double>>& fields, const Window& window) const;
 
   /// All rows of an even field from the told ones.
   void complete(const Complex* told, Complex* all) const;
@@ -98,6 +109,7 @@ private:
     std::span<const Told> spectra;
     std::span<const std::span<double>> fields;
     std::span<const std::size_t> even, odd; ///< numbers of those
+    Window window;
   };
   [[nodiscard]] int rows_of(std::size_t pair, const Together& together) const;
   void fill_column(const Pair& pair, int first, ComplexLanes* column) const;

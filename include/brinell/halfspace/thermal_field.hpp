@@ -90,6 +90,12 @@ public:
   void layer(std::size_t layer, const ThermalLayer& out, double duration = 0.0) const;
   /// The layers from the first one on, at less cost than one by one. The same parts of all of them.
   void layers(std::size_t first, std::span<const ThermalLayer> out, double duration = 0.0) const;
+  /// Fields of a body at the end of the last step, whose layers begin with the first one. Each component has all layers one after the
+  /// other.
+  /// @param body  cells in the middle of the grid: `holds`
+  void in_body(const VolumeGrid& body, const ThermalLayer& out) const;
+  /// Whether cells of another surface are cells in the middle of the grid, and as many lie on both sides of them.
+  [[nodiscard]] bool holds(const SurfaceGrid& cells) const;
   /// Of the surface, after a step or more: `SurfaceTemperature::remaining`.
   void remaining_temperature(double duration, std::span<double> temperature) const;
 
