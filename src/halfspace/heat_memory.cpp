@@ -5,6 +5,7 @@
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -162,14 +163,15 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
   for (std::size_t first = 0; first < wanted.depths.size(); first += DepthSums::together)
   {
     const auto group = wanted.depths.subspan(first, std::min(DepthSums::together, wanted.depths.size() - first));
-    const auto by_depth = [](const DepthFactors& a, const DepthFactors& b) { return a.depth < b.depth; };
-    if (wanted.sums != nullptr) // depths may be in any order
-      wanted.sums->sum(first, columns_that_reach(std::min_element(group.begin(), group.end(), by_depth)->depth, along),
-                      of_surface);
+    std::array<std::size_t, DepthSums::together> reach{}; // depths may be in any order
+    for (std::size_t d = 0; d < group.size(); ++d)
+      reach[d] = columns_that_reach(group[d].depth, along);
+    if (wanted.sums != nullptr)
+      wanted.sums->sum(first, *std::max_element(reach.begin(), reach.end()), of_surface);
     for (std::size_t d = first; d < first + group.size(); ++d)
     {
       const double depth = wanted.depths[d].depth;
-      std::size_t columns = columns_that_reach(depth, along);
+      std::size_t columns = reach[d - first];
       if (wanted.sums != nullptr && wanted.has_buried)
       {
         add_buried_row(depth, wanted.factor, columns, d - first, sums);
@@ -199,15 +201,19 @@ void HeatMemory::put_fields(int row, std::size_t number, std::size_t columns, co
                                complex_values(of_surface.slope, at, columns),
                                complex_values(of_surface.at_surface, 0, columns)},
                               out);
-  const std::size_t told = told_columns(depth, wanted.has_buried);
+  const auto told = static_cast<std::size_t>(wanted.told[number]);
   for (Complex* field : out)
     std::fill(field + columns, field + std::max(columns, told), Complex{});
 }
 
 /// Columns that count in any row, of which the first has the longest waves.
-std::size_t HeatMemory::told_columns(double depth, bool has_buried) const
+std::vector<int> HeatMemory::told_columns(std::span<const DepthFactors> depths, bool has_buried) const
 {
-  return has_buried ? columns() : columns_that_reach(depth, row_of_waves(0));
+  std::vector<int> told;
+  told.reserve(depths.size());
+  for (const DepthFactors& factors : depths)
+    told.push_back(static_cast<int>(has_buried ? columns() : columns_that_reach(factors.depth, row_of_waves(0))));
+  return told;
 }
 
 HeatMemory::Row HeatMemory::make_row(const RowOfFields& wanted) const
@@ -239,8 +245,9 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
     at_surface = (duration == 0.0 ? sums_->potential_now : sums_->potential).data();
   else
     at_surface = found.emplace(find_sums(duration)).potential.data();
-  const RowOfFields wanted{duration, factor,         has_buried, sums ? &*sums : nullptr, at_surface,
-                           depths,   fields_of_heat, waves};
+  const std::vector<int> columns_told = told_columns(depths, has_buried);
+  const RowOfFields wanted{duration,       factor, has_buried,  sums ? &*sums : nullptr, at_surface, depths,
+                           fields_of_heat, waves,  columns_told};
   if (!is_shared(fft_.plane()))
   {
     Row of_row = make_row(wanted);
@@ -260,8 +267,7 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
   std::vector<ToldRowsFft::Told> told;
   told.reserve(out.size());
   for (std::size_t f = 0; f < out.size(); ++f)
-    told.push_back({waves + f * fft_.plane(),
-                    static_cast<int>(told_columns(depths[f / fields_of_heat.is_odd.size()].depth, has_buried))});
+    told.push_back({waves + f * fft_.plane(), columns_told[f / fields_of_heat.is_odd.size()]});
   fft_.inverse(told, fields_of_heat.is_odd, adds, out, window);
 }
 

@@ -113,7 +113,8 @@ private:
     const Complex* at_surface; ///< potential, without its factor k; where there are no other sums
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
-    Complex* spectra; ///< [depth][field][plane]
+    Complex* spectra;                ///< [depth][field][plane]
+    std::span<const int> told;       ///< columns that count in any row; for each depth
   };
   [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
   /// Sums of a row, of the heat of the surface and of that in the body.
@@ -128,7 +129,7 @@ private:
   [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
   void add_row(int row, const RowOfFields& wanted, Row& sums) const;
   void put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
-  [[nodiscard]] std::size_t told_columns(double depth, bool has_buried) const;
+  [[nodiscard]] std::vector<int> told_columns(std::span<const DepthFactors> depths, bool has_buried) const;
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   [[nodiscard]] AlignedVector<Complex> told(std::span<const double> values) const;

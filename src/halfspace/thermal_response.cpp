@@ -22,7 +22,10 @@ std::vector<double> displacement_of_cell(const SurfaceGrid& grid, const Thermal&
   offsets.ny = grid.is_periodic_y() ? grid.ny : 2 * grid.ny - 1;
   std::vector<double> flux(offsets.size()), displacement(offsets.size());
   flux[offsets.index(grid.is_periodic_x() ? 0 : grid.nx - 1, grid.is_periodic_y() ? 0 : grid.ny - 1)] = 1.0;
-  ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration});
+  // One cell in the middle row has two sides that are alike.
+  const bool is_symmetric = !grid.is_periodic_y() && motion.velocity_y == 0.0;
+  ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration}, {}, HeatImages::fine,
+                     is_symmetric ? Symmetry::in_y : Symmetry::none);
   field.take_up(flux, motion);
   field.displacement({displacement, {}, {}});
   return displacement;
