@@ -175,8 +175,10 @@ std::span<const double> DecayInDepth::at(double depth, std::span<const SurfaceWa
   const bool goes_on = way >= 0.0 && count <= columns_;
   if (goes_on && (count > stepped_ || std::abs(way - spacing_) > rounding * depth))
   {
+    // From the middle of the first layer to that of the second it is twice as far as from the surface to the first.
+    const bool is_twice = count <= columns_ && std::abs(way - 2.0 * depth_) <= rounding * depth;
     for (std::size_t i = 0; i < count; ++i)
-      step_[i] = std::exp(-along[i].k * way);
+      step_[i] = is_twice ? decay_[i] * decay_[i] : std::exp(-along[i].k * way);
     spacing_ = way;
     stepped_ = count;
   }

@@ -213,8 +213,8 @@ void OpenHeatMemory::fields(const char* function_name, double duration, std::spa
   if (duration != 0.0)
     require_step(function_name, duration);
   const std::size_t count = fields_of_heat.is_odd.size();
-  // So many that their spectra stay small, as the memory is read once for all of them.
-  constexpr std::size_t most_bytes = 16 * 1024 * 1024, least_at_once = 8;
+  // So many that their spectra stay in the cache until they are transformed, and yet many, as the memory is read again for each lot.
+  constexpr std::size_t most_bytes = 5 * 1024 * 1024, least_at_once = 8;
   const std::size_t most_at_once = std::max(least_at_once, most_bytes / (count * near_.spectrum_bytes()));
   for (std::size_t done = 0; done < depths.size(); done += most_at_once)
   {

@@ -126,7 +126,7 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
                             bool shortcuts, Symmetry symmetry)
 {
   constexpr double waves = 60.0, copies = 2.0, copies_of_layers = 3.0, fields = 7.0,
-                   most_bytes_read = 16.0 * 1024 * 1024, expected_and_lacking = 3.0;
+                   most_bytes_read = 5.0 * 1024 * 1024, expected_and_lacking = 3.0;
   const VolumeGrid grid{grid_of_heat(volume.surface), volume.nz, volume.dz};
   const double lattices = lattices_of_heat(grid.surface, shortcuts),
                of_layers = 1.0 + (shortcuts ? 0.5 : 1.0) * (lattices - 1.0);
