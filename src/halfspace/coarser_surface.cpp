@@ -116,8 +116,8 @@ void CoarserSurface::to_finer(std::span<const double> field, std::vector<double>
     const Between& at = y_[static_cast<std::size_t>(j)];
     const double* four = field.data() + coarse_.index(0, at.first);
     for (int i = 0; i < coarse_.nx; ++i)
-      to[i] = at.weights[0] * four[i] + at.weights[1] * four[coarse_.nx + i] + at.weights[2] * four[2 * coarse_.nx + i] +
-              at.weights[3] * four[3 * coarse_.nx + i];
+      to[i] = at.weights[0] * four[i] + at.weights[1] * four[coarse_.nx + i] +
+              at.weights[2] * four[2 * coarse_.nx + i] + at.weights[3] * four[3 * coarse_.nx + i];
   }
   if (x_.empty())
     return;

@@ -47,9 +47,9 @@ public:
   struct Along
   {
     const Lanes* k;
-    const Lanes* slow_share;   ///< of the potential, of the waves in depth that hardly turn: `DepthWaves::slow_share`
-    const Lanes* left;         ///< what all sums are multiplied with
-    const ComplexLanes* heat;  ///< [block][wave]
+    const Lanes* slow_share;  ///< of the potential, of the waves in depth that hardly turn: `DepthWaves::slow_share`
+    const Lanes* left;        ///< what all sums are multiplied with
+    const ComplexLanes* heat; ///< [block][wave]
   };
   /// Sums have real and imaginary parts in turn.
   struct Row

@@ -24,10 +24,11 @@ double cell_mean(double angle)
 } // namespace
 
 HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-                       const DepthFactors& surface, Symmetry symmetry, const std::shared_ptr<const LayeredConduction>& layers)
+                       const DepthFactors& surface, Symmetry symmetry,
+                       const std::shared_ptr<const LayeredConduction>& layers)
     : fft_(grid, px, py, symmetry), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
       waves_(std::move(waves)), at_surface_(surface.at_surface.end() - static_cast<std::ptrdiff_t>(waves_.waves.size()),
-                                          surface.at_surface.end() - 1),
+                                            surface.at_surface.end() - 1),
       heat_(block_of(fft_.rows()) * waves_.waves.size())
 {
   const PlaneOfWaves& all = fft_.all();

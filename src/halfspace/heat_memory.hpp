@@ -40,7 +40,8 @@ public:
   /// @param layers    in which heat may arise; nullptr: in none
   /// @param surface  factors of all waves at the surface, of which those of this memory are the last ones
   HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-             const DepthFactors& surface, Symmetry symmetry, const std::shared_ptr<const LayeredConduction>& layers = nullptr);
+             const DepthFactors& surface, Symmetry symmetry,
+             const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.all().grid(); }
   [[nodiscard]] int period_x() const { return fft_.all().px(); } ///< [cells]
@@ -108,13 +109,13 @@ private:
   struct RowOfFields
   {
     double duration, factor;
-    bool has_buried; ///< whether there is heat in the body
-    const DepthSums* sums; ///< nullptr: of the surface alone
+    bool has_buried;           ///< whether there is heat in the body
+    const DepthSums* sums;     ///< nullptr: of the surface alone
     const Complex* at_surface; ///< potential, without its factor k; where there are no other sums
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
-    Complex* spectra;                ///< [depth][field][plane]
-    std::span<const int> told;       ///< columns that count in any row; for each depth
+    Complex* spectra;          ///< [depth][field][plane]
+    std::span<const int> told; ///< columns that count in any row; for each depth
   };
   [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
   /// Sums of a row, of the heat of the surface and of that in the body.
@@ -177,7 +178,7 @@ private:
   AlignedVector<Lanes> k_;         ///< [row][block]
   Heat heat_;
   AlignedVector<Lanes> slow_share_; ///< [row][block], for fields
-  std::optional<Step> step_;       ///< the last one
+  std::optional<Step> step_;        ///< the last one
   std::optional<SurfaceSums> sums_; ///< of the heat as it is
   std::optional<BuriedHeat> buried_;
 };

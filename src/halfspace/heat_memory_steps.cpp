@@ -72,8 +72,7 @@ void HeatMemory::plan_step(const HeatMotion& motion)
                const SurfaceWave& wave = row_of_waves(row)[i];
                StepOfBlock& block = step_->blocks[block_of(row) + i / lane_count];
                const std::size_t lane = i % lane_count;
-               const double way =
-                   (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
+               const double way = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
                block.rate[lane] = diffusivity_ * wave.k * wave.k * motion.duration;
                block.turn[lane] = -way;
                block.left[lane] = std::exp(-block.rate[lane]);

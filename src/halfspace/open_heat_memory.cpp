@@ -153,8 +153,9 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
     const DepthWaves slow = waves_.slower_than(decayed / distance);
     const auto layers = wanted.images == HeatImages::coarse ? layers_for_images(layers_, distance) : layers_;
     farther_.push_back(
-        {cells, Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, surface, wanted.symmetry, layers),
-                         HeatMemory(cells.grid(), once_x, once_y, thermal, slow, surface, wanted.symmetry, layers), layers}});
+        {cells,
+         Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, surface, wanted.symmetry, layers),
+                  HeatMemory(cells.grid(), once_x, once_y, thermal, slow, surface, wanted.symmetry, layers), layers}});
   }
 }
 
@@ -207,8 +208,8 @@ void OpenHeatMemory::remaining(const char* function_name, double duration, std::
 }
 
 void OpenHeatMemory::fields(const char* function_name, double duration, std::span<const DepthFactors> depths,
-                            const HeatMemory::FieldsOfHeat& fields_of_heat,
-                            const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const
+                            const HeatMemory::FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out,
+                            const HeatMemory::Window& window) const
 {
   if (duration != 0.0)
     require_step(function_name, duration);
@@ -239,13 +240,13 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
   // Displacements and stresses fall off with the third power of the distance, and in plane strain with the second: from
   // lattice to lattice by 8 and 4, and all that follow are a seventh and a third of the last one.
   const double farthest = is_strip(grid()) ? 4.0 / 3.0 : 8.0 / 7.0;
-  const Fields images = sum_of_images(nodes.size() * count, farthest,
-                                      [&](const HeatMemory& memory, double factor, Fields& sums)
-                                      {
-                                        memory.fields(duration, factor, nodes, fields_of_heat,
-                                                      std::vector<std::span<double>>(sums.begin(), sums.end()), true,
-                                                      memory.whole());
-                                      });
+  const Fields images =
+      sum_of_images(nodes.size() * count, farthest,
+                    [&](const HeatMemory& memory, double factor, Fields& sums)
+                    {
+                      memory.fields(duration, factor, nodes, fields_of_heat,
+                                    std::vector<std::span<double>>(sums.begin(), sums.end()), true, memory.whole());
+                    });
   for (std::size_t d = 0; d < depths.size(); ++d)
   {
     const std::size_t first = each ? d : 0, last = each ? d + 1 : nodes.size();
@@ -377,45 +378,6 @@ std::vector<HeatMemory*> OpenHeatMemory::lattices()
       for (HeatMemory* memory : {&images.lattices->twice, &images.lattices->once})
         all.push_back(memory);
   return all;
-}
-
-OpenHeatMemory::Heat OpenHeatMemory::heat() const
-{
-  Heat result{{near_.heat()}, time_};
-  for (const FartherImages& images : farther_)
-    if (images.lattices)
-      for (const HeatMemory* memory : {&images.lattices->twice, &images.lattices->once})
-        result.lattices.push_back(memory->heat());
-  return result;
-}
-
-void OpenHeatMemory::set_heat(const Heat& heat)
-{
-  const std::vector<HeatMemory*> all = lattices();
-  for (std::size_t n = 0; n < all.size(); ++n)
-    all[n]->set_heat(heat.lattices[n]);
-  time_ = heat.time;
-}
-
-void OpenHeatMemory::exchange(Archive& archive)
-{
-  int n = 0;
-  for (HeatMemory* memory : lattices())
-  {
-    std::vector<double> values = memory->whole_heat();
-    archive(fmt::format("lattice{}", n), values);
-    if (archive.gives())
-      memory->set_whole_heat(values);
-    if (layers_)
-    {
-      std::vector<double> in_body = memory->whole_heat_in_body();
-      archive.list(fmt::format("body{}", n), in_body);
-      if (archive.gives())
-        memory->set_whole_heat_in_body(in_body);
-    }
-    ++n;
-  }
-  archive("time", time_, 0.0, times_.duration);
 }
 
 } // namespace brinell::halfspace

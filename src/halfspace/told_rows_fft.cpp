@@ -53,8 +53,7 @@ std::unique_ptr<ToldRowsFft::Work> ToldRowsFft::take_work() const
   if (std::unique_ptr<Work> idle = works_->take())
     return idle;
   const auto py = static_cast<std::size_t>(all_.py()), ny = static_cast<std::size_t>(all_.grid().ny);
-  return std::make_unique<Work>(Work{AlignedVector<ComplexLanes>(py),
-                                     AlignedVector<ComplexLanes>(columns_.work_size()),
+  return std::make_unique<Work>(Work{AlignedVector<ComplexLanes>(py), AlignedVector<ComplexLanes>(columns_.work_size()),
                                      AlignedVector<ComplexLanes>(static_cast<std::size_t>(row_fft_->blocks()) * ny),
                                      row_fft_->make_work(), std::vector<double>(all_.grid().size())});
 }
@@ -207,8 +206,7 @@ void put_parts(const SurfaceGrid& g, const ToldRowsFft::Window& window, const do
 int ToldRowsFft::rows_of(std::size_t pair, const Together& together) const
 {
   const int ny = all_.grid().ny;
-  const bool is_whole =
-      symmetry_ == Symmetry::none || (pair < together.even.size() && pair < together.odd.size());
+  const bool is_whole = symmetry_ == Symmetry::none || (pair < together.even.size() && pair < together.odd.size());
   return is_whole ? ny : (ny + 1) / 2;
 }
 
@@ -264,8 +262,7 @@ void ToldRowsFft::inverse(std::span<const Told> spectra, const std::vector<bool>
   for (std::size_t f = 0; f < count; ++f)
     (is_odd[f] && symmetry_ != Symmetry::none ? odd : even).push_back(f);
   for (std::size_t first = 0; first < fields.size(); first += count)
-    invert({spectra.subspan(first, count), std::span(fields).subspan(first, count), even, odd, window},
-           adds, *work);
+    invert({spectra.subspan(first, count), std::span(fields).subspan(first, count), even, odd, window}, adds, *work);
   works_->give(std::move(work));
 }
 
