@@ -174,6 +174,8 @@ OpenHeatMemory::Fields OpenHeatMemory::sum_of_images(std::size_t count, double f
   // From the coarsest cells to the finest.
   Fields sums(count);
   std::vector<double> room, finer;
+  for (std::vector<double>& field : sums)
+    field.reserve(grid().size()); // for the last of the grids that it comes to
   for (std::size_t n = farther_.size(); n-- > 0;)
   {
     const FartherImages& images = farther_[n];

@@ -230,6 +230,53 @@ TEST(ThermalField, ManyLayersAtOnceAreThoseOneByOne)
   }
 }
 
+/// On fewer cells, in the layout of a body, with images that are interpolated in depth.
+TEST(ThermalField, InABodyIsWhatItsLayersHave)
+{
+  const SurfaceGrid g{15, 11, 0.2, 0.25};
+  const VolumeGrid cells_of_body{{9, 7, 0.2, 0.25}, 8, 0.1};
+  std::vector<double> depths;
+  depths.reserve(12);
+  for (int k = 0; k < 12; ++k)
+    depths.push_back((k + 0.5) * 0.1);
+  Field flux = test::random_field(g.size(), 5);
+  for (int j = 0; 2 * j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      flux[g.index(i, g.ny - 1 - j)] = flux[g.index(i, j)];
+  for (const Symmetry symmetry : {Symmetry::none, Symmetry::in_y})
+  {
+    ThermalField field(g, body, elastic, {0.1, 10.0}, depths, HeatImages::coarse, symmetry);
+    field.take_up(flux, {0.1, 2.0});
+    EXPECT_FALSE(field.holds({17, 7, 0.2, 0.25}));
+    EXPECT_FALSE(field.holds({8, 7, 0.2, 0.25}));
+    ASSERT_TRUE(field.holds(cells_of_body.surface));
+    const std::size_t size = cells_of_body.size(), in_layer = g.size();
+    Field temperature(size), deviator(Deviator::size * size), trace(size);
+    field.in_body(cells_of_body, {temperature, deviator, trace});
+    std::vector<Field> whole(static_cast<std::size_t>(cells_of_body.nz), Field((2 + Deviator::size) * in_layer));
+    std::vector<ThermalLayer> layers;
+    for (Field& layer : whole)
+      layers.push_back({std::span(layer).first(in_layer), std::span(layer).subspan(2 * in_layer),
+                        std::span(layer).subspan(in_layer, in_layer)});
+    field.layers(0, layers);
+    for (int k = 0; k < cells_of_body.nz; ++k)
+      for (int j = 0; j < 7; ++j)
+        for (int i = 0; i < 9; ++i)
+        {
+          const std::size_t at = cells_of_body.index(i, j, k), there = g.index(i + 3, j + 2);
+          const ThermalLayer& layer = layers[static_cast<std::size_t>(k)];
+          EXPECT_DOUBLE_EQ(temperature[at], layer.temperature[there]);
+          EXPECT_DOUBLE_EQ(trace[at], layer.trace[there]);
+          for (std::size_t c = 0; c < Deviator::size; ++c)
+            EXPECT_DOUBLE_EQ(deviator[c * size + at], layer.deviator[c * in_layer + there]) << c;
+        }
+    EXPECT_GT(largest_difference(deviator, Field(deviator.size())), 0.0);
+  }
+  ThermalField field(g, body, elastic, {0.1, 10.0}, depths);
+  EXPECT_THROW(field.in_body({{8, 7, 0.2, 0.25}, 8, 0.1}, {}), InternalError);
+  EXPECT_THROW(field.in_body({{9, 7, 0.2, 0.25}, 13, 0.1}, {}), InternalError);
+}
+
 TEST(ThermalField, WhatCannotBe)
 {
   const SurfaceGrid g{4, 4, 0.1, 0.1};
