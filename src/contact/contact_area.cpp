@@ -165,17 +165,20 @@ double edge_position(double gap_over_pressure)
 {
   if (std::isinf(gap_over_pressure))
     return 0.5;
-  // The left side of (1 - t)^3 = r^2 t falls, the right one rises: one root, halved in to rounding.
   const double r2 = gap_over_pressure * gap_over_pressure;
-  double low = 0.0;
-  double high = 1.0;
-  for (int i = 0; i < 54; ++i)
+  constexpr double too_large = 1e30; // t is below rounding
+  if (!(r2 < too_large))
+    return 0.0;
+  // (1 - t)^3 = r^2 t with s = 1 - t: s^3 + r^2 s - r^2 is convex and rises for s > 0, so that Newton's steps from above its root fall
+  // towards it, until rounding stops them.
+  double s = std::min(1.0, std::cbrt(r2));
+  for (;;)
   {
-    const double t = 0.5 * (low + high);
-    const double left = (1.0 - t) * (1.0 - t) * (1.0 - t);
-    (left > r2 * t ? low : high) = t;
+    const double next = (2.0 * s * s * s + r2) / (3.0 * s * s + r2);
+    if (!(next < s))
+      return 1.0 - s;
+    s = next;
   }
-  return 0.5 * (low + high);
 }
 
 double contact_area(const SurfaceGrid& grid, std::span<const double> pressure, std::span<const double> gap,

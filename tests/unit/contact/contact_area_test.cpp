@@ -242,6 +242,21 @@ TEST(ContactArea, RoughSurfacesNeedFewerCells)
   }
 }
 
+TEST(ContactArea, EdgeLiesWhereGapAndPressureMeet)
+{
+  for (double ratio = 1e-9; ratio < 1e9; ratio *= 1.7)
+  {
+    const double t = edge_position(ratio), square = ratio * ratio;
+    ASSERT_TRUE(t >= 0.0 && t <= 1.0) << ratio;
+    // The residual of the equation, over its slope: how far t is from the root.
+    const double residual = std::pow(1.0 - t, 3) - square * t, slope = 3.0 * (1.0 - t) * (1.0 - t) + square;
+    EXPECT_LT(std::abs(residual / slope), 4e-16) << ratio;
+  }
+  EXPECT_EQ(edge_position(0.0), 1.0);
+  EXPECT_EQ(edge_position(1e200), 0.0);
+  EXPECT_EQ(edge_position(std::numeric_limits<double>::infinity()), 0.5);
+}
+
 TEST(ContactArea, NoPressureIsNoContact)
 {
   const SurfaceGrid grid{3, 2, 1.0, 1.0};
