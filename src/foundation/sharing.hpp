@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <omp.h>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,17 @@ namespace brinell
 [[nodiscard]] inline bool is_shared(std::size_t cells)
 {
   return cells >= 16384;
+}
+
+/// work(thread) by so many threads, which share its loops (`omp for`). A team costs a call of the system for each of its barriers, even a
+/// team of one: one thread does without.
+template <typename Work>
+void in_threads(int threads, const Work& work)
+{
+  if (threads == 1 && !omp_in_parallel())
+    return work(0);
+#pragma omp parallel num_threads(threads)
+  work(omp_get_thread_num());
 }
 
 /// Cells of one piece of work. It does not depend on the number of threads, and so nor does any sum over pieces.

@@ -66,9 +66,8 @@ struct CoupledProduct
           fft.rows_inverse(scratch.rows[f].data(), 0, batch, out[f].data(), own[f]);
       }
     };
-    const auto threads = static_cast<int>(scratch.threads.size());
-#pragma omp parallel num_threads(threads)
-    work(scratch.threads[static_cast<std::size_t>(omp_get_thread_num())]);
+    in_threads(static_cast<int>(scratch.threads.size()),
+               [&](int thread) { work(scratch.threads[static_cast<std::size_t>(thread)]); });
   }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "foundation/fft.hpp"
 #include "foundation/lane_functions.hpp"
+#include "foundation/sharing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -103,9 +104,9 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
             CellRectangle{});
   const auto threads = static_cast<int>(work.threads.size());
 
-#pragma omp parallel num_threads(threads)
+  const auto load = [&](int thread)
   {
-    Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())];
+    Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(thread)];
     transform_strain(plastic_strain, strained, work, scratch);
     for (int block = 0; block <= volume_fft.blocks(); ++block)
     {
@@ -128,7 +129,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
           mirrored_fft.complete(tractions[t] == Traction::shear_y, spectrum);
         surface_fft.columns_inverse(spectrum, block, 0, work.displacement_rows[t].data(), scratch.fft);
       }
-  }
+  };
+  in_threads(threads, load);
   if (layers > 0)
     image_correction.respond(strained, work.images, work.symmetry, trace != nullptr);
 }

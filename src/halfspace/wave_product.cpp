@@ -60,9 +60,8 @@ void WaveProduct::apply(std::span<const double> in, std::span<double> out, Scrat
     for (int batch = 0; batch < fft_.batches(); ++batch)
       fft_.rows_inverse(scratch.rows.data(), 0, batch, out.data(), own);
   };
-  const auto threads = static_cast<int>(scratch.threads.size());
-#pragma omp parallel num_threads(threads)
-  work(scratch.threads[static_cast<std::size_t>(omp_get_thread_num())]);
+  in_threads(static_cast<int>(scratch.threads.size()),
+             [&](int thread) { work(scratch.threads[static_cast<std::size_t>(thread)]); });
 }
 
 } // namespace brinell::halfspace
