@@ -60,6 +60,8 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
   if (is_plastic())
     state_.stress.assign(Deviator::size * n, 0.0);
+  if (is_plastic())
+    zone_ = PlasticZone(grid_, state_.equivalent);
   state_.residual_displacement = displacement_;
   if (displacements != halfspace::Displacements::normal && is_plastic())
     displacement_x_.assign(grid_.surface.size(), 0.0);
@@ -109,8 +111,10 @@ void Body::exchange(Archive& archive)
   displacement_y_ = state_.residual_displacement_y;
   thermal_stress_ = state_.thermal_stress;
   softening_ = state_.softening;
-  if (archive.gives())
-    take_up_guess();
+  if (!archive.gives())
+    return;
+  zone_ = PlasticZone(grid_, state_.equivalent);
+  take_up_guess();
 }
 
 void Body::set_softening(std::span<const double> factor)
@@ -339,6 +343,8 @@ void Body::commit(const halfspace::SurfaceLoad& load)
                 [&](std::size_t cell, const auto& seen)
                 {
                   state_.equivalent[cell] += active_.equivalent(a);
+                  if (active_.equivalent(a) > 0.0)
+                    zone_.add(cell, state_.equivalent[cell]);
                   for (std::size_t term = 0; active_.equivalent(a) > 0.0 && term < material_.kinematic.size(); ++term)
                     store(seen(active_.backstress(a)[term]),
                           std::span(state_.backstress).subspan(term * Deviator::size * n, Deviator::size * n), n, cell);
@@ -352,7 +358,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   state_.residual_displacement = displacement_;
   state_.residual_displacement_x = displacement_x_;
   state_.residual_displacement_y = displacement_y_;
-  state_.locked_in_energy = locked_in_energy(load);
+  state_.locked_in_energy = locked_in_energy(load, zone_);
   if (window_)
     keep(load, committed_load_);
   keep_guess();

@@ -5,6 +5,7 @@
 #include "with_copies.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace brinell::elastoplastic
 {
@@ -42,28 +43,38 @@ void von_mises_squares(const double* field, std::size_t stride, std::size_t cell
 
 } // namespace
 
-/// Squares of the von Mises norms of q from the centre of the yield surface, of neighbouring cells.
-/// @param q     of the first of them, within a field of the grid
-/// @param cell  the first of them
-void Body::sizes_from_centre(const double* q, std::size_t cell, std::span<double> squares) const
+/// Squares of the von Mises norms of q from the centre of the yield surface, of neighbouring cells of a row.
+/// @param q      of the first of them, within a field of the grid
+/// @param row    of the grid, counted through all layers
+/// @param first  column of the first of them
+void Body::sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const
 {
-  const std::size_t n = grid().size(), count = squares.size();
-  if (material_.kinematic.empty())
-    return von_mises_squares(q, n, count, squares.data());
-  std::vector<double> from_centre(Deviator::size * count);
-  for (std::size_t c = 0; c < Deviator::size; ++c)
+  const std::size_t n = grid().size(), terms = material_.kinematic.size(), end = first + squares.size();
+  von_mises_squares(q, n, squares.size(), squares.data());
+  if (terms == 0)
+    return;
+  // There are back stresses only where the body has flowed.
+  constexpr std::size_t most = 64;
+  std::array<double, Deviator::size * most> from_centre{};
+  const auto [from, to] = zone_.columns(row);
+  for (std::size_t column = std::max(from, first); column < std::min(to, end); column += most)
   {
-    double* component = from_centre.data() + c * count;
-    std::copy_n(q + c * n, count, component);
-    for (std::size_t term = 0; term < material_.kinematic.size(); ++term)
+    const std::size_t count = std::min(std::min(to, end) - column, most);
+    const std::size_t cell = row * static_cast<std::size_t>(grid().surface.nx) + column;
+    for (std::size_t c = 0; c < Deviator::size; ++c)
     {
-      const double* back = state_.backstress.data() + (term * Deviator::size + c) * n + cell;
+      double* component = from_centre.data() + c * most;
+      std::copy_n(q + c * n + (column - first), count, component);
+      for (std::size_t term = 0; term < terms; ++term)
+      {
+        const double* back = state_.backstress.data() + (term * Deviator::size + c) * n + cell;
 #pragma omp simd
-      for (std::size_t i = 0; i < count; ++i)
-        component[i] -= back[i];
+        for (std::size_t i = 0; i < count; ++i)
+          component[i] -= back[i];
+      }
     }
+    von_mises_squares(from_centre.data(), most, count, squares.data() + (column - first));
   }
-  von_mises_squares(from_centre.data(), count, count, squares.data());
 }
 
 /// Cells of one layer, not yet active, whose q lies outside the yield surface shrunk to `fraction`.
@@ -82,8 +93,9 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
   std::vector<double> squares(last - first);
   for (std::size_t j = 0; j < static_cast<std::size_t>(told_rows(s, symmetry_)); ++j)
   {
-    const std::size_t begin = layer * s.size() + j * static_cast<std::size_t>(s.nx) + first;
-    sizes_from_centre(q_field.data() + static_cast<std::ptrdiff_t>(begin) - shift, begin, squares);
+    const std::size_t row = layer * static_cast<std::size_t>(s.ny) + j;
+    const std::size_t begin = row * static_cast<std::size_t>(s.nx) + first;
+    sizes_from_centre(q_field.data() + static_cast<std::ptrdiff_t>(begin) - shift, row, first, squares);
     for (std::size_t i = 0; i < squares.size(); ++i)
     {
       const std::size_t cell = begin + i;

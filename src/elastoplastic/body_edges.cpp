@@ -16,10 +16,7 @@ Edges Body::reached_edges() const
   Edges edges;
   if (!is_plastic())
     return edges;
-  double largest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : largest)
-  for (const double equivalent : state_.equivalent)
-    largest = std::max(largest, equivalent);
+  double largest = zone_.largest();
   for (std::size_t a = 0; a < active_.size(); ++a)
     largest = std::max(largest, state_.equivalent[active_.cell(a)] + active_.equivalent(a));
   const double limit =

@@ -8,7 +8,8 @@
 namespace brinell::elastoplastic
 {
 
-double Body::locked_in_energy(const halfspace::SurfaceLoad& load) const
+/// @param zone  that holds all plastic strain
+double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const
 {
   // 1/2 eps H eps - s0 eps, with H eps = (stress of the load + initial stress s0 - stress); the first part by Betti
   // on the surface. The energy of s0 itself is left out: it is there from the start.
@@ -16,12 +17,17 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load) const
   const auto work_in = [&](std::size_t first, std::size_t last)
   {
     double work = 0.0;
-    for (std::size_t cell = first; cell < last; ++cell)
-    {
-      const Deviator strain = deviator_at(state_.plastic_strain, n, cell);
-      const double relieved = initial_stress_[layer_of(cell)] * (strain[Deviator::xx] + strain[Deviator::yy]);
-      work += contract(deviator_at(stress_, n, cell), strain) + relieved;
-    }
+    zone.for_cells(first, last,
+                   [&](std::size_t from, std::size_t to)
+                   {
+                     const double initial = initial_stress_[layer_of(from)];
+                     for (std::size_t cell = from; cell < to; ++cell)
+                     {
+                       const Deviator strain = deviator_at(state_.plastic_strain, n, cell);
+                       const double relieved = initial * (strain[Deviator::xx] + strain[Deviator::yy]);
+                       work += contract(deviator_at(stress_, n, cell), strain) + relieved;
+                     }
+                   });
     return work;
   };
   // The stress has the thermal one in it, which does not belong to the strain.
@@ -62,6 +68,17 @@ double Body::thermal_work_of_trial() const
   return work * grid().cell_volume();
 }
 
+/// With the cells that flow in the increment at hand.
+PlasticZone Body::zone_of_trial() const
+{
+  PlasticZone zone = zone_;
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    if (active_.equivalent(a) > 0.0)
+      with_copies(a, [&](std::size_t cell, const auto& /*seen*/)
+                  { zone.add(cell, state_.equivalent[cell] + active_.equivalent(a)); });
+  return zone;
+}
+
 double Body::energy(const halfspace::SurfaceLoad& load) const
 {
   if (!is_plastic())
@@ -70,7 +87,7 @@ double Body::energy(const halfspace::SurfaceLoad& load) const
   for (std::size_t a = 0; a < active_.size(); ++a)
     dissipation += copies(a) * active_.dissipation(a);
   const double of_heat = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
-  const double locked_in = in_increment_ ? locked_in_energy(load) : state_.locked_in_energy;
+  const double locked_in = in_increment_ ? locked_in_energy(load, zone_of_trial()) : state_.locked_in_energy;
   return dissipation * grid().cell_volume() + locked_in - of_heat;
 }
 

@@ -42,6 +42,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
     return;
   embed(history.plastic_strain, from, state_.plastic_strain, grid());
   embed(history.equivalent, from, state_.equivalent, grid());
+  zone_ = PlasticZone(grid(), state_.equivalent);
   embed(history.backstress, from, state_.backstress, grid());
   state_.dissipation = history.dissipation;
   state_.thermal_work = history.thermal_work;
@@ -63,7 +64,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   state_.residual_displacement = displacement_;
   state_.residual_displacement_x = displacement_x_;
   state_.residual_displacement_y = displacement_y_;
-  state_.locked_in_energy = locked_in_energy(load);
+  state_.locked_in_energy = locked_in_energy(load, zone_);
   if (window_)
     keep(load, committed_load_);
   take_up_guess();

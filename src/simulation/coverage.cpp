@@ -2,6 +2,7 @@
 #include "coverage.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace brinell::simulation
 {
@@ -13,16 +14,10 @@ namespace
 int plastic_layers(const elastoplastic::Body& body)
 {
   constexpr double counts = 0.01; // less is the rim that every plastic zone has
-  const std::vector<double>& strain = body.state().equivalent;
-  const std::size_t cells = body.grid().surface.size();
-  const auto layers = static_cast<std::size_t>(body.grid().nz);
-  std::vector<double> largest(layers, 0.0);
-  for (std::size_t layer = 0; layer < layers; ++layer)
-  {
-    const auto begin = strain.begin() + static_cast<std::ptrdiff_t>(layer * cells);
-    largest[layer] = *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(cells));
-  }
-  const double limit = counts * *std::max_element(largest.begin(), largest.end());
+  const std::span<const double> largest = body.plastic_zone().largest_of_layers();
+  if (largest.empty())
+    return 0;
+  const double limit = counts * body.plastic_zone().largest();
   const auto holds = [limit](double value) { return value > limit; };
   const auto first = std::find_if(largest.begin(), largest.end(), holds);
   const auto last = std::find_if(largest.rbegin(), largest.rend(), holds);

@@ -3,6 +3,7 @@
 
 #include "brinell/constitutive/material.hpp"
 #include "brinell/elastoplastic/active_cells.hpp"
+#include "brinell/elastoplastic/plastic_zone.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/foundation/archive.hpp"
 #include "brinell/foundation/symmetry.hpp"
@@ -77,6 +78,8 @@ public:
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
   [[nodiscard]] const BodyState& state() const { return state_; }
+  /// Where the state has plastic strain; empty of a body that cannot yield.
+  [[nodiscard]] const PlasticZone& plastic_zone() const { return zone_; }
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
   /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): with isotropic hardening.
   [[nodiscard]] bool has_energy() const { return material_.kinematic.empty(); }
@@ -189,13 +192,14 @@ private:
   [[nodiscard]] constitutive::PlasticIncrement increment(const Law& law, std::size_t a, Integration integration);
   template <typename Law>
   [[nodiscard]] double map_trial(const Law& law, std::size_t a);
-  void sizes_from_centre(const double* q, std::size_t cell, std::span<double> squares) const;
+  void sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const;
   template <typename Law>
   void find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift, double fraction,
                    std::vector<std::size_t>& found) const;
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
   [[nodiscard]] bool may_yield_beneath() const;
-  [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load) const;
+  [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const;
+  [[nodiscard]] PlasticZone zone_of_trial() const;
   [[nodiscard]] halfspace::Displacements found_at_once() const;
   void find_displacements(halfspace::Displacements wanted);
   void choose_window();
@@ -212,6 +216,7 @@ private:
   halfspace::HalfSpace::Work work_;
   std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain of the present trial
   BodyState state_;
+  PlasticZone zone_;                                  ///< of the state
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   std::vector<double> softening_;                     ///< at the end of the increment at hand; empty: none
   std::vector<double> thermal_stress_;                ///< at the end of the increment at hand; empty without heat
