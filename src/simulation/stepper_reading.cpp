@@ -106,7 +106,8 @@ void Stepper::fill(StepRecord& r) const
   r.energy_elastic = pair_->elastic_energy();
   r.max_residual_lower = largest(lower.residual_displacement);
   r.max_residual_upper = largest(upper.residual_displacement);
-  r.max_equivalent_plastic_strain = std::max(largest(lower.equivalent), largest(upper.equivalent));
+  r.max_equivalent_plastic_strain =
+      std::max(pair_->lower().solved().plastic_zone().largest(), pair_->upper().solved().plastic_zone().largest());
   r.coverage = coverage_;
   const elastoplastic::Wear* wear = pair_->wear();
   if (wear == nullptr)
@@ -173,6 +174,7 @@ StepFields Stepper::fields(const Centre& centre) const
       pair_->lower(), [this, place = frame.placement.lower] { return pair_->lower_stress(place); }, lower_temperature);
   fields.upper = fields_within(
       pair_->upper(), [this, place = frame.placement.upper] { return pair_->upper_stress(place); }, upper_temperature);
+  fields.are_alike = plan_.twin == elastoplastic::Twin::alike && frame.placement.lower == frame.placement.upper;
   return fields;
 }
 

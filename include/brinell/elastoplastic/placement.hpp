@@ -14,6 +14,8 @@ struct Place
 {
   int column = 0;
   double fraction = 0.0; ///< [0, 1)
+
+  bool operator==(const Place&) const = default;
 };
 
 struct Placement

@@ -244,6 +244,8 @@ struct StepFields
 
   Snapshot surfaces;   ///< all fields but those within the bodies
   Within lower, upper; ///< the others, as in `BodySnapshot`
+  /// Whether both bodies have the same fields within: twins in pure rolling. Then those of one need be computed.
+  bool are_alike = false;
 
   [[nodiscard]] Snapshot whole() const;
 };

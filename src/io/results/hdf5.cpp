@@ -96,10 +96,9 @@ Handle create_file(const std::filesystem::path& path)
                  fmt::format("create {}", path.string()));
 }
 
-Handle create_file_in_memory()
+Handle create_file_in_memory(std::size_t growth)
 {
   silence();
-  constexpr std::size_t growth = 1 << 20;
   constexpr hbool_t on_disk_too = false;
   const Handle access = properties(H5P_FILE_ACCESS);
   check(H5Pset_fapl_core(access.id(), growth, on_disk_too), "keep a file in memory");
@@ -232,10 +231,10 @@ void link_external(const Handle& group, const std::string& name, const std::stri
         fmt::format("link {}", file));
 }
 
-void copy_group(const Handle& from, const std::string& object, const Handle& to, const std::string& name)
+void copy_object(const Handle& from, const std::string& object, const Handle& to, const std::string& name)
 {
   check(H5Ocopy(from.id(), object.c_str(), to.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-        fmt::format("copy the group {}", name));
+        fmt::format("copy {}", name));
 }
 
 void require_same_datasets(const Handle& group, const Handle& other)

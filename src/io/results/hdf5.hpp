@@ -47,7 +47,8 @@ void check(herr_t status, std::string_view what);
 /// @throws IoError (all of this header)
 [[nodiscard]] Handle create_file(const std::filesystem::path& path);
 /// A file in memory, to be written in one piece: HDF5 crashes when a full disk does not let it close a file.
-[[nodiscard]] Handle create_file_in_memory();
+/// @param growth  by which it is lengthened [bytes]
+[[nodiscard]] Handle create_file_in_memory(std::size_t growth = 1 << 20);
 /// The bytes of a file in memory.
 [[nodiscard]] std::string file_image(Handle file);
 [[nodiscard]] Handle open_file(const std::filesystem::path& path);
@@ -131,8 +132,8 @@ void link_soft(const Handle& group, const std::string& name, const std::string& 
 /// A link `name` in `group` to an object of another file, whose path is relative to the folder of this one.
 void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object);
 
-/// Copies a group from another file without decompressing it.
-void copy_group(const Handle& from, const std::string& object, const Handle& to, const std::string& name);
+/// Copies a group, or a dataset, from another file or place without decompressing it.
+void copy_object(const Handle& from, const std::string& object, const Handle& to, const std::string& name);
 
 /// @throws IoError unless each dataset of a group is in the other one too, with the same bytes as they are stored
 void require_same_datasets(const Handle& group, const Handle& other);

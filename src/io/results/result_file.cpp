@@ -111,33 +111,14 @@ void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapsho
   write("heat_flux_upper", snapshot.heat_flux[1], "W/m^2", "heat of friction into the upper body");
 }
 
-/// One field after the other, so that one is in memory at a time.
-void write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body,
-                const StepFields::Within& within, Place place)
+/// The fields within a body, one after the other, so that one is in memory at a time.
+void write_within(const h5::Handle& group, const StepFields::Within& within, std::span<const std::size_t> volume,
+                  Place place)
 {
   const h5::Storage deflated = storage_of(place, h5::Storage::deflated), plain = storage_of(place, h5::Storage::plain);
-  const h5::Handle group = h5::create_group(parent, name);
-  const VolumeGrid& grid = body.grid;
-  const std::array spacing{grid.surface.dx, grid.surface.dy, grid.dz};
-  const std::array origin{body.x0, body.y0, 0.5 * grid.dz};
-  h5::write_attribute(group, "spacing", spacing);
-  h5::write_attribute(group, "origin", origin);
-  h5::write_attribute(group, "contact_x", body.contact_x);
-  const std::array volume{static_cast<std::size_t>(grid.nz), static_cast<std::size_t>(grid.surface.ny),
-                          static_cast<std::size_t>(grid.surface.nx)};
-  const std::span surface = std::span(volume).subspan(1);
-  if (is_stored(body.residual_displacement))
-    h5::write_dataset(group, "residual_displacement", body.residual_displacement, surface, "m",
-                      "residual displacement of the surface, into the body", deflated);
   if (within.equivalent_plastic_strain)
     h5::write_dataset(group, "equivalent_plastic_strain", within.equivalent_plastic_strain(), volume, "1",
                       "accumulated equivalent plastic strain", deflated);
-  if (is_stored(body.worn_depth))
-    h5::write_dataset(group, "worn_depth", body.worn_depth, surface, "m",
-                      "depth that the surface has lost by wear since the start", deflated);
-  if (is_stored(body.height))
-    h5::write_dataset(group, "height", body.height, surface, "m",
-                      "height of the surface as it is now, with its texture, out of the body", deflated);
   if (within.temperature)
     h5::write_dataset(group, "temperature", within.temperature(), volume, "degC", "temperature", deflated);
   if (within.plastic_strain)
@@ -150,6 +131,52 @@ void write_body(const h5::Handle& parent, const char* name, const simulation::Bo
   h5::write_dataset(group, "von_mises_stress", von_mises_field(stress), volume, "Pa", "von Mises stress", plain);
 }
 
+/// The same from a body that has the same, as they are stored: neither computed nor deflated again.
+void copy_within(const h5::Handle& alike, const h5::Handle& group, const StepFields::Within& within)
+{
+  const auto copy = [&](bool is_there, const char* name)
+  {
+    if (is_there)
+      h5::copy_object(alike, name, group, name);
+  };
+  copy(static_cast<bool>(within.equivalent_plastic_strain), "equivalent_plastic_strain");
+  copy(static_cast<bool>(within.temperature), "temperature");
+  copy(static_cast<bool>(within.plastic_strain), "plastic_strain");
+  copy(static_cast<bool>(within.stress), "stress");
+  copy(static_cast<bool>(within.stress), "von_mises_stress");
+}
+
+/// @param alike  the group of a body that has the same fields within; nullptr: there is none
+h5::Handle write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body,
+                      const StepFields::Within& within, Place place, const h5::Handle* alike)
+{
+  const h5::Storage deflated = storage_of(place, h5::Storage::deflated);
+  h5::Handle group = h5::create_group(parent, name);
+  const VolumeGrid& grid = body.grid;
+  const std::array spacing{grid.surface.dx, grid.surface.dy, grid.dz};
+  const std::array origin{body.x0, body.y0, 0.5 * grid.dz};
+  h5::write_attribute(group, "spacing", spacing);
+  h5::write_attribute(group, "origin", origin);
+  h5::write_attribute(group, "contact_x", body.contact_x);
+  const std::array volume{static_cast<std::size_t>(grid.nz), static_cast<std::size_t>(grid.surface.ny),
+                          static_cast<std::size_t>(grid.surface.nx)};
+  const std::span surface = std::span(volume).subspan(1);
+  if (is_stored(body.residual_displacement))
+    h5::write_dataset(group, "residual_displacement", body.residual_displacement, surface, "m",
+                      "residual displacement of the surface, into the body", deflated);
+  if (is_stored(body.worn_depth))
+    h5::write_dataset(group, "worn_depth", body.worn_depth, surface, "m",
+                      "depth that the surface has lost by wear since the start", deflated);
+  if (is_stored(body.height))
+    h5::write_dataset(group, "height", body.height, surface, "m",
+                      "height of the surface as it is now, with its texture, out of the body", deflated);
+  if (alike != nullptr)
+    copy_within(*alike, group, within);
+  else
+    write_within(group, within, volume, place);
+  return group;
+}
+
 /// The fields of a step, and its row of the history as attributes, as docs/reference/results-format.md says.
 /// @throws IoError; InternalError if a field does not fit its grid
 void write_state(const h5::Handle& group, const std::vector<NamedNumber>& columns, const StepFields& fields,
@@ -159,8 +186,8 @@ void write_state(const h5::Handle& group, const std::vector<NamedNumber>& column
     std::visit([&](auto number) { h5::write_attribute(group, std::string(column.name).c_str(), number); },
                column.value);
   write_contact(group, fields.surfaces, place);
-  write_body(group, "lower", fields.surfaces.lower, fields.lower, place);
-  write_body(group, "upper", fields.surfaces.upper, fields.upper, place);
+  const h5::Handle lower = write_body(group, "lower", fields.surfaces.lower, fields.lower, place, nullptr);
+  (void)write_body(group, "upper", fields.surfaces.upper, fields.upper, place, fields.are_alike ? &lower : nullptr);
 }
 
 /// Bytes of the file of a state at the most: more fields than there are, none of which compression makes smaller.
@@ -281,7 +308,8 @@ void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const
   replacement.commit();
   piece.layout = layout_of(fields);
   pieces_.push_back(piece);
-  write_linked();
+  if (!piece.is_final) // which is merged next
+    write_linked();
 }
 
 std::uintmax_t ResultFile::size_of_pieces() const
@@ -300,7 +328,8 @@ std::uintmax_t ResultFile::size_of_pieces() const
 /// some 15 ms, a plain link or a row of the history some microseconds.
 void ResultFile::write_linked() const
 {
-  h5::Handle file = h5::create_file_in_memory();
+  constexpr std::size_t growth = 1 << 16; // small: it is cleared
+  h5::Handle file = h5::create_file_in_memory(growth);
   write_description(file, description_, history_, Place::memory); // deflating the history took most of the time
   std::vector<StoredState> states;
   {
@@ -320,8 +349,21 @@ void ResultFile::write_linked() const
   replace_file(folder_ / file_name, h5::file_image(std::move(file)));
 }
 
-/// Writes result.vtkhdf anew, with the content of the pieces.
 void ResultFile::merge(const std::string& summary)
+{
+  try
+  {
+    write_merged(summary);
+  }
+  catch (...)
+  {
+    write_linked(); // with the last piece
+    throw;
+  }
+}
+
+/// Writes result.vtkhdf anew, with the content of the pieces.
+void ResultFile::write_merged(const std::string& summary) const
 {
   Replacement replacement(folder_ / file_name);
   replacement.require_room(size_of_pieces());
@@ -335,7 +377,7 @@ void ResultFile::merge(const std::string& summary)
     {
       require_seal(path_of(piece), piece_mark); // it is copied as it is
       states.push_back({piece.time(), ".", piece.group(), piece.layout});
-      h5::copy_group(h5::open_file(path_of(piece)), piece_group, file, piece.group());
+      h5::copy_object(h5::open_file(path_of(piece)), piece_group, file, piece.group());
     }
   }
   write_vtkhdf(file, states);

@@ -57,6 +57,7 @@ private:
   };
   [[nodiscard]] std::filesystem::path path_of(const Piece& piece) const;
   void add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
+  void write_merged(const std::string& summary) const;
   [[nodiscard]] std::uintmax_t size_of_pieces() const;
   void write_linked() const;
 

@@ -198,6 +198,40 @@ TEST(Results, UnfinishedFileShowsTheNewestStates)
   EXPECT_EQ(dataset(file, "/VTKHDF/lower_volume/Steps/Values").size(), 34u);
 }
 
+TEST(Results, BodiesThatAreAlikeHaveTheSameFieldsStored)
+{
+  const sample::TemporaryFolder folder;
+  const fs::path one = folder.path() / "one", other = folder.path() / "other";
+  simulation::Snapshot snapshot = sample::snapshot();
+  const double contact_x = snapshot.upper.contact_x;
+  snapshot.upper = snapshot.lower;
+  snapshot.upper.contact_x = contact_x;
+  const auto write = [&](const fs::path& path, const simulation::StepFields& fields)
+  {
+    ResultDirectory results(path, sample::parsed());
+    results.add(sample::columns(0));
+    results.add(0, sample::columns(0), fields);
+    results.add_final(fields, sample::columns(0));
+    results.finish("{}");
+  };
+  simulation::StepFields fields = sample::fields_of(snapshot);
+  write(one, fields);
+  fields.are_alike = true;
+  const auto never = []() -> simulation::TensorField { throw InternalError("computed again"); };
+  fields.upper.plastic_strain = fields.upper.stress = never;
+  write(other, fields);
+  const h5::Handle computed = h5::open_file(one / "result.vtkhdf");
+  const h5::Handle copied = h5::open_file(other / "result.vtkhdf");
+  for (const char* group : {"/steps/000000", "/final"})
+  {
+    EXPECT_NO_THROW(h5::require_same_datasets(h5::open_group(computed, group), h5::open_group(copied, group)));
+    EXPECT_NO_THROW(h5::require_same_datasets(h5::open_group(copied, group), h5::open_group(computed, group)));
+  }
+  EXPECT_EQ(text_attribute(other / "result.vtkhdf", "/final/upper/stress/xx", "units"), "Pa");
+  EXPECT_EQ(dataset(other / "result.vtkhdf", "/VTKHDF/upper_volume/CellData/stress"),
+            dataset(one / "result.vtkhdf", "/VTKHDF/lower_volume/CellData/stress"));
+}
+
 TEST(Results, FieldsMustFitTheirGrid)
 {
   const sample::TemporaryFolder folder;
