@@ -41,6 +41,16 @@ void von_mises_squares(const double* field, std::size_t stride, std::size_t cell
     squares[i] = 3.0 * (xx[i] * xx[i] + yy[i] * yy[i] + xx[i] * yy[i] + yz[i] * yz[i] + xz[i] * xz[i] + xy[i] * xy[i]);
 }
 
+/// Whether any value does; most rows have none.
+bool exceeds(std::span<const double> values, double limit)
+{
+  int count = 0;
+#pragma omp simd reduction(+ : count)
+  for (std::size_t i = 0; i < values.size(); ++i)
+    count += values[i] > limit ? 1 : 0;
+  return count > 0;
+}
+
 } // namespace
 
 /// Squares of the von Mises norms of q from the centre of the yield surface, of neighbouring cells of a row.
@@ -96,6 +106,8 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
     const std::size_t row = layer * static_cast<std::size_t>(s.ny) + j;
     const std::size_t begin = row * static_cast<std::size_t>(s.nx) + first;
     sizes_from_centre(q_field.data() + static_cast<std::ptrdiff_t>(begin) - shift, row, first, squares);
+    if (softening_.empty() && !exceeds(squares, initial))
+      continue;
     for (std::size_t i = 0; i < squares.size(); ++i)
     {
       const std::size_t cell = begin + i;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/plastic_zone.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <random>
+#include <vector>
 
 namespace brinell::elastoplastic
 {
@@ -17,7 +20,7 @@ std::vector<double> some_strain(unsigned seed)
   std::vector<double> strain(grid.size(), 0.0);
   std::mt19937 random(seed);
   for (double& value : strain)
-    value = random() % 8 == 0 ? 1e-3 * (1 + random() % 9) : 0.0;
+    value = random() % 8 == 0 ? 1e-3 * static_cast<double>(1 + random() % 9) : 0.0;
   return strain;
 }
 
@@ -39,9 +42,9 @@ TEST(PlasticZone, HoldsAllThatHasFlowedAndNoMoreThanItsRows)
         continue;
       }
       EXPECT_EQ(from, static_cast<std::size_t>(first - begin));
-      EXPECT_EQ(to, static_cast<std::size_t>(7 - (std::find_if(std::make_reverse_iterator(end),
-                                                               std::make_reverse_iterator(begin), flows) -
-                                                  std::make_reverse_iterator(end))));
+      EXPECT_EQ(to, static_cast<std::size_t>(
+                        7 - (std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(begin), flows) -
+                             std::make_reverse_iterator(end))));
     }
     EXPECT_EQ(zone.largest(), *std::max_element(strain.begin(), strain.end()));
     for (std::size_t layer = 0; layer < 3; ++layer)
