@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <omp.h>
 
 namespace brinell::halfspace
 {
@@ -169,11 +170,27 @@ void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry,
 {
   if (!has_images_)
     return;
+  const auto beside = [&] { crosswise_->respond(layers, response.crosswise, symmetry, with_trace); };
+  const auto others = [&]
+  {
+    find_moments(layers, response);
+    coupling_.multiply(response.moments.data(), symmetry, with_trace ? stresses : strains, response.work,
+                       response.stress.data());
+  };
+  if (crosswise_ && omp_get_max_threads() > 1)
+  {
+#pragma omp parallel sections
+    {
+#pragma omp section
+      beside();
+#pragma omp section
+      others();
+    }
+    return;
+  }
   if (crosswise_)
-    crosswise_->respond(layers, response.crosswise, symmetry, with_trace);
-  find_moments(layers, response);
-  coupling_.multiply(response.moments.data(), symmetry, with_trace ? stresses : strains, response.work,
-                     response.stress.data());
+    beside();
+  others();
 }
 
 void ImageCorrection::find_moments(int layers, Response& response) const
