@@ -336,20 +336,21 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   if (!is_plastic())
     return;
   const std::size_t n = grid().size();
+#pragma omp parallel for schedule(static, cells_of_share)
   for (std::size_t a = 0; a < active_.size(); ++a)
-  {
-    state_.dissipation += copies(a) * active_.dissipation(a) * grid().cell_volume();
     with_copies(a,
                 [&](std::size_t cell, const auto& seen)
                 {
                   state_.equivalent[cell] += active_.equivalent(a);
-                  if (active_.equivalent(a) > 0.0)
-                    zone_.add(cell, state_.equivalent[cell]);
                   for (std::size_t term = 0; active_.equivalent(a) > 0.0 && term < material_.kinematic.size(); ++term)
                     store(seen(active_.backstress(a)[term]),
                           std::span(state_.backstress).subspan(term * Deviator::size * n, Deviator::size * n), n, cell);
                 });
-  }
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    if (active_.equivalent(a) > 0.0)
+      with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { zone_.add(cell, state_.equivalent[cell]); });
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    state_.dissipation += copies(a) * active_.dissipation(a) * grid().cell_volume();
   state_.thermal_work += thermal_work_of_trial();
   state_.thermal_stress = thermal_stress_;
   state_.softening = softening_;

@@ -42,13 +42,13 @@ void von_mises_squares(const double* field, std::size_t stride, std::size_t cell
 }
 
 /// Whether any value does; most rows have none.
-bool exceeds(std::span<const double> values, double limit)
+bool exceeds(const double* values, std::size_t count, double limit)
 {
-  int count = 0;
-#pragma omp simd reduction(+ : count)
-  for (std::size_t i = 0; i < values.size(); ++i)
-    count += values[i] > limit ? 1 : 0;
-  return count > 0;
+  int exceeding = 0;
+#pragma omp simd reduction(+ : exceeding)
+  for (std::size_t i = 0; i < count; ++i)
+    exceeding += values[i] > limit ? 1 : 0;
+  return exceeding > 0;
 }
 
 } // namespace
@@ -106,7 +106,7 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
     const std::size_t row = layer * static_cast<std::size_t>(s.ny) + j;
     const std::size_t begin = row * static_cast<std::size_t>(s.nx) + first;
     sizes_from_centre(q_field.data() + static_cast<std::ptrdiff_t>(begin) - shift, row, first, squares);
-    if (softening_.empty() && !exceeds(squares, initial))
+    if (softening_.empty() && !exceeds(squares.data(), squares.size(), initial))
       continue;
     for (std::size_t i = 0; i < squares.size(); ++i)
     {
@@ -212,16 +212,26 @@ void Body::take_up_guess()
 void Body::keep_guess()
 {
   guessed_cells_.clear();
-  guessed_q_.clear();
+  std::vector<std::size_t> places; // of each active cell and its copies among them
+  places.reserve(active_.size());
   for (std::size_t a = 0; a < active_.size(); ++a)
+  {
+    places.push_back(guessed_cells_.size());
+    with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { guessed_cells_.push_back(cell); });
+  }
+  guessed_q_.resize(Deviator::size * guessed_cells_.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t a = 0; a < places.size(); ++a)
+  {
+    auto to = guessed_q_.begin() + static_cast<std::ptrdiff_t>(Deviator::size * places[a]);
     with_copies(a,
                 [&](std::size_t cell, const auto& seen)
                 {
                   const Deviator q = seen(active_.mapped(a));
                   store(q, stress_, grid().size(), cell);
-                  guessed_cells_.push_back(cell);
-                  guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
+                  to = std::copy(q.v.begin(), q.v.end(), to);
                 });
+  }
 }
 
 } // namespace brinell::elastoplastic
