@@ -87,6 +87,12 @@ inline LanePoints::Deviators sum(const LanePoints::Deviators& a, const Lanes& f,
 
 } // namespace detail
 
+/// In which lanes the trial lies outside the yield surface, or is no number.
+[[nodiscard]] inline auto is_outside(const LanePoints& p)
+{
+  return !(1.5 * detail::contract(p.trial, p.trial) - p.yield * p.yield <= 0.0);
+}
+
 /// `path_return` of all lanes. With the yield stress Y + H x its condition |q - mu x n0| = Y + (3/2 mu + H) x is quadratic in x,
 ///     D - b x - H (3 mu + H) x^2 = 0,  D = |q|^2 - Y^2,  b = 3 mu (q : n0 + Y) + 2 Y H.
 inline void path_return(LanePoints& p, double mu)

@@ -17,10 +17,11 @@ void ActiveCells::clear()
   flow_.clear();
   equivalent_.clear();
   dissipation_.clear();
+  copies_.clear();
   backstress_.clear();
 }
 
-void ActiveCells::add(std::size_t cell, const Deviator& q, const Deviator& start)
+void ActiveCells::add(std::size_t cell, const Deviator& q, const Deviator& start, int copies)
 {
   is_active_[cell] = 1;
   cells_.push_back(cell);
@@ -30,6 +31,7 @@ void ActiveCells::add(std::size_t cell, const Deviator& q, const Deviator& start
   flow_.resize(flow_.size() + Deviator::size, 0.0);
   equivalent_.push_back(0.0);
   dissipation_.push_back(0.0);
+  copies_.push_back(copies);
   backstress_.resize(backstress_.size() + terms_);
 }
 
@@ -46,7 +48,7 @@ void ActiveCells::set_flow(std::size_t a, const constitutive::PlasticIncrement& 
   Deviator factors = 2.0 * d;
   factors[Deviator::xx] += d[Deviator::yy]; // for zz = -(xx + yy) of both
   factors[Deviator::yy] += d[Deviator::xx];
-  set(flow_, a, factors);
+  set(flow_, a, copies_[a] * factors);
 }
 
 } // namespace brinell::elastoplastic

@@ -2,7 +2,6 @@
 #include "brinell/elastoplastic/body.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "constitutive/lane_return.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 #include "window.hpp"
@@ -21,11 +20,6 @@ namespace
 /// Cells with more than this share of the yield stress take part in the fixed point from the start. A guess only: every
 /// evaluation adds the cells that yield without having been thought of.
 constexpr double active_share = 0.8;
-
-/// Active cells that a thread does before the next one does as many: those that flow take longest, and stand together.
-constexpr int cells_of_share = 64;
-
-#pragma omp declare reduction(larger:double : omp_out = larger(omp_out, omp_in)) initializer(omp_priv = 0.0)
 
 } // namespace
 
@@ -227,108 +221,6 @@ Deviator Body::centre(std::size_t cell) const
   for (std::size_t term = 0; term < material_.kinematic.size(); ++term)
     sum = sum + backstress(cell, term);
   return sum;
-}
-
-/// Plastic flow in one active cell.
-template <typename Law>
-constitutive::PlasticIncrement Body::increment(const Law& law, std::size_t a, Integration integration)
-{
-  const std::size_t cell = active_.cell(a);
-  const std::span<Deviator> back = active_.backstress(a);
-  for (std::size_t term = 0; term < back.size(); ++term)
-    back[term] = backstress(cell, term);
-  return constitutive::flow(law, material_.kinematic, integration, deviator_at(state_.stress, grid().size(), cell),
-                            active_.trial(a), state_.equivalent[cell], stiffness_, back);
-}
-
-double Body::integrate(Integration integration)
-{
-  if (!is_plastic())
-    return 0.0;
-  if (work_.empty())
-    work_ = half_space_->make_work();
-  choose_window();
-  const std::vector<double> before = displacement_;
-  const auto take = [&](std::size_t a, const constitutive::PlasticIncrement& result)
-  {
-    store(active_.start(a) + result.strain, state_.plastic_strain, grid().size(), active_.cell(a));
-    active_.set_flow(a, result);
-  };
-  std::visit(
-      [&]<typename Law>(const Law& law)
-      {
-        const auto one = [&](std::size_t a) { return increment(law_at(law, active_.cell(a)), a, integration); };
-        const bool in_lanes = constitutive::is_linear<Law> && material_.kinematic.empty() &&
-                              integration == constitutive::Integration::path;
-#pragma omp parallel for schedule(static, cells_of_share / lane_count)
-        for (std::size_t first = 0; first < active_.size(); first += lane_count)
-        {
-          const std::size_t last = std::min(first + lane_count, active_.size());
-          constitutive::LanePoints points;
-          for (std::size_t a = first; in_lanes && a < last; ++a)
-          {
-            const double e = state_.equivalent[active_.cell(a)];
-            const auto law_here = law_at(law, active_.cell(a));
-            points.set(a - first, deviator_at(state_.stress, grid().size(), active_.cell(a)), active_.trial(a),
-                       law_here.yield_stress_at(e), law_here.modulus_at(e));
-          }
-          if (in_lanes)
-            constitutive::path_return(points, 0.5 * stiffness_);
-          for (std::size_t a = first; a < last; ++a)
-            take(a, in_lanes ? points.increment(a - first) : one(a));
-        }
-      },
-      *material_.hardening);
-  load_strain();
-  const double change = change_of_displacement(before);
-  was_windowed_ = windowed_;
-  return change;
-}
-
-/// What a trial is mapped to by the stress of its evaluation.
-/// @returns its error over the yield stress
-template <typename Law>
-double Body::map_trial(const Law& law, std::size_t a)
-{
-  const std::size_t n = grid().size(), cell = active_.cell(a);
-  const Deviator increment = deviator_at(state_.plastic_strain, n, cell) - active_.start(a);
-  const Deviator g = deviator_at(stress_, n, cell) + stiffness_ * increment;
-  active_.set_mapped(a, g);
-  const double size = von_mises(g - centre(cell));
-  if (!std::isfinite(size))
-    return size;
-  const double yield = law.yield_stress_at(state_.equivalent[cell] + active_.equivalent(a));
-  if (active_.equivalent(a) > 0.0 || size > yield)
-    return von_mises(g - active_.trial(a)) / yield;
-  // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
-  active_.set_trial(a, g);
-  return 0.0;
-}
-
-bool Body::update(const halfspace::SurfaceLoad& load)
-{
-  if (!is_plastic())
-    return false;
-  find_stress(load);
-  const auto acts = [](double shear) { return shear != 0.0; };
-  bears_shear_ = std::any_of(load.shear_x.begin(), load.shear_x.end(), acts) ||
-                 std::any_of(load.shear_y.begin(), load.shear_y.end(), acts);
-  yield_error_ = std::visit(
-      [&](const auto& law)
-      {
-        double error = 0.0;
-#pragma omp parallel for schedule(static, cells_of_share) reduction(larger : error)
-        for (std::size_t a = 0; a < active_.size(); ++a)
-          error = larger(error, map_trial(law_at(law, active_.cell(a)), a));
-        return error;
-      },
-      *material_.hardening);
-  const std::size_t before = active_.size();
-  collect_active(stress_, 0, 1.0);
-  if (active_.size() == before)
-    return false;
-  widen(before);
-  return true;
 }
 
 void Body::commit(const halfspace::SurfaceLoad& load)

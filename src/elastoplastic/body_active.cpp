@@ -134,11 +134,13 @@ void Body::collect_active(const std::vector<double>& q_field, int shift, double 
           find_beyond(law_of(law, layer), layer, q_field, shift, fraction, found[layer]);
       },
       *material_.hardening);
+  const SurfaceGrid& s = grid().surface;
   for (const std::vector<std::size_t>& cells : found) // in an order that does not depend on the threads
     for (const std::size_t cell : cells)
     {
+      const int row = static_cast<int>(cell % s.size()) / s.nx;
       const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
-      active_.add(cell, q, deviator_at(state_.plastic_strain, n, cell));
+      active_.add(cell, q, deviator_at(state_.plastic_strain, n, cell), copies_of_row(s, symmetry_, row));
     }
 }
 

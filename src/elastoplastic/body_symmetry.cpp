@@ -11,12 +11,6 @@ std::size_t Body::told_cells() const
   return grid().surface.index(0, told_rows(grid().surface, symmetry_));
 }
 
-int Body::copies(std::size_t a) const
-{
-  const auto nx = static_cast<std::size_t>(grid().surface.nx), ny = static_cast<std::size_t>(grid().surface.ny);
-  return copies_of_row(grid().surface, symmetry_, static_cast<int>(active_.cell(a) / nx % ny));
-}
-
 void Body::complete_trial()
 {
   find_displacement_x();

@@ -28,13 +28,11 @@ concept Participant = requires(Part& part, const Part& fixed)
     } -> std::same_as<const std::vector<double>&>;
   {
     fixed.flow()
-    } -> std::same_as<const std::vector<double>&>; ///< factors of changes of g in the work on the strain of the trial
+    } -> std::same_as<
+        const std::vector<double>&>; ///< factors of changes of g in the work on the strain of the trial, in all copies
   {
     part.go_further(std::vector<double>{})
     } -> std::same_as<void>; ///< trials, from a combination of evaluations with this residual
-  {
-    fixed.copies_of_unknown(std::size_t{})
-    } -> std::same_as<int>; ///< its weight in products
 };
 static_assert(Participant<Body>);
 
@@ -49,14 +47,11 @@ public:
     places_.resize(sides.size());
     for (std::size_t part = 0; part < sides.size(); ++part)
       while (places_[part].size() < sides[part].body.unknowns())
-      {
-        weights_.push_back(sides[part].body.copies_of_unknown(places_[part].size()));
         places_[part].push_back(size_++);
-      }
   }
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Trials to x, what they are mapped to, to g, and their flow in all of their copies to y.
+  /// Trials to x, what they are mapped to, to g, and their flow to y.
   template <typename Sides>
   void pack(Sides& sides, std::vector<double>& x, std::vector<double>& g, std::vector<double>& y) const
   {
@@ -74,7 +69,7 @@ public:
                    {
                      x[places_[part][i]] = trial[i];
                      g[places_[part][i]] = mapped[i];
-                     y[places_[part][i]] = weights_[places_[part][i]] * flow[i];
+                     y[places_[part][i]] = flow[i];
                    }
                  });
     }
@@ -108,7 +103,6 @@ public:
 
 private:
   std::vector<std::vector<std::size_t>> places_; ///< in the common vector: [participant][its unknown]
-  std::vector<double> weights_;
   std::size_t size_ = 0;
 };
 

@@ -23,8 +23,9 @@ public:
 
   void clear();
   /// A cell joins; its trial deviator is mapped to itself until an evaluation says otherwise.
-  /// @param start  plastic strain before the increment
-  void add(std::size_t cell, const Deviator& q, const Deviator& start);
+  /// @param start   plastic strain before the increment
+  /// @param copies  cells for which it stands, itself included: with symmetry its mirror image is like it
+  void add(std::size_t cell, const Deviator& q, const Deviator& start, int copies);
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] bool empty() const { return cells_.empty(); }
@@ -32,6 +33,8 @@ public:
   /// In the grid of the body.
   [[nodiscard]] std::size_t cell(std::size_t a) const { return cells_[a]; }
   [[nodiscard]] const std::vector<std::size_t>& cells() const { return cells_; }
+  /// Cells for which it stands.
+  [[nodiscard]] double copies(std::size_t a) const { return copies_[a]; }
   /// Plastic strain before the increment.
   [[nodiscard]] Deviator start(std::size_t a) const { return at(start_, a); }
   /// The last cell in the order of the grid, which is a deepest one. There must be cells.
@@ -40,18 +43,29 @@ public:
   [[nodiscard]] Deviator trial(std::size_t a) const { return at(q_, a); }
   [[nodiscard]] Deviator mapped(std::size_t a) const { return at(g_, a); }
   void set_trial(std::size_t a, const Deviator& q) { set(q_, a, q); }
-  void set_mapped(std::size_t a, const Deviator& g) { set(g_, a, g); }
   /// All of them, [active][component].
   [[nodiscard]] std::vector<double>& trials() { return q_; }
   [[nodiscard]] const std::vector<double>& mapped() const { return g_; }
   /// The plastic strain of the increment as what multiplies trials in its work: the products with the components of a deviator,
-  /// in sum over those of a cell, make the contraction of strain and deviator.
+  /// in sum over those of a cell, make the contraction of strain and deviator, times the cells for which it stands.
   [[nodiscard]] const std::vector<double>& flow() const { return flow_; }
 
   /// Equivalent plastic strain [-] and plastic work [J/m^3] of the increment.
   [[nodiscard]] double equivalent(std::size_t a) const { return equivalent_[a]; }
   [[nodiscard]] double dissipation(std::size_t a) const { return dissipation_[a]; }
   void set_flow(std::size_t a, const constitutive::PlasticIncrement& increment);
+
+  /// What is packed, for work on several cells at once: deviators as [active][component].
+  struct Packed
+  {
+    double *trials, *mapped, *flow;
+    double *equivalent, *dissipation;
+    const double *start, *copies;
+  };
+  [[nodiscard]] Packed packed()
+  {
+    return {q_.data(), g_.data(), flow_.data(), equivalent_.data(), dissipation_.data(), start_.data(), copies_.data()};
+  }
   /// Trial back stresses of a cell, one per term [Pa].
   [[nodiscard]] std::span<Deviator> backstress(std::size_t a) { return {backstress_.data() + a * terms_, terms_}; }
 
@@ -70,7 +84,7 @@ private:
   std::vector<std::size_t> cells_;
   std::vector<char> is_active_; ///< one value per cell of the grid
   std::vector<double> q_, g_, start_, flow_;
-  std::vector<double> equivalent_, dissipation_;
+  std::vector<double> equivalent_, dissipation_, copies_;
   std::vector<Deviator> backstress_;
   std::size_t terms_ = 0;
 };

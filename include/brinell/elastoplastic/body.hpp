@@ -132,8 +132,6 @@ public:
   [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
   [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
-  /// In how many cells an unknown is the same, but for its sign: its weight in sums over the body.
-  [[nodiscard]] int copies_of_unknown(std::size_t unknown) const { return copies(unknown / Deviator::size); }
   [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
   [[nodiscard]] const std::vector<double>& flow() const { return active_.flow(); }     ///< see ActiveCells::flow
@@ -163,7 +161,7 @@ private:
   void add_initial_stress(int layers, int rows, std::span<double> stress) const;
   void add_thermal_stress(int layers, int rows, std::span<double> stress) const;
   [[nodiscard]] std::size_t told_cells() const; ///< of each layer
-  [[nodiscard]] int copies(std::size_t a) const;
+  [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(active_.copies(a)); }
   template <typename Use>
   void with_copies(std::size_t a, const Use& use) const;
   void find_displacement_x();
@@ -190,8 +188,11 @@ private:
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   template <typename Law>
   [[nodiscard]] constitutive::PlasticIncrement increment(const Law& law, std::size_t a, Integration integration);
+  struct Together;
   template <typename Law>
-  [[nodiscard]] double map_trial(const Law& law, std::size_t a);
+  void flow_of(const Law& law, Integration integration);
+  template <typename Law>
+  [[nodiscard]] double map_trials(const Law& law);
   void sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const;
   template <typename Law>
   void find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift, double fraction,

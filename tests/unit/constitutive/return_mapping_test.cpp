@@ -283,12 +283,14 @@ void expect_lanes_like_points(const Law& law)
     for (std::size_t lane = 0; lane < lane_count; ++lane)
       points.set(lane, stress(seed, lane), trial(lane), law.yield_stress_at(equivalent(lane)),
                  law.modulus_at(equivalent(lane)));
+    const auto outside = is_outside(points);
     path_return(points, mu);
     for (std::size_t lane = 0; lane < lane_count; ++lane)
     {
       const PlasticIncrement alone = path_return(stress(seed, lane), trial(lane), equivalent(lane), mu, law);
       const PlasticIncrement here = points.increment(lane);
       EXPECT_EQ(here.equivalent > 0.0, alone.equivalent > 0.0);
+      EXPECT_EQ(outside[lane] != 0, alone.equivalent > 0.0);
       EXPECT_NEAR(von_mises(here.strain - alone.strain), 0.0, tolerance / mu);
       EXPECT_NEAR(here.equivalent, alone.equivalent, tolerance / mu);
       EXPECT_NEAR(here.dissipation, alone.dissipation, tolerance / mu);
