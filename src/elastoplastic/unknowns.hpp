@@ -5,6 +5,7 @@
 #include "brinell/elastoplastic/body.hpp"
 #include "foundation/sharing.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -50,6 +51,15 @@ public:
         places_[part].push_back(size_++);
   }
   [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// The participant that has all unknowns, so that its fields are the common vectors; nullptr: there is none.
+  template <typename Sides>
+  [[nodiscard]] auto* only_one(Sides& sides) const
+  {
+    const auto has_all = [this](const auto& places) { return size_ > 0 && places.size() == size_; };
+    const auto found = std::find_if(places_.begin(), places_.end(), has_all);
+    return found == places_.end() ? nullptr : &sides[static_cast<std::size_t>(found - places_.begin())].body;
+  }
 
   /// Trials to x, what they are mapped to, to g, and their flow to y.
   template <typename Sides>
@@ -121,9 +131,14 @@ public:
     if (changes_map)
       anderson_.change_map();
     unknowns_.grow(sides);
-    unknowns_.pack(sides, x_, g_, y_);
-    anderson_.advance(x_, g_, y_);
-    unknowns_.unpack(x_, sides);
+    if (auto* const body = unknowns_.only_one(sides))
+      anderson_.advance(body->trial(), body->mapped(), body->flow());
+    else
+    {
+      unknowns_.pack(sides, x_, g_, y_);
+      anderson_.advance(x_, g_, y_);
+      unknowns_.unpack(x_, sides);
+    }
     if (is_near && !is_plain_)
       unknowns_.go_further(anderson_.residual(), sides);
   }
