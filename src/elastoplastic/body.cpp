@@ -228,7 +228,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   if (!is_plastic())
     return;
   const std::size_t n = grid().size();
-#pragma omp parallel for schedule(static, cells_of_share)
+#pragma omp parallel for schedule(static)
   for (std::size_t a = 0; a < active_.size(); ++a)
     with_copies(a,
                 [&](std::size_t cell, const auto& seen)
