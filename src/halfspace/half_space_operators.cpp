@@ -58,7 +58,8 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
     work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
                              AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
-  const auto at_a_time = static_cast<std::size_t>(blocks_at_a_time(work->threads.size()));
+  work->blocks_at_a_time = blocks_at_a_time(static_cast<int>(work->threads.size()));
+  const auto at_a_time = static_cast<std::size_t>(work->blocks_at_a_time);
   work->strain.resize(at_a_time * volume_fft.block_size());
   work->stress.resize(std::max({volume_fft.block_size() * blocks, volume_fft.rows_size(), mirrored_fft.rows_size()}));
   work->displacement_parts.resize(at_a_time * static_cast<std::size_t>(parts_for(grid.nz) * surface_fft.pitch()) *
@@ -108,18 +109,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   {
     Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(thread)];
     transform_strain(plastic_strain, strained, work, scratch);
-    for (int block = 0; block <= volume_fft.blocks(); ++block)
-    {
-      // A thread that is done with the waves of one block begins with the series of the next one: one barrier for both.
-      if (block > 0)
-        pass_waves(block - 1, strained, kernels, work, trace, scratch);
-      if (block < volume_fft.blocks())
-        transform_layers(block, strained, kernels, work, scratch);
-      if (threads > 1) // else it would be a call of the system all the same
-      {
-#pragma omp barrier
-      }
-    }
+    pass_blocks(thread, strained, kernels, work, trace);
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft.blocks(); ++block)
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
@@ -168,22 +158,58 @@ SpectrumRows HalfSpace::Operators::mirrored(const SpectrumRows& rows) const
 
 ComplexLanes* HalfSpace::Operators::displacement_part(int block, int part, Work::Buffers& work) const
 {
-  const int place = block % blocks_at_a_time(work.threads.size()) * parts_for(grid.nz) + part;
+  const int place = block % work.blocks_at_a_time * parts_for(grid.nz) + part;
   return work.displacement_parts.data() + place * static_cast<std::ptrdiff_t>(tractions.size()) * surface_fft.pitch();
 }
 
+int HalfSpace::Operators::blocks_at_a_time(int threads) const
+{
+  constexpr double even = 0.9; // share of the threads that work
+  const int rounds = (volume_fft.blocks() + threads - 1) / threads;
+  return volume_fft.blocks() >= even * rounds * threads ? threads : 2;
+}
+
+/// Rows of the strain lie where the stress comes to lie: those of a block are read before its stress is written, by all threads, and
+/// those of later blocks lie behind it. So there is one barrier between both, and a thread that is done with the waves of one block
+/// begins with the series of its next one. To be called by all threads.
+void HalfSpace::Operators::pass_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels,
+                                       Work::Buffers& work, ComplexLanes* trace) const
+{
+  Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(thread)];
+  const int threads = omp_get_num_threads(); // which may be fewer than are prepared
+  const bool alone = work.blocks_at_a_time == threads;
+  const Team team = alone ? Team{0, 1} : Team{thread, threads};
+  const int blocks = volume_fft.blocks(), step = alone ? threads : 1;
+  for (int first = 0; first < blocks; first += step)
+  {
+    const int block = first + (alone ? thread : 0);
+    if (block < blocks)
+      transform_layers(block, strained, kernels, team, work, scratch);
+    if (threads > 1) // else it would be a call of the system all the same
+    {
+#pragma omp barrier
+    }
+    if (block < blocks)
+      pass_waves(block, strained, kernels, team, work, trace, scratch);
+  }
+  if (threads > 1)
+  {
+#pragma omp barrier
+  }
+}
+
 /// Stress of all layers at the wavenumbers of one block, and displacement of the surface by all of them. The rows are shared
-/// evenly: tiles of several rows would leave a thread with one more than the others. To be called by all threads.
+/// evenly: tiles of several rows would leave a thread with one more than the others.
 void HalfSpace::Operators::pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels,
-                                      Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const
+                                      const Team& team, Work::Buffers& work, ComplexLanes* trace,
+                                      Work::Buffers::Scratch& scratch) const
 {
   const EigenstrainStress::Spectra spectra{strain_of(block, work), strained,
                                            work.stress.data() + volume_fft.plane_at(block, 0), work.layers,
                                            trace == nullptr ? nullptr : trace + trace_fft.plane_at(block, 0)};
   const int rows = volume_fft.py() / 2 + 1;
-  const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
-  const int end = rows * (thread + 1) / threads;
-  for (int first = rows * thread / threads; first < end; first += SpectrumRows::most)
+  const int end = rows * (team.rank + 1) / team.count;
+  for (int first = rows * team.rank / team.count; first < end; first += SpectrumRows::most)
   {
     const SpectrumRows own{first, std::min(SpectrumRows::most, end - first)};
     for (const SpectrumRows& tile : {own, work.symmetry == Symmetry::none ? mirrored(own) : SpectrumRows{}})
@@ -195,15 +221,14 @@ void HalfSpace::Operators::pass_waves(int block, int strained, const OfTraction<
   }
 }
 
-/// Along y, and to the displacement of the surface while a plane is in the cache. To be called by all threads, which do not wait
-/// for each other.
+/// Along y, and to the displacement of the surface while a plane is in the cache.
 void HalfSpace::Operators::transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels,
-                                            Work::Buffers& work, Work::Buffers::Scratch& scratch) const
+                                            const Team& team, Work::Buffers& work,
+                                            Work::Buffers::Scratch& scratch) const
 {
   const bool is_mirrored = work.symmetry != Symmetry::none;
   ComplexLanes* const spectrum = strain_of(block, work);
-#pragma omp for schedule(static) nowait
-  for (int part = 0; part < parts_for(layers); ++part)
+  for (int part = team.rank; part < parts_for(layers); part += team.count) // as they were transformed along x
   {
     if (is_mirrored)
       mirrored_fft.columns_forward(work.rows(mirrored_fft.rows_size()), block, part, layers, spectrum,

@@ -40,8 +40,9 @@ struct HalfSpace::Work::Buffers
     AlignedVector<ComplexLanes> rows; ///< of one plane
     MirroredFft::Scratch mirrored;
   };
-  std::vector<Scratch> threads;       ///< one per thread
-  AlignedVector<ComplexLanes> strain; ///< spectra of `blocks_at_a_time` blocks
+  std::vector<Scratch> threads; ///< one per thread
+  int blocks_at_a_time = 1;
+  AlignedVector<ComplexLanes> strain; ///< spectra of so many blocks
   AlignedVector<ComplexLanes> stress; ///< spectra of all blocks, of the strain loaded; before them, rows of the strain
   /// Displacements of the surface by a few layers each, in one block: the order of their sum is that of the layers, however
   /// many threads there are.
@@ -120,18 +121,26 @@ private:
   }
   [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
   /// Blocks whose strain is held: with several threads one is transformed while waves still pass through the one before.
-  [[nodiscard]] static int blocks_at_a_time(std::size_t threads) { return threads > 1 ? 2 : 1; }
+  /// The threads that do the same block: this one is number `rank` of `count`.
+  struct Team
+  {
+    int rank, count;
+  };
+  /// One for each thread, if they come out even: what a thread has written then stays in its cache until it is read. Else the threads
+  /// share each block, and begin with the next one meanwhile.
+  [[nodiscard]] int blocks_at_a_time(int threads) const;
   [[nodiscard]] ComplexLanes* strain_of(int block, Work::Buffers& work) const
   {
-    return work.strain.data() +
-           block % blocks_at_a_time(work.threads.size()) * static_cast<std::ptrdiff_t>(volume_fft.block_size());
+    return work.strain.data() + block % work.blocks_at_a_time * static_cast<std::ptrdiff_t>(volume_fft.block_size());
   }
   /// Place of a part in `displacement_parts`.
   [[nodiscard]] ComplexLanes* displacement_part(int block, int part, Work::Buffers& work) const;
-  void pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
-                  ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
-  void transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
-                        Work::Buffers::Scratch& scratch) const;
+  void pass_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
+                   ComplexLanes* trace) const;
+  void pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, const Team& team,
+                  Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
+  void transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels, const Team& team,
+                        Work::Buffers& work, Work::Buffers::Scratch& scratch) const;
   [[nodiscard]] const ComplexLanes* loaded(int block, const MirroredFft::Part& part,
                                            const OfTraction<const TractionStress*>& kernels, const Work::Buffers& work,
                                            ComplexLanes* sum) const;
