@@ -24,17 +24,20 @@ double fields_of_state(const constitutive::Material& material)
   return 5.0 + 1.0 + 5.0 + 5.0 + 5.0 * static_cast<double>(material.kinematic.size());
 }
 
+/// Kernels and transforms of a body, which bodies of the same cells and elastic constants share.
+double operator_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  return material.elastic.is_rigid() ? 0.0 : halfspace::memory_of_half_space(grid, shears).operators;
+}
+
 /// One body that is computed, while nothing happens to it.
 double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
   constexpr double of_elastic = 6.0; // plastic strain, which is zero
-  if (material.elastic.is_rigid())
-    return field_bytes(grid, of_elastic);
-  const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears);
   if (!material.is_plastic())
-    return half_space.operators + field_bytes(grid, of_elastic);
+    return field_bytes(grid, of_elastic);
   constexpr double flags = 0.125;
-  return half_space.operators + half_space.work + field_bytes(grid, fields_of_state(material) + flags);
+  return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
 }
 
 /// Of a body much longer than the contact, the columns of it that are computed within an increment: operators of two lengths, strain
@@ -167,10 +170,13 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
 {
   constexpr double program = 22e6;                              // with its libraries, and what writes the files
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
+  const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
   double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
   for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
   {
     output = std::max(output, output_bytes(*grid, *material, shears));
+    if (grid == &plan.lower || !shares_operators)
+      bodies += operator_bytes(*grid, *material, shears);
     if (has_twin && grid == &plan.upper)
       continue;
     bodies += body_bytes(*grid, *material, shears) +
