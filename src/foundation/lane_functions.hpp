@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <utility>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -55,12 +56,26 @@ inline Lanes load_lanes(const double* from, std::size_t count)
   return value;
 #endif
 }
+
+template <typename Place, int... lane>
+[[gnu::always_inline]] inline Lanes shuffled(const Lanes& a, const Lanes& b, Place /*place*/,
+                                             std::integer_sequence<int, lane...> /*all*/)
+{
+  return __builtin_shufflevector(a, b, Place()(lane)...);
+}
+/// The values of `a` followed by those of `b`, in another order: result[lane] = both[place(lane)].
+template <typename Place>
+[[gnu::always_inline]] inline Lanes shuffled(const Lanes& a, const Lanes& b, Place place)
+{
+  return shuffled(a, b, place, std::make_integer_sequence<int, lane_count>());
+}
+
 inline ComplexLanes load_lanes(const Complex* from)
 {
   const Lanes low = load_lanes(reinterpret_cast<const double*>(from));
   const Lanes high = load_lanes(reinterpret_cast<const double*>(from) + lane_count);
-  return {__builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14),
-          __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15)};
+  return {shuffled(low, high, [](int lane) { return 2 * lane; }),
+          shuffled(low, high, [](int lane) { return 2 * lane + 1; })};
 }
 /// Stores that go past the caches, for arrays larger than `cached_bytes`: what such an array held before need not be read
 /// from memory first. `to` starts on a cache line. Other threads see the values after `end_streaming`.
@@ -102,8 +117,9 @@ inline void store_lanes(const Lanes& value, std::size_t count, double* to)
 /// The values one after the other.
 inline void store_lanes(const ComplexLanes& value, Complex* to)
 {
-  const Lanes low = __builtin_shufflevector(value.re, value.im, 0, 8, 1, 9, 2, 10, 3, 11);
-  const Lanes high = __builtin_shufflevector(value.re, value.im, 4, 12, 5, 13, 6, 14, 7, 15);
+  const auto alternating = [](int place) { return place / 2 + (place % 2) * lane_count; };
+  const Lanes low = shuffled(value.re, value.im, alternating);
+  const Lanes high = shuffled(value.re, value.im, [](int lane) { return decltype(alternating)()(lane + lane_count); });
   auto* lanes = reinterpret_cast<double*>(to);
   std::memcpy(lanes, &low, sizeof low);
   std::memcpy(lanes + lane_count, &high, sizeof high);

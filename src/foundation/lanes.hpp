@@ -8,9 +8,18 @@
 namespace brinell
 {
 
-/// Values worked on together, one per lane of the processor's vector units (two or four instructions where these are
-/// narrower). A vector type of the compiler: sums kept in it stay in registers, which loops over arrays do not achieve.
+/// Number of values in a vector register of the processor that the code is compiled for.
+#if defined(__AVX512F__)
 inline constexpr int lane_count = 8;
+#elif defined(__AVX__)
+inline constexpr int lane_count = 4;
+#else
+inline constexpr int lane_count = 2;
+#endif
+
+/// As many values as a register holds. A vector type of the compiler: sums kept in it stay in a register, which loops over arrays
+/// do not achieve. GCC 12 keeps vector types that are wider than a register in memory, piece by piece, which takes several times
+/// as long (docs/performance.md).
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
 
 /// `lane_count` complex values, real and imaginary parts apart.

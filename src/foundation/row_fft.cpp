@@ -15,10 +15,10 @@ namespace brinell
 namespace
 {
 
-/// Together, any number of rows takes as long as this many one by one (measured for lengths of 90 and 512). Without vectors
-/// of eight numbers the compiler exchanges rows and lanes one number at a time, which takes longer than all else.
-#if defined(__AVX512F__)
-constexpr int worth_together = 6;
+/// A tile of rows takes as long as this many rows one by one (measured for lengths of 90 and 512 with AVX-512). Without AVX the
+/// exchange of rows and lanes takes longer than the transforms, so that rows are always transformed one by one.
+#if defined(__AVX__)
+constexpr int worth_together = 3 * lane_count / 4;
 #else
 constexpr int worth_together = RowFft::most_rows + 1;
 #endif
@@ -32,33 +32,27 @@ fftw_complex* as_fftw(Complex* c)
 /// stays in registers.
 using Tile = std::array<Lanes, lane_count>;
 
-/// Rows become columns. With every round, squares of twice the size have changed places.
+/// Squares of this size, of a Tile cut into such, change places across its diagonal.
+template <int size>
+[[gnu::always_inline]] inline void exchange_squares(Tile& t)
+{
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < lane_count; ++i)
+    if ((i & size) == 0)
+    {
+      const Lanes a = t[i], b = t[i + size];
+      t[i] = shuffled(a, b, [](int lane) { return lane & size ? lane_count + lane - size : lane; });
+      t[i + size] = shuffled(a, b, [](int lane) { return lane & size ? lane_count + lane : lane + size; });
+    }
+  if constexpr (2 * size < lane_count)
+    exchange_squares<2 * size>(t);
+}
+
+/// Rows become columns.
 [[gnu::always_inline]] inline void transpose(Tile& t)
 {
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < lane_count; i += 2)
-  {
-    const Lanes a = t[i], b = t[i + 1];
-    t[i] = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
-    t[i + 1] = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-  }
-#pragma GCC unroll 4
-  for (std::size_t pair = 0; pair < lane_count / 2; ++pair)
-  {
-    const std::size_t i = pair / 2 * 4 + pair % 2;
-    const Lanes a = t[i], b = t[i + 2];
-    t[i] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
-    t[i + 2] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
-  }
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < lane_count / 2; ++i)
-  {
-    const Lanes a = t[i], b = t[i + 4];
-    t[i] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
-    t[i + 4] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
-  }
+  exchange_squares<1>(t);
 }
-static_assert(lane_count == 8, "as `transpose` is written");
 
 /// Values at neighbouring places of some rows, by places; zero beyond the last row and the last place.
 [[gnu::always_inline]] inline Tile load_tile(const double* field, std::ptrdiff_t apart, int rows, int places)

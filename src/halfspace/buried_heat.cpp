@@ -155,10 +155,10 @@ void BuriedHeat::take_up_from(std::size_t wave, const Step& step, std::array<Scr
       store_lanes(mode, lane_count, halves[h].modes.data() + l * lane_count);
       store_lanes(mode, lane_count, reinterpret_cast<double*>(modes_.data() + at));
     };
-    take(0, __builtin_shufflevector(of_mode.left, of_mode.left, 0, 0, 1, 1, 2, 2, 3, 3),
-         __builtin_shufflevector(of_mode.in, of_mode.in, 0, 0, 1, 1, 2, 2, 3, 3));
-    take(1, __builtin_shufflevector(of_mode.left, of_mode.left, 4, 4, 5, 5, 6, 6, 7, 7),
-         __builtin_shufflevector(of_mode.in, of_mode.in, 4, 4, 5, 5, 6, 6, 7, 7));
+    const auto twice_low = [](int lane) { return lane / 2; };
+    const auto twice_high = [](int lane) { return (lane + lane_count) / 2; };
+    take(0, shuffled(of_mode.left, of_mode.left, twice_low), shuffled(of_mode.in, of_mode.in, twice_low));
+    take(1, shuffled(of_mode.left, of_mode.left, twice_high), shuffled(of_mode.in, of_mode.in, twice_high));
   }
   for (std::size_t h = 0; h < halves.size(); ++h)
     find_temperature_from(wave + h * half, halves[h]);

@@ -83,17 +83,21 @@ void MomentCoupling::for_products(const Term& term, Symmetry symmetry, Work& wor
 template <std::size_t depths>
 void MomentCoupling::add_short_term(const Term& term, Symmetry symmetry, Work& work) const
 {
-  static_assert(depths <= lane_count);
-  std::array<Lanes, depths> value;
-  std::copy_n(value_.data() + term.value, depths, value.begin());
+  constexpr std::size_t parts = (depths + lane_count - 1) / lane_count;
+  std::array<Lanes, parts * depths> value;
+  std::copy_n(value_.data() + term.value, parts * depths, value.begin());
   for_products(term, symmetry, work,
                [&](const double* from, Lanes* to)
                {
-                 Lanes sum = *to;
+#pragma GCC unroll 4
+                 for (std::size_t part = 0; part < parts; ++part)
+                 {
+                   Lanes sum = to[part];
 #pragma GCC unroll 8
-                 for (std::size_t q = 0; q < depths; ++q)
-                   sum += value[q] * from[q];
-                 *to = sum;
+                   for (std::size_t q = 0; q < depths; ++q)
+                     sum += value[parts * q + part] * from[q];
+                   to[part] = sum;
+                 }
                });
 }
 

@@ -109,8 +109,10 @@ ComplexLanes load_columns(const Complex* row, int first, int columns)
   ComplexLanes value = load_lanes(row + first);
   if (columns - first >= lane_count)
     return value;
-  const Lanes lane{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
-  const auto is_there = lane < static_cast<double>(columns - first);
+  Lanes number;
+  for (int lane = 0; lane < lane_count; ++lane)
+    number[lane] = lane;
+  const auto is_there = number < static_cast<double>(columns - first);
   return {is_there ? value.re : Lanes{}, is_there ? value.im : Lanes{}};
 }
 

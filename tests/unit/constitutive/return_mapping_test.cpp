@@ -272,22 +272,26 @@ TEST(ReturnMappingTest, UnitOfStressDoesNotMatter)
 template <typename Law>
 void expect_lanes_like_points(const Law& law)
 {
-  const auto stress = [](unsigned seed, std::size_t lane)
-  { return lane == 3 ? Deviator{} : test::random_deviator(seed + 40, 0.1 * static_cast<double>(lane)); };
-  for (unsigned seed = 0; seed < 400; seed += lane_count)
+  constexpr unsigned kinds = 8;
+  const auto stress = [](unsigned point)
+  {
+    const unsigned kind = point % kinds;
+    return kind == 3 ? Deviator{} : test::random_deviator(point - kind + 40, 0.1 * kind);
+  };
+  const auto trial = [](unsigned point) { return test::random_deviator(point, 0.45 * (point % kinds + 1)); };
+  const auto equivalent = [](unsigned point) { return 0.01 * (point % kinds); };
+  for (unsigned first = 0; first < 400; first += lane_count)
   {
     LanePoints points;
-    const auto trial = [&](std::size_t lane)
-    { return test::random_deviator(seed + static_cast<unsigned>(lane), 0.4 * static_cast<double>(lane + 1)); };
-    const auto equivalent = [](std::size_t lane) { return 0.01 * static_cast<double>(lane); };
-    for (std::size_t lane = 0; lane < lane_count; ++lane)
-      points.set(lane, stress(seed, lane), trial(lane), law.yield_stress_at(equivalent(lane)),
-                 law.modulus_at(equivalent(lane)));
+    for (unsigned lane = 0; lane < lane_count; ++lane)
+      points.set(lane, stress(first + lane), trial(first + lane), law.yield_stress_at(equivalent(first + lane)),
+                 law.modulus_at(equivalent(first + lane)));
     const auto outside = is_outside(points);
     path_return(points, mu);
-    for (std::size_t lane = 0; lane < lane_count; ++lane)
+    for (unsigned lane = 0; lane < lane_count; ++lane)
     {
-      const PlasticIncrement alone = path_return(stress(seed, lane), trial(lane), equivalent(lane), mu, law);
+      const unsigned point = first + lane;
+      const PlasticIncrement alone = path_return(stress(point), trial(point), equivalent(point), mu, law);
       const PlasticIncrement here = points.increment(lane);
       EXPECT_EQ(here.equivalent > 0.0, alone.equivalent > 0.0);
       EXPECT_EQ(outside[lane] != 0, alone.equivalent > 0.0);
