@@ -101,7 +101,7 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
   const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };
   const double initial = square(fraction * law.yield_stress_at(0.0));
   std::vector<double> squares(last - first);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(told_rows(s, symmetry_)); ++j)
+  for (std::size_t j = 0; j < static_cast<std::size_t>(independent_rows(s, symmetry_)); ++j)
   {
     const std::size_t row = layer * static_cast<std::size_t>(s.ny) + j;
     const std::size_t begin = row * static_cast<std::size_t>(s.nx) + first;

@@ -59,7 +59,7 @@ bool Body::may_yield_beneath() const
     return false; // the last layer is the first to yield
   const double yield = weakest * constitutive::initial_yield_stress(*material_.hardening);
   const std::size_t first = last * grid().surface.size();
-  for (std::size_t cell = first; cell < first + told_cells(); ++cell)
+  for (std::size_t cell = first; cell < first + independent_cells(); ++cell)
     if (von_mises(deviator_at(stress_, n, cell) - centre(cell)) > softening(cell) * yield - added)
       return true;
   return false;

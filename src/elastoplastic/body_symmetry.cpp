@@ -6,9 +6,9 @@
 namespace brinell::elastoplastic
 {
 
-std::size_t Body::told_cells() const
+std::size_t Body::independent_cells() const
 {
-  return grid().surface.index(0, told_rows(grid().surface, symmetry_));
+  return grid().surface.index(0, independent_rows(grid().surface, symmetry_));
 }
 
 void Body::complete_trial()

@@ -112,7 +112,7 @@ void Body::find_stress(const halfspace::SurfaceLoad& load)
     return;
   }
   loaded_->stress(load, stress_);
-  const int rows = told_rows(grid().surface, symmetry_);
+  const int rows = independent_rows(grid().surface, symmetry_);
   add_initial_stress(layers_, rows, stress_);
   add_thermal_stress(layers_, rows, stress_);
   reference_ = layers_ == grid().nz ? Known::evaluation : Known::nothing;

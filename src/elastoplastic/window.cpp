@@ -65,17 +65,17 @@ bool Window::place(const Columns& needed, const Reference& reference)
   return true;
 }
 
-/// Calls use(place of a row in a field of deviators of the body, the same of the window) for all told rows.
+/// Calls use(place of a row in a field of deviators of the body, the same of the window) for all independent rows.
 template <typename Use>
-void Window::for_told_rows(int layers, const Use& use) const
+void Window::for_independent_rows(int layers, const Use& use) const
 {
-  const int told = told_rows(cells_.surface, symmetry_);
+  const int rows = independent_rows(cells_.surface, symmetry_);
 #pragma omp parallel for schedule(static)
   for (int plane = 0; plane < Deviator::size * layers; ++plane)
   {
     const int k = plane % layers;
     const auto c = static_cast<std::size_t>(plane / layers);
-    for (int j = 0; j < told; ++j)
+    for (int j = 0; j < rows; ++j)
       use(c * body_.size() + body_.index(columns_.first, j, k), c * cells_.size() + cells_.index(0, j, k));
   }
 }
@@ -93,15 +93,16 @@ void Window::refer_to(const Reference& reference)
   const auto count = static_cast<std::size_t>(columns_.count);
   for (std::vector<double>* field : {&strain_, &stress_, &change_, &answer_})
     field->resize(Deviator::size * cells_.size());
-  for_told_rows(body_.nz,
-                [&](std::size_t in_body, std::size_t here)
-                {
-                  for (std::size_t i = 0; i < count; ++i)
-                  {
-                    strain_[here + i] = reference.strain[in_body + i];
-                    stress_[here + i] = reference.stress[in_body + i] - value_at(reference.thermal_stress, in_body + i);
-                  }
-                });
+  for_independent_rows(body_.nz,
+                       [&](std::size_t in_body, std::size_t here)
+                       {
+                         for (std::size_t i = 0; i < count; ++i)
+                         {
+                           strain_[here + i] = reference.strain[in_body + i];
+                           stress_[here + i] =
+                               reference.stress[in_body + i] - value_at(reference.thermal_stress, in_body + i);
+                         }
+                       });
   for (std::size_t t = 0; t < surface_.size(); ++t)
   {
     const std::span<const double> field = reference.displacement[t];
@@ -155,12 +156,12 @@ void Window::load(std::span<const double> strain, int layers, halfspace::Displac
 {
   layers_ = layers;
   const auto count = static_cast<std::size_t>(columns_.count);
-  for_told_rows(body_.nz,
-                [&](std::size_t in_body, std::size_t here)
-                {
-                  for (std::size_t i = 0; i < count; ++i)
-                    change_[here + i] = strain[in_body + i] - strain_[here + i];
-                });
+  for_independent_rows(body_.nz,
+                       [&](std::size_t in_body, std::size_t here)
+                       {
+                         for (std::size_t i = 0; i < count; ++i)
+                           change_[here + i] = strain[in_body + i] - strain_[here + i];
+                       });
   Part& operators = part();
   halfspace::HalfSpace::exchange_buffers(operators.work, host);
   loaded_.emplace(operators.half_space.load(change_, layers, operators.work, displacements, symmetry_));
@@ -198,12 +199,13 @@ void Window::stress(const halfspace::SurfaceLoad& load, std::span<const double> 
   halfspace::HalfSpace::exchange_buffers(operators.work, host);
   loaded_->stress({.pressure = added_[0], .shear_x = added_[1], .shear_y = added_[2]}, answer_);
   halfspace::HalfSpace::exchange_buffers(operators.work, host);
-  for_told_rows(layers_,
-                [&](std::size_t in_body, std::size_t here)
-                {
-                  for (std::size_t i = 0; i < count; ++i)
-                    stress[in_body + i] = stress_[here + i] + answer_[here + i] + value_at(thermal_stress, in_body + i);
-                });
+  for_independent_rows(layers_,
+                       [&](std::size_t in_body, std::size_t here)
+                       {
+                         for (std::size_t i = 0; i < count; ++i)
+                           stress[in_body + i] =
+                               stress_[here + i] + answer_[here + i] + value_at(thermal_stress, in_body + i);
+                       });
 }
 
 } // namespace brinell::elastoplastic

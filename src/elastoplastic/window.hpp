@@ -56,7 +56,7 @@ public:
   /// @param host    work of the whole body, not in use
   void load(std::span<const double> strain, int layers, halfspace::Displacements displacements,
             const std::array<std::span<double>, 3>& displacement, halfspace::HalfSpace::Work& host);
-  /// Stress of the strain loaded and of a load, in the layers wanted and the told rows of the window.
+  /// Stress of the strain loaded and of a load, in the layers wanted and the independent rows of the window.
   void stress(const halfspace::SurfaceLoad& load, std::span<const double> thermal_stress, std::span<double> stress,
               halfspace::HalfSpace::Work& host);
 
@@ -73,7 +73,7 @@ private:
   [[nodiscard]] Part& part();
   void refer_to(const Reference& reference);
   template <typename Use>
-  void for_told_rows(int layers, const Use& use) const;
+  void for_independent_rows(int layers, const Use& use) const;
   template <typename Use>
   void for_surface_rows(const Use& use) const;
 

@@ -13,20 +13,20 @@ namespace brinell::halfspace
 
 /// Finds the cells in which a part of a plane is not zero, and takes its moments.
 /// @param next  the part that comes after it, which is fetched meanwhile
-/// @returns the first told row that is not zero; behind the last if there is none
+/// @returns the first independent row that is not zero; behind the last if there is none
 int HalfSpace::Operators::take_part(const MirroredFft::Part& part, const MirroredFft::Part& next,
                                     std::span<const double> plastic_strain, Work::Buffers& work) const
 {
-  const int told = mirrored_fft.told_rows();
+  const int rows = mirrored_fft.independent_rows();
   if (next.is_there())
-    fetch_soon(plastic_strain.subspan(field_at(next.component, next.layer), grid.surface.index(0, told)));
+    fetch_soon(plastic_strain.subspan(field_at(next.component, next.layer), grid.surface.index(0, rows)));
   if (!part.is_there())
-    return told;
+    return rows;
   const double* strain = plastic_strain.data() + field_at(part.component, part.layer);
-  const CellRectangle used = used_cells(strain, grid.surface.nx, told);
+  const CellRectangle used = used_cells(strain, grid.surface.nx, rows);
   work.used[static_cast<std::size_t>(Deviator::size * part.layer + part.component)] = used;
   image_correction.take(strain, used, part.component, part.layer, work.symmetry, work.images);
-  return used.is_empty() ? told : used.first_y;
+  return used.is_empty() ? rows : used.first_y;
 }
 
 /// Along x, and what else is to be taken from each plane. To be called by all threads.

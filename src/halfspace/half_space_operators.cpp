@@ -73,10 +73,10 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
 
 int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const
 {
-  const int told = told_rows(grid.surface, symmetry);
+  const int rows = independent_rows(grid.surface, symmetry);
   const auto has_strain = [&](int layer)
   {
-    for (int j = told - 1; j >= 0; --j)
+    for (int j = rows - 1; j >= 0; --j)
       for (int c = 0; c < Deviator::size; ++c)
         if (has_nonzero(plastic_strain.data() + field_at(c, layer) + grid.surface.index(0, j), grid.surface.nx))
           return true;

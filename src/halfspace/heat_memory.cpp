@@ -101,8 +101,8 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
         sum[begin_of(row) + i] *= left[i % lane_count] * mean_x[i] * of_row;
     }
   }
-  const ToldRowsFft::Told told{sum.data(), fft_.all().kx()};
-  fft_.inverse({&told, 1}, {false}, true, {temperature});
+  const IndependentRowsFft::Spectrum rows{sum.data(), fft_.all().kx()};
+  fft_.inverse({&rows, 1}, {false}, true, {temperature});
 }
 
 namespace
@@ -202,19 +202,20 @@ void HeatMemory::put_fields(int row, std::size_t number, std::size_t columns, co
                                complex_values(of_surface.slope, at, columns),
                                complex_values(of_surface.at_surface, 0, columns)},
                               out);
-  const auto told = static_cast<std::size_t>(wanted.told[number]);
+  const auto significant = static_cast<std::size_t>(wanted.significant[number]);
   for (Complex* field : out)
-    std::fill(field + columns, field + std::max(columns, told), Complex{});
+    std::fill(field + columns, field + std::max(columns, significant), Complex{});
 }
 
 /// Columns that count in any row, of which the first has the longest waves.
-std::vector<int> HeatMemory::told_columns(std::span<const DepthFactors> depths, bool has_buried) const
+std::vector<int> HeatMemory::significant_columns(std::span<const DepthFactors> depths, bool has_buried) const
 {
-  std::vector<int> told;
-  told.reserve(depths.size());
+  std::vector<int> columns_of_depths;
+  columns_of_depths.reserve(depths.size());
   for (const DepthFactors& factors : depths)
-    told.push_back(static_cast<int>(has_buried ? columns() : columns_that_reach(factors.depth, row_of_waves(0))));
-  return told;
+    columns_of_depths.push_back(
+        static_cast<int>(has_buried ? columns() : columns_that_reach(factors.depth, row_of_waves(0))));
+  return columns_of_depths;
 }
 
 HeatMemory::Row HeatMemory::make_row(const RowOfFields& wanted) const
@@ -233,7 +234,8 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
                         const Window& window) const
 {
   // All that counts is written, so that nothing needs to be there before.
-  const auto spectra = std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane() + ToldRowsFft::slack));
+  const auto spectra =
+      std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane() + IndependentRowsFft::slack));
   auto* const waves = reinterpret_cast<Complex*>(spectra.get());
   const bool has_buried = buried_ && !buried_->is_cold();
   const bool is_deep = !depths.front().temperature.empty();
@@ -246,9 +248,9 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
     at_surface = (duration == 0.0 ? sums_->potential_now : sums_->potential).data();
   else
     at_surface = found.emplace(find_sums(duration)).potential.data();
-  const std::vector<int> columns_told = told_columns(depths, has_buried);
-  const RowOfFields wanted{duration,       factor, has_buried,  sums ? &*sums : nullptr, at_surface, depths,
-                           fields_of_heat, waves,  columns_told};
+  const std::vector<int> significant = significant_columns(depths, has_buried);
+  const RowOfFields wanted{duration,       factor, has_buried, sums ? &*sums : nullptr, at_surface, depths,
+                           fields_of_heat, waves,  significant};
   if (!is_shared(fft_.plane()))
   {
     Row of_row = make_row(wanted);
@@ -265,11 +267,11 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
         add_row(row, wanted, of_row);
     }
   }
-  std::vector<ToldRowsFft::Told> told;
-  told.reserve(out.size());
+  std::vector<IndependentRowsFft::Spectrum> rows;
+  rows.reserve(out.size());
   for (std::size_t f = 0; f < out.size(); ++f)
-    told.push_back({waves + f * fft_.plane(), columns_told[f / fields_of_heat.is_odd.size()]});
-  fft_.inverse(told, fields_of_heat.is_odd, adds, out, window);
+    rows.push_back({waves + f * fft_.plane(), significant[f / fields_of_heat.is_odd.size()]});
+  fft_.inverse(rows, fields_of_heat.is_odd, adds, out, window);
 }
 
 void HeatMemory::take_up_in_body(const std::vector<std::vector<double>>& rise, double duration)
@@ -285,12 +287,12 @@ void HeatMemory::add_buried(double factor, std::span<double> temperature) const
 {
   if (!buried_ || buried_->is_cold())
     return;
-  AlignedVector<Complex> spectrum(fft_.plane() + ToldRowsFft::slack);
+  AlignedVector<Complex> spectrum(fft_.plane() + IndependentRowsFft::slack);
   buried_->add_surface(0, along_.size(), spectrum.data());
   for (Complex& wave : spectrum)
     wave *= factor;
-  const ToldRowsFft::Told told{spectrum.data(), fft_.all().kx()};
-  fft_.inverse({&told, 1}, {false}, true, {temperature});
+  const IndependentRowsFft::Spectrum rows{spectrum.data(), fft_.all().kx()};
+  fft_.inverse({&rows, 1}, {false}, true, {temperature});
 }
 
 } // namespace brinell::halfspace

@@ -4,7 +4,7 @@
 #include "brinell/halfspace/heat_response.hpp"
 #include "buried_heat.hpp"
 #include "depth_sums.hpp"
-#include "told_rows_fft.hpp"
+#include "independent_rows_fft.hpp"
 
 #include <functional>
 #include <memory>
@@ -55,7 +55,7 @@ public:
   /// Adds `factor` times the temperature of the surface that the heat in the body gives as it is.
   void add_buried(double factor, std::span<double> temperature) const;
 
-  using Window = ToldRowsFft::Window;
+  using Window = IndependentRowsFft::Window;
   [[nodiscard]] Window whole() const { return fft_.whole(); }
   /// Some fields at one depth.
   struct FieldsOfHeat
@@ -114,8 +114,8 @@ private:
     const Complex* at_surface; ///< potential, without its factor k; where there are no other sums
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
-    Complex* spectra;          ///< [depth][field][plane]
-    std::span<const int> told; ///< columns that count in any row; for each depth
+    Complex* spectra;                 ///< [depth][field][plane]
+    std::span<const int> significant; ///< columns that count in any row; for each depth
   };
   [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
   /// Sums of a row, of the heat of the surface and of that in the body.
@@ -130,10 +130,10 @@ private:
   [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
   void add_row(int row, const RowOfFields& wanted, Row& sums) const;
   void put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
-  [[nodiscard]] std::vector<int> told_columns(std::span<const DepthFactors> depths, bool has_buried) const;
+  [[nodiscard]] std::vector<int> significant_columns(std::span<const DepthFactors> depths, bool has_buried) const;
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
-  [[nodiscard]] AlignedVector<Complex> told(std::span<const double> values) const;
+  [[nodiscard]] AlignedVector<Complex> independent_rows_of(std::span<const double> values) const;
   void finish_surface(int row, const Complex* potential, Row& sums) const;
   [[nodiscard]] AlignedVector<Complex> planes() const;
 
@@ -170,7 +170,7 @@ private:
   void sum_row(int row, const SurfaceWeights& weights, SurfaceSums& sums) const;
   [[nodiscard]] SurfaceSums find_sums(double duration) const;
 
-  ToldRowsFft fft_;
+  IndependentRowsFft fft_;
   double diffusivity_, conductivity_;
   DepthWaves waves_;
   std::vector<double> at_surface_; ///< weights of the waves but the last one in the potential there

@@ -23,14 +23,14 @@ std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) cons
   return values;
 }
 
-AlignedVector<Complex> HeatMemory::told(std::span<const double> values) const
+AlignedVector<Complex> HeatMemory::independent_rows_of(std::span<const double> values) const
 {
   const std::size_t all = 2 * fft_.all().plane(), planes = values.size() / all;
-  AlignedVector<Complex> told(planes * fft_.plane());
+  AlignedVector<Complex> rows(planes * fft_.plane());
   for (std::size_t p = 0; p < planes; ++p)
     std::copy_n(values.data() + p * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
-                reinterpret_cast<double*>(told.data() + p * fft_.plane()));
-  return told;
+                reinterpret_cast<double*>(rows.data() + p * fft_.plane()));
+  return rows;
 }
 
 /// The heat, [wave][row][column].
@@ -55,7 +55,7 @@ std::vector<double> HeatMemory::whole_heat() const
 void HeatMemory::set_whole_heat(std::span<const double> values)
 {
   require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.all().plane());
-  const AlignedVector<Complex> planes = told(values);
+  const AlignedVector<Complex> planes = independent_rows_of(values);
   const std::size_t waves = waves_.waves.size();
   sums_.reset();
   for (std::size_t w = 0; w < waves; ++w)
@@ -80,7 +80,7 @@ void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
     return;
   require_size("HeatMemory::set_whole_heat_in_body: the heat", values,
                values.empty() ? 0 : 2 * buried_->layers().size() * fft_.all().plane());
-  buried_->set_modes(told(values));
+  buried_->set_modes(independent_rows_of(values));
 }
 
 } // namespace brinell::halfspace

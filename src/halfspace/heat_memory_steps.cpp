@@ -194,7 +194,7 @@ HeatMemory::SurfaceWeights HeatMemory::surface_weights(double duration) const
 
 HeatMemory::SurfaceSums HeatMemory::empty_sums(double duration) const
 {
-  const AlignedVector<Complex> plane(fft_.plane() + ToldRowsFft::slack), none;
+  const AlignedVector<Complex> plane(fft_.plane() + IndependentRowsFft::slack), none;
   return {duration, plane, waves_.has_fields ? plane : none, waves_.has_fields ? plane : none};
 }
 

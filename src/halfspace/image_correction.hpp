@@ -46,7 +46,7 @@ public:
 
   /// Takes the moments of one component of the strain in one layer, given on the grid: while other work has it in the cache.
   /// @param used      the cells that are read; the strain is zero in the others
-  /// @param symmetry  here and below: with one, the told rows are read and written
+  /// @param symmetry  here and below: with one, the independent rows are read and written
   void take(const double* strain, const CellRectangle& used, int component, int layer, Symmetry symmetry,
             Response& response) const;
   /// Response to the strain, traceless, whose components in the layers [0, layers) have been taken; beneath there is none.

@@ -96,11 +96,11 @@ void ImageCorrection::take_powers(const double* strain, const CellRectangle& cel
 CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY has) const
 {
   const SurfaceGrid& s = grid_.surface;
-  const int told = told_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
+  const int rows = independent_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
   CrosswiseImages::Columns sums(s.ny, CrosswiseImages::powers);
-  sums.topRows(told).noalias() =
-      Eigen::Map<const Eigen::MatrixXd>(field, s.nx, told).transpose() * x_.leftCols(CrosswiseImages::powers);
-  for (int j = told; j < s.ny; ++j)
+  sums.topRows(rows).noalias() =
+      Eigen::Map<const Eigen::MatrixXd>(field, s.nx, rows).transpose() * x_.leftCols(CrosswiseImages::powers);
+  for (int j = rows; j < s.ny; ++j)
     sums.row(j) = (has == PowersOfY::odd ? -1.0 : 1.0) * sums.row(s.ny - 1 - j);
   return sums;
 }
@@ -132,10 +132,10 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
     along_x = crosswise_->amplitudes(response.crosswise, component, layer);
   else if (crosswise_)
   {
-    const int told = told_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
-    Eigen::Map<Eigen::MatrixXd>(stress, s.nx, told).noalias() -=
+    const int rows = independent_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
+    Eigen::Map<Eigen::MatrixXd>(stress, s.nx, rows).noalias() -=
         x_.leftCols(CrosswiseImages::powers) *
-        crosswise_->stress(response.crosswise, component, layer).topRows(told).transpose();
+        crosswise_->stress(response.crosswise, component, layer).topRows(rows).transpose();
   }
   std::array<double, powers> of_depth{};
   for (int q = 0; q < depth_.count; ++q)

@@ -21,7 +21,8 @@ ComplexLanes times(const Complex& f, const ComplexLanes& a)
 } // namespace
 
 MirroredFft::MirroredFft(const VolumeGrid& grid, int px, int py)
-    : grid_(grid), half_(brinell::told_rows(grid.surface, Symmetry::in_y)), rows_(grid.surface.nx, px), columns_(py)
+    : grid_(grid), half_(brinell::independent_rows(grid.surface, Symmetry::in_y)), rows_(grid.surface.nx, px),
+      columns_(py)
 {
   for (int n = 0; n <= py / 2; ++n) // the angle reduced first, so that it is exact for long series
   {
@@ -74,7 +75,7 @@ std::ptrdiff_t MirroredFft::field_at(const Part& part) const
          static_cast<std::ptrdiff_t>(grid_.surface.size());
 }
 
-/// The sum of an even and an odd field in all rows, from the told ones from `first_row` on. On the plane y = 0 the odd one is
+/// The sum of an even and an odd field in all rows, from the independent ones from `first_row` on. On the plane y = 0 the odd one is
 /// zero.
 void MirroredFft::pack(const double* even, const double* odd, int first_row, double* plane) const
 {
@@ -98,7 +99,7 @@ void MirroredFft::pack(const double* even, const double* odd, int first_row, dou
   }
 }
 
-/// The told rows of two even fields, those of the second one from the last to the first.
+/// The independent rows of two even fields, those of the second one from the last to the first.
 void MirroredFft::pack_shared(const Plane& parts, const double* deviators, const std::array<int, 2>& first_rows,
                               double* plane) const
 {

@@ -26,7 +26,7 @@ public:
   /// @param px, py  padded lengths
   MirroredFft(const VolumeGrid& grid, int px, int py);
 
-  [[nodiscard]] int told_rows() const { return half_; } ///< of a field: those that are read and written
+  [[nodiscard]] int independent_rows() const { return half_; } ///< of a field: those that are read and written
   /// Of all planes, between the transforms along x and y.
   [[nodiscard]] std::size_t rows_size() const;
 
@@ -62,7 +62,7 @@ public:
   [[nodiscard]] Scratch make_scratch() const;
 
   /// Along x: one plane of a field of deviators.
-  /// @param first_rows  of the parts of the plane, the first told row that is not zero; those before are not read
+  /// @param first_rows  of the parts of the plane, the first independent row that is not zero; those before are not read
   /// @param out         rows of all planes; those of the second of two parts that share a plane are in reverse order, so that
   ///                    the rows that are not zero are neighbours
   void rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
@@ -75,7 +75,7 @@ public:
   /// @param second  nullptr if there is none
   void columns_inverse(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, int block,
                        Scratch& scratch) const;
-  /// The way back along x: from the rows in the scratch to the told rows of the parts.
+  /// The way back along x: from the rows in the scratch to the independent rows of the parts.
   void rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const;
 
   /// The spectrum of one even or odd field at its wavenumbers < 0 along y, from those >= 0.
@@ -83,7 +83,10 @@ public:
 
 private:
   [[nodiscard]] int py() const { return columns_.length(); }
-  [[nodiscard]] int rows() const { return 2 * half_; } ///< of a plane: even, so that half of them are the told ones
+  [[nodiscard]] int rows() const
+  {
+    return 2 * half_;
+  } ///< of a plane: even, so that half of them are the independent ones
   [[nodiscard]] RowFft::Spectra layout(int planes) const;
   [[nodiscard]] std::ptrdiff_t field_at(const Part& part) const;
   void pack(const double* even, const double* odd, int first_row, double* plane) const;

@@ -52,9 +52,9 @@ std::vector<ShearWave> periodic_shear_waves(const SurfaceGrid& grid, const green
       const double m = 2.0 * std::numbers::pi * i / (grid.nx * grid.dx);
       const double n = 2.0 * std::numbers::pi * row / (grid.ny * grid.dy);
       const green::SurfaceTerms term = green::surface_wave_terms(m, n);
-      // At the shortest wave of an even number of cells nothing that is odd can be told.
-      const bool is_told = 2 * i != grid.nx && 2 * row != grid.ny;
-      waves.push_back(ShearWave::of_terms(term[0], term[1], is_told ? term[2] : 0.0, constants));
+      // At the shortest wave of an even number of cells the lattice cannot hold an odd function.
+      const bool is_resolved = 2 * i != grid.nx && 2 * row != grid.ny;
+      waves.push_back(ShearWave::of_terms(term[0], term[1], is_resolved ? term[2] : 0.0, constants));
     }
   return waves;
 }

@@ -94,10 +94,10 @@ struct TractionCompliance::Operator
         const green::SurfaceTerms value = green::surface_wave_terms(padded.wavenumber_x(i), padded.wavenumber_y(row));
         for (std::size_t t = 0; t < term_count; ++t)
         {
-          // At the shortest wave of an even number of cells nothing that is odd can be told.
-          const bool is_told =
+          // At the shortest wave of an even number of cells the lattice cannot hold an odd function.
+          const bool is_resolved =
               !(parities[t].odd_x && 2 * i == padded.px()) && !(parities[t].odd_y && 2 * row == padded.py());
-          terms_at(row, i)[t][i % lane_count] = is_told ? value[t] : 0.0;
+          terms_at(row, i)[t][i % lane_count] = is_resolved ? value[t] : 0.0;
         }
       }
   }

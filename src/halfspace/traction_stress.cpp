@@ -168,13 +168,13 @@ void TractionStress::tabulate_waves(int layer, double poisson_ratio, const Padde
       const std::array<double, kernel_count> value = kernel_values(
           k == 0.0 ? uniform_stress(traction_, poisson_ratio)
                    : wave_stress(traction_, m / k, n / k, mean_decay(k * grid_.dz, layer), poisson_ratio));
-      // At the shortest wave of an even number of cells nothing that is odd can be told.
+      // At the shortest wave of an even number of cells the lattice cannot hold an odd function.
       const bool shortest_x = 2 * i == fft.px(), shortest_y = 2 * row == fft.py();
       for (int which = 0; which < kernel_count; ++which)
       {
         const auto [odd_x, odd_y] = parity(which);
-        const bool is_told = !(odd_x && shortest_x) && !(odd_y && shortest_y);
-        number(row, i, layer, which) = is_told ? value[static_cast<std::size_t>(which)] : 0.0;
+        const bool is_resolved = !(odd_x && shortest_x) && !(odd_y && shortest_y);
+        number(row, i, layer, which) = is_resolved ? value[static_cast<std::size_t>(which)] : 0.0;
       }
     }
 }

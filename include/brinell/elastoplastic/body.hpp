@@ -62,7 +62,7 @@ public:
   ///                    Settings::shortcuts.
   /// @param displacements  those on which the loads work: along x with shear along x, all with shears along x and y. All are
   ///                    computed in each evaluation, along x only when asked for.
-  /// @param symmetry    of history and loads. With one, evaluations work on the told rows alone; in the state all rows agree.
+  /// @param symmetry    of history and loads. With one, evaluations work on the independent rows alone; in the state all rows agree.
   /// @param windows     with short cuts: compute only the columns of the active cells and of the load until an evaluation closes the
   ///                    increment; see Settings::windows.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
@@ -160,7 +160,7 @@ private:
   /// In the layers [0, layers) and the rows [0, rows) of each.
   void add_initial_stress(int layers, int rows, std::span<double> stress) const;
   void add_thermal_stress(int layers, int rows, std::span<double> stress) const;
-  [[nodiscard]] std::size_t told_cells() const; ///< of each layer
+  [[nodiscard]] std::size_t independent_cells() const; ///< of each layer
   [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(active_.copies(a)); }
   template <typename Use>
   void with_copies(std::size_t a, const Use& use) const;

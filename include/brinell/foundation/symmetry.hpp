@@ -25,7 +25,7 @@ enum class Symmetry
 }
 
 /// Rows that tell all: those of one side, and with an odd number of rows the middle one.
-[[nodiscard]] inline int told_rows(const SurfaceGrid& grid, Symmetry symmetry)
+[[nodiscard]] inline int independent_rows(const SurfaceGrid& grid, Symmetry symmetry)
 {
   return symmetry == Symmetry::none ? grid.ny : (grid.ny + 1) / 2;
 }
@@ -52,7 +52,7 @@ enum class Symmetry
   return d;
 }
 
-/// Copies the told rows of a scalar field on a surface or in a volume, even or odd, to the other side.
+/// Copies the independent rows of a scalar field on a surface or in a volume, even or odd, to the other side.
 /// @param factor  1 of an even field, -1 of an odd one
 inline void complete_in_y(const SurfaceGrid& grid, double factor, double* field, std::size_t cells)
 {

@@ -49,8 +49,8 @@ public:
   /// The `Loaded` that is returned refers to `plastic_strain`, `work` and this object, and lasts until `work` is used again:
   /// later calls of its functions throw InternalError. The order of the calls: docs/theory/half-space.md.
   /// @param displacements  those that the `Loaded` shall have
-  /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, the told rows of the strain
-  ///                       (`told_rows`) are read and those of the stress are written; the displacement has all rows.
+  /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, the independent rows of the strain
+  ///                       (`independent_rows`) are read and those of the stress are written; the displacement has all rows.
   [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work,
                             Displacements displacements = Displacements::normal,
                             Symmetry symmetry = Symmetry::none) const;

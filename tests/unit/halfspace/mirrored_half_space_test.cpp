@@ -23,7 +23,7 @@ using test::largest_difference;
 
 const Elastic elastic{1.3, 0.28};
 
-/// Random in the told rows, mirrored in the others; an odd field is zero on the plane y = 0.
+/// Random in the independent rows, mirrored in the others; an odd field is zero on the plane y = 0.
 Field mirrored_field(const VolumeGrid& grid, unsigned seed, bool is_odd)
 {
   const SurfaceGrid& s = grid.surface;
@@ -48,12 +48,12 @@ Field mirrored_strain(const VolumeGrid& grid, int layers)
   return strain;
 }
 
-/// The told rows stay, the others become `value`.
+/// The independent rows stay, the others become `value`.
 Field without_other_rows(const VolumeGrid& grid, Field field, double value)
 {
   const SurfaceGrid& s = grid.surface;
   for (std::size_t cell = 0; cell < field.size(); ++cell)
-    if (static_cast<int>(cell / static_cast<std::size_t>(s.nx)) % s.ny >= told_rows(s, Symmetry::in_y))
+    if (static_cast<int>(cell / static_cast<std::size_t>(s.nx)) % s.ny >= independent_rows(s, Symmetry::in_y))
       field[cell] = value;
   return field;
 }

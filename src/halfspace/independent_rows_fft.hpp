@@ -39,20 +39,20 @@ private:
 
 /// Transforms of surface fields of which some wavenumbers tell all: without symmetry all of them; of fields that are even or odd about
 /// the middle row those along y that are not negative. At -n their spectrum is w^n or -w^n times that at n, w = e^{2 pi i (ny - 1)/py}.
-class ToldRowsFft
+class IndependentRowsFft
 {
 public:
-  ToldRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry);
+  IndependentRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry);
 
   [[nodiscard]] const PlaneOfWaves& all() const { return all_; }
   [[nodiscard]] int rows() const { return rows_; } ///< that tell all, the first ones of the plane
   /// Complex values of them; from one field to the next: whole cache lines.
   [[nodiscard]] std::size_t plane() const { return plane_; }
 
-  /// Told rows of the spectrum of a field, which with symmetry is even.
+  /// Spectrum rows of the spectrum of a field, which with symmetry is even.
   [[nodiscard]] AlignedVector<Complex> forward(std::span<const double> field) const;
-  /// The told rows of the spectrum of a field.
-  struct Told
+  /// The independent rows of the spectrum of a field.
+  struct Spectrum
   {
     const Complex* waves; ///< rows of kx values, and `slack` values more
     int columns;          ///< beyond which there is nothing; what values there are does not matter
@@ -64,25 +64,25 @@ public:
     int first_column, columns, first_row, rows;
   };
   [[nodiscard]] Window whole() const { return {0, all_.grid().nx, 0, all_.grid().ny}; }
-  /// Fields on the grid, or in a window of it, from the told rows of their spectra.
+  /// Fields on the grid, or in a window of it, from the independent rows of their spectra.
   /// @param is_odd  of so many fields, again and again; without symmetry it does not matter
   /// @param adds    to what is there; otherwise it is overwritten
-  void inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
+  void inverse(std::span<const Spectrum> spectra, const std::vector<bool>& is_odd, bool adds,
                const std::vector<std::span<double>>& fields) const
   {
     inverse(spectra, is_odd, adds, fields, whole());
   }
-  void inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
+  void inverse(std::span<const Spectrum> spectra, const std::vector<bool>& is_odd, bool adds,
                const std::vector<std::span<double>>& fields, const Window& window) const;
 
-  /// All rows of an even field from the told ones.
-  void complete(const Complex* told, Complex* all) const;
+  /// All rows of an even field from the independent ones.
+  void complete(const Complex* rows, Complex* all) const;
 
 private:
   /// An even and an odd field, whose sum is one; or one of them alone. Without symmetry the first one is any field.
   struct Pair
   {
-    const Told *even, *odd; ///< nullptr if there is none
+    const Spectrum *even, *odd; ///< nullptr if there is none
   };
   struct Work
   {
@@ -106,7 +106,7 @@ private:
   /// Fields that are transformed back together.
   struct Together
   {
-    std::span<const Told> spectra;
+    std::span<const Spectrum> spectra;
     std::span<const std::span<double>> fields;
     std::span<const std::size_t> even, odd; ///< numbers of those
     Window window;
@@ -123,7 +123,7 @@ private:
   Symmetry symmetry_;
   int rows_;
   std::size_t plane_;
-  std::vector<Complex> turn_; ///< w^n of the told rows
+  std::vector<Complex> turn_; ///< w^n of the independent rows
   std::unique_ptr<Works> works_ = std::make_unique<Works>();
 };
 

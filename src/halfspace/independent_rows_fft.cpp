@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "told_rows_fft.hpp"
+#include "independent_rows_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/lane_functions.hpp"
@@ -21,18 +21,18 @@ double PlaneOfWaves::wavenumber_y(int row) const
   return 2.0 * std::numbers::pi * (row <= py_ / 2 ? row : row - py_) / (py_ * grid_.dy);
 }
 
-ToldRowsFft::ToldRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry)
+IndependentRowsFft::IndependentRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry)
     : all_(grid, px, py), columns_(py), row_fft_(std::make_unique<const RowFft>(grid.nx, px)), symmetry_(symmetry),
       rows_(symmetry == Symmetry::none ? py : py / 2 + 1),
       plane_(PlaneOfWaves::whole_lines(static_cast<std::size_t>(all_.kx()) * static_cast<std::size_t>(rows_)))
 {
   if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny)
-    throw InternalError("ToldRowsFft: the padded lengths must hold the grid");
+    throw InternalError("IndependentRowsFft: the padded lengths must hold the grid");
   for (int n = 0; n < rows_; ++n)
     turn_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * n * (grid.ny - 1) / py));
 }
 
-std::unique_ptr<ToldRowsFft::Work> ToldRowsFft::Works::take()
+std::unique_ptr<IndependentRowsFft::Work> IndependentRowsFft::Works::take()
 {
   const std::lock_guard lock(mutex_);
   if (idle_.empty())
@@ -42,13 +42,13 @@ std::unique_ptr<ToldRowsFft::Work> ToldRowsFft::Works::take()
   return work;
 }
 
-void ToldRowsFft::Works::give(std::unique_ptr<Work> work)
+void IndependentRowsFft::Works::give(std::unique_ptr<Work> work)
 {
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(work));
 }
 
-std::unique_ptr<ToldRowsFft::Work> ToldRowsFft::take_work() const
+std::unique_ptr<IndependentRowsFft::Work> IndependentRowsFft::take_work() const
 {
   if (std::unique_ptr<Work> idle = works_->take())
     return idle;
@@ -58,7 +58,7 @@ std::unique_ptr<ToldRowsFft::Work> ToldRowsFft::take_work() const
                                      row_fft_->make_work(), std::vector<double>(all_.grid().size())});
 }
 
-AlignedVector<Complex> ToldRowsFft::forward(std::span<const double> field) const
+AlignedVector<Complex> IndependentRowsFft::forward(std::span<const double> field) const
 {
   const SurfaceGrid& g = all_.grid();
   std::unique_ptr<Work> taken = take_work();
@@ -87,16 +87,16 @@ AlignedVector<Complex> ToldRowsFft::forward(std::span<const double> field) const
   return spectrum;
 }
 
-void ToldRowsFft::complete(const Complex* told, Complex* all) const
+void IndependentRowsFft::complete(const Complex* rows, Complex* all) const
 {
   const std::ptrdiff_t columns = all_.kx();
   for (int n = 0; n < rows_; ++n)
   {
     const Complex turn = turn_[static_cast<std::size_t>(n)];
     const std::ptrdiff_t here = n * columns, there = (all_.py() - n) * columns;
-    std::copy_n(told + here, columns, all + here);
+    std::copy_n(rows + here, columns, all + here);
     if (symmetry_ != Symmetry::none && n > 0 && 2 * n < all_.py())
-      std::transform(told + here, told + here + columns, all + there, [&](const Complex& wave) { return turn * wave; });
+      std::transform(rows + here, rows + here + columns, all + there, [&](const Complex& wave) { return turn * wave; });
   }
 }
 
@@ -119,7 +119,7 @@ ComplexLanes load_columns(const Complex* row, int first, int columns)
 } // namespace
 
 /// All rows of some neighbouring columns. Of an odd field the opposite rows have the other sign.
-void ToldRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* column) const
+void IndependentRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* column) const
 {
   const std::ptrdiff_t apart = all_.kx();
   for (int n = 0; n < rows_; ++n)
@@ -140,7 +140,7 @@ void ToldRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* column)
 
 /// The first rows of the field, as waves along x.
 /// @param apart  from block to block
-void ToldRowsFft::put_in_rows(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const
+void IndependentRowsFft::put_in_rows(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const
 {
   const int columns =
       std::max(pair.even != nullptr ? pair.even->columns : 0, pair.odd != nullptr ? pair.odd->columns : 0);
@@ -168,7 +168,8 @@ void put(double value, double& to)
 /// The parts of a field that are even and odd about the middle row, in a window.
 /// @param even, odd  nullptr if there is none; then the field is the other one
 template <bool adds>
-void put_parts(const SurfaceGrid& g, const ToldRowsFft::Window& window, const double* field, double* even, double* odd)
+void put_parts(const SurfaceGrid& g, const IndependentRowsFft::Window& window, const double* field, double* even,
+               double* odd)
 {
   const int columns = window.columns;
   for (int j = window.first_row; 2 * j < g.ny; ++j)
@@ -205,7 +206,7 @@ void put_parts(const SurfaceGrid& g, const ToldRowsFft::Window& window, const do
 } // namespace
 
 /// Of an even and an odd field, or of one of them: then half of the rows tell all.
-int ToldRowsFft::rows_of(std::size_t pair, const Together& together) const
+int IndependentRowsFft::rows_of(std::size_t pair, const Together& together) const
 {
   const int ny = all_.grid().ny;
   const bool is_whole = symmetry_ == Symmetry::none || (pair < together.even.size() && pair < together.odd.size());
@@ -213,7 +214,7 @@ int ToldRowsFft::rows_of(std::size_t pair, const Together& together) const
 }
 
 /// Rows of all the fields lie one after the other, so that those that are transformed together are as many as can be.
-void ToldRowsFft::invert(const Together& together, bool adds, Work& work) const
+void IndependentRowsFft::invert(const Together& together, bool adds, Work& work) const
 {
   const SurfaceGrid& g = all_.grid();
   const double scale = 1.0 / (static_cast<double>(all_.px()) * all_.py());
@@ -255,8 +256,8 @@ void ToldRowsFft::invert(const Together& together, bool adds, Work& work) const
   }
 }
 
-void ToldRowsFft::inverse(std::span<const Told> spectra, const std::vector<bool>& is_odd, bool adds,
-                          const std::vector<std::span<double>>& fields, const Window& window) const
+void IndependentRowsFft::inverse(std::span<const Spectrum> spectra, const std::vector<bool>& is_odd, bool adds,
+                                 const std::vector<std::span<double>>& fields, const Window& window) const
 {
   std::unique_ptr<Work> work = take_work();
   const std::size_t count = is_odd.size();
