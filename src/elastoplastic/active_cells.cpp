@@ -46,7 +46,7 @@ void ActiveCells::set_flow(std::size_t a, const constitutive::PlasticIncrement& 
   dissipation_[a] = increment.dissipation;
   const Deviator& d = increment.strain;
   Deviator factors = 2.0 * d;
-  factors[Deviator::xx] += d[Deviator::yy]; // for zz = -(xx + yy) of both
+  factors[Deviator::xx] += d[Deviator::yy]; // from the product of the zz components, zz = -(xx + yy)
   factors[Deviator::yy] += d[Deviator::xx];
   set(flow_, a, copies_[a] * factors);
 }

@@ -21,7 +21,7 @@ double product(const std::vector<double>& a, const std::vector<double>& b, std::
   return Vector(a.data() + first, size).dot(Vector(b.data() + first, size));
 }
 
-/// Products of each difference, by rows: the newest dy with its df, its dy with the newest df, its dy with f.
+/// Scalar products for each difference d (one row each): newest dy with df of d, dy of d with the newest df, dy of d with f.
 struct Products
 {
   enum : Eigen::Index
@@ -31,14 +31,14 @@ struct Products
     residual,
     count
   };
-  Eigen::Array<double, Eigen::Dynamic, count> of;
+  Eigen::Array<double, Eigen::Dynamic, count> rows;
 
   Products& operator+=(const Products& other)
   {
-    if (of.size() == 0)
-      of = other.of;
+    if (rows.size() == 0)
+      rows = other.rows;
     else
-      of += other.of;
+      rows += other.rows;
     return *this;
   }
 };
@@ -55,7 +55,7 @@ void Anderson::advance(std::span<double> x, std::span<const double> g, std::span
 {
   const bool compares = !std::exchange(changes_map_, false) && count_ > 0;
   if (depth_ > 0)
-    remember(x, g, y, compares);
+    record(x, g, y, compares);
   if (depth_ > 0 && (compares || count_ == 0))
     ++count_;
   weight_ = weights(count_ > 0 ? std::min(count_ - 1, depth_) : 0);
@@ -82,7 +82,7 @@ std::vector<double> Anderson::residual() const
   return f;
 }
 
-/// Of the differences dg in the next x; none if they do not tell.
+/// Weights of the differences dg in the next x; empty if the system has no finite solution.
 std::vector<double> Anderson::weights(std::size_t used) const
 {
   if (used == 0)
@@ -98,7 +98,7 @@ std::vector<double> Anderson::weights(std::size_t used) const
   return weight.allFinite() ? std::vector<double>(weight.begin(), weight.end()) : std::vector<double>();
 }
 
-/// Unknowns that have come in have no differences to the evaluation before.
+/// Makes room for new unknowns; their differences to the previous evaluation are zero.
 void Anderson::grow(std::span<const double> x, std::span<const double> g, std::span<const double> y)
 {
   for (std::size_t i = previous_g_.size(); i < x.size(); ++i)
@@ -112,14 +112,14 @@ void Anderson::grow(std::span<const double> x, std::span<const double> g, std::s
       d.resize(x.size(), 0.0);
 }
 
-/// Adds the differences to the last evaluation to the history, and makes this evaluation the last.
-/// @param compare  false: without the differences
-void Anderson::remember(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare)
+/// Adds the differences from the previous evaluation to the history, and stores this evaluation as the previous one.
+/// @param compare  false: no differences are added
+void Anderson::record(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare)
 {
   grow(x, g, y);
   const std::size_t slot = count_ > 0 ? (count_ - 1) % depth_ : 0;
-  const std::size_t known = std::min(count_, depth_); // the new one included, if there is
-  const auto take = [&](std::size_t first, std::size_t last)
+  const std::size_t known = std::min(count_, depth_); // differences in the history, including a new one
+  const auto update_piece = [&](std::size_t first, std::size_t last)
   {
     for (std::size_t i = first; i < last; ++i)
     {
@@ -140,29 +140,29 @@ void Anderson::remember(std::span<const double> x, std::span<const double> g, st
       const auto row = static_cast<Eigen::Index>(d);
       if (compare)
       {
-        sums.of(row, Products::newest_flow) = product(dy_[slot], df_[d], first, last);
-        sums.of(row, Products::newest_residual) = product(dy_[d], df_[slot], first, last);
+        sums.rows(row, Products::newest_flow) = product(dy_[slot], df_[d], first, last);
+        sums.rows(row, Products::newest_residual) = product(dy_[d], df_[slot], first, last);
       }
       if (!compare || d == slot)
-        sums.of(row, Products::residual) = product(dy_[d], previous_f_, first, last);
+        sums.rows(row, Products::residual) = product(dy_[d], previous_f_, first, last);
     }
     return sums;
   };
-  Products sums = sum_of_pieces(x.size(), take);
+  Products sums = sum_of_pieces(x.size(), update_piece);
   if (x.empty())
-    sums.of.setZero(static_cast<Eigen::Index>(known), Products::count);
+    sums.rows.setZero(static_cast<Eigen::Index>(known), Products::count);
   for (std::size_t d = 0; d < known; ++d)
   {
     const auto row = static_cast<Eigen::Index>(d);
     if (compare)
     {
-      products_[slot * depth_ + d] = sums.of(row, Products::newest_flow);
-      products_[d * depth_ + slot] = sums.of(row, Products::newest_residual);
+      products_[slot * depth_ + d] = sums.rows(row, Products::newest_flow);
+      products_[d * depth_ + slot] = sums.rows(row, Products::newest_residual);
     }
-    if (compare && d != slot) // the residual has changed by df
+    if (compare && d != slot) // f has changed by the newest df
       right_[d] += products_[d * depth_ + slot];
     else
-      right_[d] = sums.of(row, Products::residual);
+      right_[d] = sums.rows(row, Products::residual);
   }
 }
 

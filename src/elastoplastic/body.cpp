@@ -17,8 +17,8 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Cells with more than this share of the yield stress take part in the fixed point from the start. A guess only: every
-/// evaluation adds the cells that yield without having been thought of.
+/// Cells above this share of the yield stress are active from the start. This is only a guess: every evaluation adds further
+/// cells that yield.
 constexpr double active_share = 0.8;
 
 } // namespace
@@ -79,7 +79,7 @@ Body::~Body() = default;
 Body::Body(Body&&) noexcept = default;
 Body& Body::operator=(Body&&) noexcept = default;
 
-/// A body that is rigid or stays elastic never has a trial of its own.
+/// Allocates the trial on first use: a body that is rigid or stays elastic never needs one.
 void Body::prepare_trial()
 {
   if (!stress_.empty())
@@ -99,7 +99,7 @@ void Body::exchange(Archive& archive)
     for (std::size_t part = 0; part < committed_load_.size(); ++part)
       archive.list(fmt::format("load_{}", part), committed_load_[part]);
   if (window_)
-    archive("window_wishes", window_->wishes());
+    archive("window_wishes", window_->requests());
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
@@ -108,16 +108,16 @@ void Body::exchange(Archive& archive)
   if (!archive.gives())
     return;
   zone_ = PlasticZone(grid_, state_.equivalent);
-  take_up_guess();
+  recover_guess();
 }
 
 void Body::set_softening(std::span<const double> factor)
 {
   if (!factor.empty())
     require_size("Body::set_softening: the factor", factor, grid().size());
-  for (const double of_cell : factor)
-    if (!(of_cell > 0.0 && std::isfinite(of_cell)))
-      throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", of_cell));
+  for (const double value : factor)
+    if (!(value > 0.0 && std::isfinite(value)))
+      throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", value));
   softening_.assign(factor.begin(), factor.end());
   if (!in_increment_)
     state_.softening = softening_;
@@ -130,17 +130,17 @@ void Body::begin(int shift, double stiffness_share)
   if (!is_plastic())
     return;
   prepare_trial();
-  if (in_increment_) // otherwise it is that of the state, since the last increment ended or failed
+  if (in_increment_) // the last increment was neither committed nor restored; otherwise it already is that of the state
     thermal_stress_ = state_.thermal_stress;
   in_increment_ = true;
   active_.clear();
   layers_ = grid().nz;
-  windowed_ = was_windowed_ = wants_whole_ = false;
+  windowed_ = was_windowed_ = wants_all_cells_ = false;
   reference_ = Known::state;
   shift_ = shift;
-  // Seen from the contact, q changes little from step to step: it is carried along.
+  // In the frame of the contact q changes little from step to step: the guess moves along with the contact.
   collect_active(stress_, shift, shortcuts_ ? active_share : -1.0);
-  keep_active_layers();
+  restrict_to_active_layers();
 }
 
 void Body::restore()
@@ -167,10 +167,10 @@ void Body::compute_all_layers()
 {
   layers_ = grid().nz;
   windowed_ = false;
-  wants_whole_ = true;
+  wants_all_cells_ = true;
 }
 
-/// The deviator of xx = yy = sigma, zz = 0.
+/// Adds the deviator of the initial stress xx = yy = sigma, zz = 0.
 void Body::add_initial_stress(int layers, int rows, std::span<double> stress) const
 {
   if (material_.initial_stress.empty())
@@ -253,8 +253,8 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   state_.residual_displacement_y = displacement_y_;
   state_.locked_in_energy = locked_in_energy(load, zone_);
   if (window_)
-    keep(load, committed_load_);
-  keep_guess();
+    copy_load(load, committed_load_);
+  store_guess();
   in_increment_ = false;
 }
 
@@ -267,7 +267,7 @@ void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> dev
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * initial_stress_[i / grid().surface.size()];
   if (!is_plastic())
-    work_ = {}; // it is needed for output only
+    work_ = {}; // an elastic body needs it for output only
 }
 
 } // namespace brinell::elastoplastic

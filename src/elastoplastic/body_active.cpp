@@ -13,12 +13,13 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Beneath the deepest active cell: cells that become active there do so at the next evaluation, not in the closing one.
+/// Layers computed below the deepest active cell, so that cells yielding there are found at once and not only by the closing
+/// evaluation.
 constexpr int spare_layers = 1;
 
 } // namespace
 
-void Body::keep_active_layers()
+void Body::restrict_to_active_layers()
 {
   const int deepest = active_.empty() ? 0 : static_cast<int>(layer_of(active_.deepest()));
   layers_ = shortcuts_ ? std::min(grid().nz, deepest + 1 + spare_layers) : grid().nz;
@@ -41,7 +42,7 @@ void von_mises_squares(const double* field, std::size_t stride, std::size_t cell
     squares[i] = 3.0 * (xx[i] * xx[i] + yy[i] * yy[i] + xx[i] * yy[i] + yz[i] * yz[i] + xz[i] * xz[i] + xy[i] * xy[i]);
 }
 
-/// Whether any value does; most rows have none.
+/// Whether any value exceeds the limit. In most rows none does, and the row needs no closer look.
 bool exceeds(const double* values, std::size_t count, double limit)
 {
   int exceeding = 0;
@@ -53,27 +54,27 @@ bool exceeds(const double* values, std::size_t count, double limit)
 
 } // namespace
 
-/// Squares of the von Mises norms of q from the centre of the yield surface, of neighbouring cells of a row.
-/// @param q      of the first of them, within a field of the grid
+/// Squares of the von Mises norms of q relative to the centre of the yield surface, for consecutive cells of a row.
+/// @param q      xx component of q of the first cell, within a deviator field of the grid
 /// @param row    of the grid, counted through all layers
-/// @param first  column of the first of them
+/// @param first  column of the first cell
 void Body::sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const
 {
   const std::size_t n = grid().size(), terms = material_.kinematic.size(), end = first + squares.size();
   von_mises_squares(q, n, squares.size(), squares.data());
   if (terms == 0)
     return;
-  // There are back stresses only where the body has flowed.
-  constexpr std::size_t most = 64;
-  std::array<double, Deviator::size * most> from_centre{};
+  // Back stresses are non-zero only where the body has flowed. They are subtracted in blocks of columns.
+  constexpr std::size_t block = 64;
+  std::array<double, Deviator::size * block> from_centre{};
   const auto [from, to] = zone_.columns(row);
-  for (std::size_t column = std::max(from, first); column < std::min(to, end); column += most)
+  for (std::size_t column = std::max(from, first); column < std::min(to, end); column += block)
   {
-    const std::size_t count = std::min(std::min(to, end) - column, most);
+    const std::size_t count = std::min(std::min(to, end) - column, block);
     const std::size_t cell = row * static_cast<std::size_t>(grid().surface.nx) + column;
     for (std::size_t c = 0; c < Deviator::size; ++c)
     {
-      double* component = from_centre.data() + c * most;
+      double* component = from_centre.data() + c * block;
       std::copy_n(q + c * n + (column - first), count, component);
       for (std::size_t term = 0; term < terms; ++term)
       {
@@ -83,17 +84,17 @@ void Body::sizes_from_centre(const double* q, std::size_t row, std::size_t first
           component[i] -= back[i];
       }
     }
-    von_mises_squares(from_centre.data(), most, count, squares.data() + (column - first));
+    von_mises_squares(from_centre.data(), block, count, squares.data() + (column - first));
   }
 }
 
-/// Cells of one layer, not yet active, whose q lies outside the yield surface shrunk to `fraction`.
+/// Finds cells of one layer that are not yet active and whose q lies outside the yield surface scaled by `fraction`.
 template <typename Law>
-void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
-                       double fraction, std::vector<std::size_t>& found) const
+void Body::find_cells_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
+                             double fraction, std::vector<std::size_t>& found) const
 {
   const SurfaceGrid& s = grid().surface;
-  const Columns columns = searched();
+  const Columns columns = searched_columns();
   const auto first = static_cast<std::size_t>(std::max(columns.first, shift));
   const auto last = static_cast<std::size_t>(std::max(0, std::min(columns.first + columns.count, s.nx + shift)));
   if (last <= first)
@@ -112,7 +113,7 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
     {
       const std::size_t cell = begin + i;
       const double softened = softening(cell) * softening(cell);
-      // No law softens by strain: what lies within the first yield surface needs no look at its own.
+      // No law softens with strain: a cell within the initial yield surface is within the current one as well.
       if (squares[i] > initial * softened && !active_.contains(cell) &&
           squares[i] > square(fraction * law.yield_stress_at(state_.equivalent[cell])) * softened)
         found.push_back(cell);
@@ -120,8 +121,9 @@ void Body::find_beyond(const Law& law, std::size_t layer, const std::vector<doub
   }
 }
 
-/// @param q_field   on the whole grid, to be read `shift` columns to the left of a cell; cells without a value there stay out
-/// @param fraction  of the yield stress from which on a cell is active; negative: every cell
+/// Adds cells to the active set.
+/// @param q_field   on the whole grid, read `shift` columns to the left of each cell; cells without a value there are not added
+/// @param fraction  of the yield stress above which a cell is active; negative: every cell
 void Body::collect_active(const std::vector<double>& q_field, int shift, double fraction)
 {
   const std::size_t n = grid().size();
@@ -131,11 +133,11 @@ void Body::collect_active(const std::vector<double>& q_field, int shift, double 
       {
 #pragma omp parallel for schedule(dynamic)
         for (std::size_t layer = 0; layer < found.size(); ++layer)
-          find_beyond(law_of(law, layer), layer, q_field, shift, fraction, found[layer]);
+          find_cells_beyond(law_of(law, layer), layer, q_field, shift, fraction, found[layer]);
       },
       *material_.hardening);
   const SurfaceGrid& s = grid().surface;
-  for (const std::vector<std::size_t>& cells : found) // in an order that does not depend on the threads
+  for (const std::vector<std::size_t>& cells : found) // by layers, so that the order does not depend on the threads
     for (const std::size_t cell : cells)
     {
       const int row = static_cast<int>(cell % s.size()) / s.nx;
@@ -147,17 +149,17 @@ void Body::collect_active(const std::vector<double>& q_field, int shift, double 
 namespace
 {
 
-/// How much further than their residual leads trials go along the flow: by itself, in the uppermost layer, and by what the flow along the
-/// surface has in common with that around it. docs/performance.md
-constexpr double further = 0.7, further_in_common = 3.0;
+/// Extension of the step of trials along the flow, relative to their residual: for the cell's own flow along the surface in the
+/// uppermost layer, and for the local mean of this flow around the cell. docs/performance.md
+constexpr double own_extension = 0.7, mean_extension = 3.0;
 
 /// An active cell near the surface that flows.
 struct Flowing
 {
   std::size_t a;
   Deviator flow;   ///< in the increment
-  double square;   ///< of its size
-  double residual; ///< along the flow, over the flow
+  double square;   ///< flow : flow
+  double residual; ///< component of the residual along the flow, relative to the flow
 };
 
 } // namespace
@@ -176,26 +178,27 @@ void Body::go_further(const std::vector<double>& residual)
     const double square = contract(flow, flow);
     if (!(square > 0.0))
       continue;
-    Deviator of_cell;
-    std::copy_n(residual.begin() + static_cast<std::ptrdiff_t>(a * Deviator::size), Deviator::size, of_cell.v.begin());
-    flowing.push_back({a, flow, square, contract(of_cell, flow) / square});
+    Deviator cell_residual;
+    std::copy_n(residual.begin() + static_cast<std::ptrdiff_t>(a * Deviator::size), Deviator::size,
+                cell_residual.v.begin());
+    flowing.push_back({a, flow, square, contract(cell_residual, flow) / square});
     with_copies(a, [&](std::size_t cell, const auto& seen) { means.set(cell, flowing.back().residual * seen(flow)); });
   }
-  means.take();
+  means.average();
   for (const Flowing& one : flowing)
   {
     const std::size_t cell = active_.cell(one.a);
-    double share = further_in_common * means.contracted(cell, one.flow) / one.square;
+    double share = mean_extension * means.contracted(cell, one.flow) / one.square;
     if (layer_of(cell) == 0)
-      share += further * one.residual * 2.0 *
+      share += own_extension * one.residual * 2.0 *
                (one.flow[Deviator::yz] * one.flow[Deviator::yz] + one.flow[Deviator::xz] * one.flow[Deviator::xz]) /
                one.square;
     active_.set_trial(one.a, active_.trial(one.a) + share * one.flow);
   }
 }
 
-/// The cells whose q is not their stress.
-void Body::take_up_guess()
+/// Recovers the guess from the fields, for instance of a checkpoint: guessed cells are those whose q differs from the stress.
+void Body::recover_guess()
 {
   const std::size_t n = grid().size();
   guessed_cells_.clear();
@@ -210,11 +213,11 @@ void Body::take_up_guess()
   }
 }
 
-/// The q of the cells that are active now.
-void Body::keep_guess()
+/// Stores the q of the active cells, with their mirror images, as the guess for the next increment.
+void Body::store_guess()
 {
   guessed_cells_.clear();
-  std::vector<std::size_t> places; // of each active cell and its copies among them
+  std::vector<std::size_t> places; // index in guessed_cells_ of the first copy of each active cell
   places.reserve(active_.size());
   for (std::size_t a = 0; a < active_.size(); ++a)
   {

@@ -9,8 +9,8 @@ namespace brinell::elastoplastic
 
 Edges Body::reached_edges() const
 {
-  // Less than this plastic strain at an edge, over the largest one, goes on beyond it for a cell or two at most; and strains
-  // far below that of yield change nothing.
+  // A plastic strain at an edge that is smaller than this share of the largest one extends beyond the edge for one or two cells
+  // at most; strains far below the yield strain have no effect.
   constexpr double tolerated = 0.01;
   constexpr double negligible = 1e-3;
   Edges edges;
@@ -35,19 +35,19 @@ Edges Body::reached_edges() const
     edges.sides = edges.sides || (!s.is_periodic_y() && (j == 0 || j == s.ny - 1));
     edges.bottom = edges.bottom || static_cast<int>(layer_of(cell)) == grid().nz - 1;
   }
-  edges.bottom = edges.bottom || may_yield_beneath();
+  edges.bottom = edges.bottom || may_yield_below();
   return edges;
 }
 
-/// Whether a layer beneath the grid is so weak that it would yield under the stress of the last one. Beneath the grid, which
-/// is deeper than the place of the largest shear, the stress of the contact falls with depth, and so does the temperature: what
-/// lies beneath a cell of the last layer is softened no more than this.
-bool Body::may_yield_beneath() const
+/// Whether some layer below the grid is so weak that it would yield under the stress of the last layer of the grid. This is a
+/// safe estimate: the grid is deeper than the place of the largest shear stress, so that below it the contact stress falls with
+/// depth, and so does the temperature, hence the softening.
+bool Body::may_yield_below() const
 {
   const std::size_t n = grid().size();
   const auto last = static_cast<std::size_t>(grid().nz - 1);
   double weakest = yield_factor_[last];
-  double added = 0.0; // initial stress beneath, beyond that in the last layer [Pa]
+  double added = 0.0; // largest difference of the initial stress below the grid from that in the last layer [Pa]
   const double bottom = grid().nz * grid().dz;
   for (const double z : material_.yield_factor.depth())
     if (z > bottom)
@@ -56,7 +56,7 @@ bool Body::may_yield_beneath() const
     if (z > bottom)
       added = std::max(added, std::abs(material_.initial_stress.at(z, 0.0) - initial_stress_[last]));
   if (weakest >= yield_factor_[last] && added == 0.0)
-    return false; // the last layer is the first to yield
+    return false; // no layer below the grid yields before the last layer
   const double yield = weakest * constitutive::initial_yield_stress(*material_.hardening);
   const std::size_t first = last * grid().surface.size();
   for (std::size_t cell = first; cell < first + independent_cells(); ++cell)

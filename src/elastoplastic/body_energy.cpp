@@ -4,15 +4,16 @@
 #include "foundation/sharing.hpp"
 #include "with_copies.hpp"
 
-/// Works and energies of a body.
+/// Work and energies of a body.
 namespace brinell::elastoplastic
 {
 
-/// @param zone  that holds all plastic strain
+/// Locked-in elastic energy [J].
+/// @param zone  contains all cells with plastic strain
 double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const
 {
-  // 1/2 eps H eps - s0 eps, with H eps = (stress of the load + initial stress s0 - stress); the first part by Betti
-  // on the surface. The energy of s0 itself is left out: it is there from the start.
+  // 1/2 eps H eps - s0 eps, with H eps = (stress of the load + initial stress s0 - stress); the work of the load's stress is
+  // computed on the surface by Betti's theorem. The energy of s0 itself is constant and left out.
   const std::size_t n = grid().size();
   const auto work_in = [&](std::size_t first, std::size_t last)
   {
@@ -30,7 +31,7 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZ
                    });
     return work;
   };
-  // The stress has the thermal one in it, which does not belong to the strain.
+  // The stress includes the thermal stress, which is not due to the plastic strain: its work is subtracted.
   const double volume_work = sum_of_pieces(n, work_in) - work_of(thermal_stress_, state_.plastic_strain);
   double surface_work = dot(load.pressure, displacement_);
   if (!load.shear_x.empty())
@@ -40,7 +41,7 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZ
   return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
 }
 
-/// Of a deviatoric stress on a strain [J/cell volume].
+/// Work of a deviatoric stress on a strain, as a sum over cells [Pa]; times the cell volume it is an energy.
 double Body::work_of(std::span<const double> stress_deviator, std::span<const double> strain) const
 {
   const std::size_t n = grid().size();
@@ -50,7 +51,7 @@ double Body::work_of(std::span<const double> stress_deviator, std::span<const do
   return work;
 }
 
-/// Of the thermal stress on the plastic strain of the present trial, by the trapezoidal rule [J].
+/// Work of the thermal stress on the plastic strain of the present increment, by the trapezoidal rule [J].
 double Body::thermal_work_of_trial() const
 {
   if (thermal_stress_.empty())
@@ -68,7 +69,7 @@ double Body::thermal_work_of_trial() const
   return work * grid().cell_volume();
 }
 
-/// With the cells that flow in the increment at hand.
+/// Plastic zone of the state with the cells that flow in the current increment.
 PlasticZone Body::zone_of_trial() const
 {
   PlasticZone zone = zone_;
@@ -86,9 +87,9 @@ double Body::energy(const halfspace::SurfaceLoad& load) const
   double dissipation = 0.0;
   for (std::size_t a = 0; a < active_.size(); ++a)
     dissipation += copies(a) * active_.dissipation(a);
-  const double of_heat = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
+  const double thermal_work = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
   const double locked_in = in_increment_ ? locked_in_energy(load, zone_of_trial()) : state_.locked_in_energy;
-  return dissipation * grid().cell_volume() + locked_in - of_heat;
+  return dissipation * grid().cell_volume() + locked_in - thermal_work;
 }
 
 std::vector<double> Body::work_of_increment() const

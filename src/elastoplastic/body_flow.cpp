@@ -8,15 +8,16 @@
 #include <cstdint>
 #include <cstring>
 
-/// What an evaluation does with the active cells: their plastic flow, and what their trials are mapped to.
+/// Evaluation of the active cells: plastic flow, and the image g(q) of the trials.
 namespace brinell::elastoplastic
 {
 
 namespace
 {
 
-/// Active cells that a thread does before the next one does as many: those that flow take longest, and stand together.
-constexpr std::size_t cells_of_share = 64;
+/// Number of consecutive active cells that a thread processes before the next thread takes its share. Small, because flowing
+/// cells take longest and are neighbours.
+constexpr std::size_t cells_per_share = 64;
 
 #pragma omp declare reduction(larger:double : omp_out = larger(omp_out, omp_in)) initializer(omp_priv = 0.0)
 
@@ -46,7 +47,7 @@ Lanes von_mises(const LaneDeviators& d)
   return constitutive::detail::root(1.5 * constitutive::detail::contract(d, d));
 }
 
-/// What multiplies trials in the work of a plastic strain, as ActiveCells::set_flow.
+/// Factors of the trials in the work of a plastic strain, as in ActiveCells::set_flow.
 LaneDeviators as_factors(const LaneDeviators& strain, const Lanes& copies)
 {
   LaneDeviators factors = strain;
@@ -69,26 +70,27 @@ LaneDeviators operator-(const LaneDeviators& a, const LaneDeviators& b)
 
 } // namespace
 
-/// Active cells side by side.
-struct Body::Together
+/// Operations on several active cells at once, one per lane of a vector register.
+struct Body::ActiveLanes
 {
   Body& body;
 
-  void fetch_soon(const LaneCells& at, const std::vector<double>& stress) const;
+  void prefetch(const LaneCells& at, const std::vector<double>& stress) const;
   template <typename Law, typename Property>
-  [[nodiscard]] Lanes of_laws(const Law& law, const LaneCells& at, const Lanes& equivalent,
-                              const Property& property) const;
+  [[nodiscard]] Lanes evaluate_laws(const Law& law, const LaneCells& at, const Lanes& equivalent,
+                                    const Property& property) const;
   template <typename Law>
   [[nodiscard]] Lanes yield_stresses(const Law& law, const LaneCells& at, const Lanes& equivalent) const;
   template <typename Law>
   void flow(const Law& law, const LaneCells& at) const;
   template <typename Law>
   [[nodiscard]] Lanes map(const Law& law, const LaneCells& at) const;
-  void take_off_centre(const LaneCells& at, LaneDeviators& q) const;
+  void subtract_centre(const LaneCells& at, LaneDeviators& q) const;
 };
 
-/// Strain, and stress of a field, of cells that come some later: they lie in short pieces, which the processor does not expect.
-void Body::Together::fetch_soon(const LaneCells& at, const std::vector<double>& stress) const
+/// Prefetches plastic strain and stress of cells that follow soon: the short pieces in memory defeat the processor's own
+/// prefetching.
+void Body::ActiveLanes::prefetch(const LaneCells& at, const std::vector<double>& stress) const
 {
   constexpr std::size_t ahead = 2 * lane_count;
   const std::vector<std::size_t>& cells = body.active_.cells();
@@ -99,18 +101,18 @@ void Body::Together::fetch_soon(const LaneCells& at, const std::vector<double>& 
       __builtin_prefetch(field.data() + c * n + cell);
 }
 
-/// A property of the laws of the cells, such as the yield stress.
-/// @param equivalent  plastic strain
+/// Evaluates a property of the hardening laws of the cells, such as the yield stress.
+/// @param equivalent  equivalent plastic strain at which the property is evaluated
 template <typename Law, typename Property>
-Lanes Body::Together::of_laws(const Law& law, const LaneCells& at, const Lanes& equivalent,
-                              const Property& property) const
+Lanes Body::ActiveLanes::evaluate_laws(const Law& law, const LaneCells& at, const Lanes& equivalent,
+                                       const Property& property) const
 {
   Values factors;
   factors.fill(body.yield_factor_[body.layer_of(at.cell)]);
   for (std::size_t lane = 0; lane < at.count && !body.softening_.empty(); ++lane)
     factors[lane] *= body.softening_[at.cell + lane];
   Values values = values_of(equivalent);
-  // Where it costs next to nothing in lanes without a cell as well, so that all are done in one go.
+  // A linear law is cheap: it is evaluated in unused lanes as well, so that the loop has a fixed length.
   const std::size_t count = constitutive::is_linear<Law> ? lane_count : at.count;
   for (std::size_t lane = 0; lane < count; ++lane)
     values[lane] = property(constitutive::ScaledLaw<Law>{law, factors[lane]}, values[lane]);
@@ -118,30 +120,32 @@ Lanes Body::Together::of_laws(const Law& law, const LaneCells& at, const Lanes& 
 }
 
 template <typename Law>
-Lanes Body::Together::yield_stresses(const Law& law, const LaneCells& at, const Lanes& equivalent) const
+Lanes Body::ActiveLanes::yield_stresses(const Law& law, const LaneCells& at, const Lanes& equivalent) const
 {
-  return of_laws(law, at, equivalent, [](const auto& of_cell, double e) { return of_cell.yield_stress_at(e); });
+  return evaluate_laws(law, at, equivalent,
+                       [](const auto& scaled_law, double e) { return scaled_law.yield_stress_at(e); });
 }
 
-/// The path return of a law whose yield stress is linear in the strain, without kinematic hardening.
+/// Plastic flow by path integration, for a law whose yield stress is linear in the plastic strain, without kinematic hardening.
 template <typename Law>
-void Body::Together::flow(const Law& law, const LaneCells& at) const
+void Body::ActiveLanes::flow(const Law& law, const LaneCells& at) const
 {
   const ActiveCells::Packed packed = body.active_.packed();
   const std::size_t n = body.grid().size();
-  fetch_soon(at, body.state_.stress);
+  prefetch(at, body.state_.stress);
   constitutive::LanePoints points;
   points.trial = load_packed(packed.trials, at);
   const Lanes before = load_lanes(body.state_.equivalent.data() + at.cell, at.count);
   points.yield = yield_stresses(law, at, before);
   const bool flows = any(constitutive::is_outside(points));
-  // Cells that have not flowed in the evaluation before, and do not now, are as they were.
+  // Cells that flowed neither in the previous evaluation nor now need no update.
   if (!flows && !any(load_lanes(packed.equivalent + at.a, at.count) != Lanes{}))
     return;
   if (flows)
   {
     points.start = load_deviators(body.state_.stress.data(), n, at);
-    points.modulus = of_laws(law, at, before, [](const auto& of_cell, double e) { return of_cell.modulus_at(e); });
+    points.modulus =
+        evaluate_laws(law, at, before, [](const auto& scaled_law, double e) { return scaled_law.modulus_at(e); });
     constitutive::path_return(points, 0.5 * body.stiffness_);
   }
   store_lanes(points.equivalent, at.count, packed.equivalent + at.a);
@@ -174,13 +178,13 @@ void Body::flow_of(const Law& law, Integration integration)
   const bool in_lanes =
       constitutive::is_linear<Law> && material_.kinematic.empty() && integration == constitutive::Integration::path;
 #pragma omp parallel for schedule(static, 1)
-  for (std::size_t first = 0; first < active_.size(); first += cells_of_share)
+  for (std::size_t first = 0; first < active_.size(); first += cells_per_share)
   {
-    const std::size_t last = std::min(first + cells_of_share, active_.size());
+    const std::size_t last = std::min(first + cells_per_share, active_.size());
     if constexpr (constitutive::is_linear<Law>)
       if (in_lanes)
         for_lane_cells(active_.cells(), first, last, grid().surface.size(),
-                       [&](const LaneCells& at) { Together{*this}.flow(law, at); });
+                       [&](const LaneCells& at) { ActiveLanes{*this}.flow(law, at); });
     for (std::size_t a = first; a < last && !in_lanes; ++a)
     {
       const constitutive::PlasticIncrement result = increment(law_at(law, active_.cell(a)), a, integration);
@@ -205,8 +209,8 @@ double Body::integrate(Integration integration)
   return change;
 }
 
-/// From the centre of the yield surface before the increment.
-void Body::Together::take_off_centre(const LaneCells& at, LaneDeviators& q) const
+/// Subtracts the centre of the yield surface before the increment from q.
+void Body::ActiveLanes::subtract_centre(const LaneCells& at, LaneDeviators& q) const
 {
   const std::size_t n = body.grid().size();
   LaneDeviators centre{};
@@ -219,18 +223,18 @@ void Body::Together::take_off_centre(const LaneCells& at, LaneDeviators& q) cons
   q = q - centre;
 }
 
-/// What trials are mapped to by the stress of their evaluation.
-/// @returns their errors over the yield stress
+/// Computes the image g of the trials from the stress of the evaluation.
+/// @returns the von Mises norm of g - q over the yield stress; 0 in cells that stay elastic
 template <typename Law>
-Lanes Body::Together::map(const Law& law, const LaneCells& at) const
+Lanes Body::ActiveLanes::map(const Law& law, const LaneCells& at) const
 {
   const ActiveCells::Packed packed = body.active_.packed();
   const std::size_t n = body.grid().size();
   const Lanes zero{};
-  fetch_soon(at, body.stress_);
+  prefetch(at, body.stress_);
   LaneDeviators g = load_deviators(body.stress_.data(), n, at);
   const Lanes equivalent = load_lanes(packed.equivalent + at.a, at.count);
-  if (any(equivalent != zero)) // the others have the strain from before the increment
+  if (any(equivalent != zero)) // cells without flow still have the plastic strain before the increment
   {
     const LaneDeviators increment =
         load_deviators(body.state_.plastic_strain.data(), n, at) - load_packed(packed.start, at);
@@ -240,12 +244,13 @@ Lanes Body::Together::map(const Law& law, const LaneCells& at) const
   store_packed(g, packed.mapped, at);
   LaneDeviators from_centre = g;
   if (!body.material_.kinematic.empty())
-    take_off_centre(at, from_centre);
+    subtract_centre(at, from_centre);
   const Lanes size = von_mises(from_centre);
   const Lanes before = load_lanes(body.state_.equivalent.data() + at.cell, at.count);
   const Lanes yield = yield_stresses(law, at, before + equivalent);
-  const auto is_plastic = equivalent > zero || !(size <= yield); // or is no number
-  // A cell that stays elastic has no say in the others: it must not weigh in the acceleration either.
+  const auto is_plastic = equivalent > zero || !(size <= yield); // negated, so that NaN counts as plastic
+  // A cell that stays elastic does not influence the others and must not influence the acceleration: its trial is set to g, so
+  // that its residual is zero.
   if (!any(is_plastic))
   {
     store_packed(g, packed.trials, at);
@@ -267,11 +272,11 @@ double Body::map_trials(const Law& law)
 {
   double error = 0.0;
 #pragma omp parallel for schedule(static, 1) reduction(larger : error)
-  for (std::size_t first = 0; first < active_.size(); first += cells_of_share)
-    for_lane_cells(active_.cells(), first, std::min(first + cells_of_share, active_.size()), grid().surface.size(),
+  for (std::size_t first = 0; first < active_.size(); first += cells_per_share)
+    for_lane_cells(active_.cells(), first, std::min(first + cells_per_share, active_.size()), grid().surface.size(),
                    [&](const LaneCells& at)
                    {
-                     const Values errors = values_of(Together{*this}.map(law, at));
+                     const Values errors = values_of(ActiveLanes{*this}.map(law, at));
                      for (std::size_t lane = 0; lane < at.count; ++lane)
                        error = larger(error, errors[lane]);
                    });
@@ -291,7 +296,7 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   collect_active(stress_, 0, 1.0);
   if (active_.size() == before)
     return false;
-  widen(before);
+  include_new_cells(before);
   return true;
 }
 

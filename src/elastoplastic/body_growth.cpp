@@ -10,7 +10,7 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Copies fields of a grid into the middle of larger ones, from the surface down.
+/// Copies fields of a grid into the centre of a larger grid, from the surface downwards.
 void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector<double>& to, const VolumeGrid& large)
 {
   const SurfaceGrid& s = small.surface;
@@ -28,7 +28,7 @@ void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector
       }
 }
 
-/// Where no heat has come.
+/// Factor on the yield stress far from all heat, at the bulk temperature.
 double softening_far_away(const constitutive::Material& material)
 {
   return material.softening ? constitutive::softening_factor(*material.softening, material.temperature) : 1.0;
@@ -54,7 +54,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   softening_ = state_.softening;
   prepare_trial();
   work_ = half_space_->make_work();
-  const halfspace::Displacements wanted = found_at_once();
+  const halfspace::Displacements wanted = displacements_per_evaluation();
   loaded_.emplace(half_space_->load(state_.plastic_strain, grid().nz, work_, wanted));
   find_displacements(wanted);
   loaded_->stress(load, stress_);
@@ -66,8 +66,8 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   state_.residual_displacement_y = displacement_y_;
   state_.locked_in_energy = locked_in_energy(load, zone_);
   if (window_)
-    keep(load, committed_load_);
-  take_up_guess();
+    copy_load(load, committed_load_);
+  recover_guess();
 }
 
 } // namespace brinell::elastoplastic

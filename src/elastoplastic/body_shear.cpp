@@ -8,9 +8,10 @@
 namespace brinell::elastoplastic
 {
 
-/// What an evaluation finds of the displacement: the part on which the gap depends, and all of it where the shear depends on it.
-/// Along x it is wanted of the last evaluation of an increment alone, which is one of those that compute all layers.
-halfspace::Displacements Body::found_at_once() const
+/// Components of the displacement that an evaluation computes: the normal one, on which the gap depends, and all three where the
+/// shear depends on them. Otherwise the one along x is needed only after the last evaluation of an increment, which computes all
+/// layers.
+halfspace::Displacements Body::displacements_per_evaluation() const
 {
   if (!displacement_y_.empty())
     return halfspace::Displacements::all;
@@ -18,7 +19,7 @@ halfspace::Displacements Body::found_at_once() const
                                                            : halfspace::Displacements::normal;
 }
 
-/// Of the strain that has been loaded.
+/// Computes displacements of the transformed strain.
 void Body::find_displacements(halfspace::Displacements wanted)
 {
   using halfspace::Displacements;
@@ -31,7 +32,8 @@ void Body::find_displacements(halfspace::Displacements wanted)
   knows_displacement_x_ = wanted != Displacements::normal;
 }
 
-/// Of the same strain the displacement into the body and the stress are known by now: no layer is asked for.
+/// Computes the displacement along x of the present trial if it is not known. Stress and normal displacement of this strain are
+/// known already, so that no layer (0) is requested.
 void Body::find_displacement_x()
 {
   if (displacement_x_.empty() || knows_displacement_x_)
@@ -44,7 +46,7 @@ void Body::find_displacement_x()
   knows_displacement_x_ = true;
 }
 
-/// In pure shear the yield surface is a circle of the radius yield stress / sqrt(3) around its centre (xz, yz).
+/// In pure shear the yield surface is a circle in (xz, yz) around its centre with the radius yield stress / sqrt(3).
 std::vector<double> Body::shear_strength(double along_x, double along_y) const
 {
   const std::size_t cells = grid().surface.size();
@@ -55,14 +57,14 @@ std::vector<double> Body::shear_strength(double along_x, double along_y) const
   std::visit(
       [&](const auto& law)
       {
-        // A traction q makes the stresses xz, yz = -q at the surface, whose normal points out of the body.
+        // A traction q causes the stresses xz, yz = -q at the surface, whose outward normal points against z.
         for (std::size_t cell = 0; cell < cells; ++cell)
         {
           const Deviator c = centre(cell);
-          const double taken = is_directed ? along_x * c[Deviator::xz] + along_y * c[Deviator::yz]
-                                           : std::hypot(c[Deviator::xz], c[Deviator::yz]);
-          strength[cell] =
-              std::max(0.0, law_at(law, cell).yield_stress_at(state_.equivalent[cell]) / std::sqrt(3.0) - taken);
+          const double backstress_part = is_directed ? along_x * c[Deviator::xz] + along_y * c[Deviator::yz]
+                                                     : std::hypot(c[Deviator::xz], c[Deviator::yz]);
+          strength[cell] = std::max(0.0, law_at(law, cell).yield_stress_at(state_.equivalent[cell]) / std::sqrt(3.0) -
+                                             backstress_part);
         }
       },
       *material_.hardening);

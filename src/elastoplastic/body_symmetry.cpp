@@ -2,7 +2,7 @@
 #include "brinell/elastoplastic/body.hpp"
 #include "with_copies.hpp"
 
-/// What symmetry changes in a body: docs/theory/elastoplastic.md, section Symmetry.
+/// Symmetry of a body: docs/theory/elastoplastic.md, section Symmetry.
 namespace brinell::elastoplastic
 {
 

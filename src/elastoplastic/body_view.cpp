@@ -9,7 +9,7 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Reverses every row of a field, and gives it the sign of its parity in x.
+/// Reverses every row of a field, and multiplies it by the sign of its parity in x.
 void reverse_rows(std::span<double> field, int nx, double sign)
 {
   for (auto row = field.begin(); row != field.end(); row += nx)
@@ -19,7 +19,7 @@ void reverse_rows(std::span<double> field, int nx, double sign)
   }
 }
 
-/// One or several deviator fields of `cells` cells.
+/// Mirrors one or several deviator fields of `cells` cells in x.
 void reverse_deviators(std::vector<double>& fields, int nx, std::size_t cells)
 {
   for (std::size_t begin = 0; begin < fields.size(); begin += cells)

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <utility>
 
-/// When evaluations are those of a window: docs/theory/elastoplastic.md (windows).
+/// Evaluations that are restricted to a window: docs/theory/elastoplastic.md (windows).
 namespace brinell::elastoplastic
 {
 
 namespace
 {
 
-/// The columns that hold all that has been added.
+/// Smallest range of columns that contains all added columns.
 struct Extent
 {
   int first, last;
@@ -28,8 +28,8 @@ struct Extent
 
 } // namespace
 
-/// The columns in which something will change in the increment.
-Columns Body::columns_at_work(const std::array<std::vector<double>, 3>& load, int shift) const
+/// Columns in which the increment changes strain or load.
+Columns Body::affected_columns(const std::array<std::vector<double>, 3>& load, int shift) const
 {
   const SurfaceGrid& s = grid().surface;
   const auto nx = static_cast<std::size_t>(s.nx);
@@ -47,16 +47,16 @@ Columns Body::columns_at_work(const std::array<std::vector<double>, 3>& load, in
   return {extent.first, extent.last + 1 - extent.first};
 }
 
-/// The window of the next evaluation. To be called while the plastic strain is still that of the last one.
+/// Places the window of the next evaluation. To be called while the plastic strain is still that of the previous evaluation.
 void Body::choose_window()
 {
-  const bool is_whole = std::exchange(wants_whole_, false);
+  const bool is_whole = std::exchange(wants_all_cells_, false);
   if (!window_ || is_whole || windowed_ || reference_ == Known::nothing || active_.empty())
     return;
   const bool is_state = reference_ == Known::state;
   const auto& load = is_state ? committed_load_ : load_;
   windowed_ = window_->place(
-      columns_at_work(load, is_state ? shift_ : 0),
+      affected_columns(load, is_state ? shift_ : 0),
       {.strain = state_.plastic_strain,
        .stress = is_state ? state_.stress : stress_,
        .thermal_stress = is_state ? state_.thermal_stress : thermal_stress_,
@@ -64,13 +64,13 @@ void Body::choose_window()
                         displacement_y_},
        .load = &load});
   if (windowed_)
-    keep_active_layers();
+    restrict_to_active_layers();
 }
 
-/// Loads the strain of the trial.
+/// Transforms the plastic strain of the trial and computes the residual displacement.
 void Body::load_strain()
 {
-  const halfspace::Displacements wanted = found_at_once();
+  const halfspace::Displacements wanted = displacements_per_evaluation();
   if (windowed_)
   {
     const bool all = wanted == halfspace::Displacements::all;
@@ -85,7 +85,8 @@ void Body::load_strain()
   find_displacements(wanted);
 }
 
-/// Beside the window the displacement changes when the whole is computed again: that tells nothing of the iteration.
+/// Largest change of the displacement [m]. When all cells are computed again after evaluations of a window, the displacement
+/// outside the window changes for this reason alone, and only the columns of the window measure the progress of the iteration.
 double Body::change_of_displacement(const std::vector<double>& before) const
 {
   const SurfaceGrid& s = grid().surface;
@@ -97,13 +98,13 @@ double Body::change_of_displacement(const std::vector<double>& before) const
   return change;
 }
 
-/// Stress of the strain loaded, under a load.
+/// Computes the stress for the transformed strain and a load.
 void Body::find_stress(const halfspace::SurfaceLoad& load)
 {
   if (windowed_ && !window_->holds(load))
   {
     compute_all_layers();
-    wants_whole_ = was_windowed_ = false;
+    wants_all_cells_ = was_windowed_ = false;
     load_strain();
   }
   if (windowed_)
@@ -117,21 +118,21 @@ void Body::find_stress(const halfspace::SurfaceLoad& load)
   add_thermal_stress(layers_, rows, stress_);
   reference_ = layers_ == grid().nz ? Known::evaluation : Known::nothing;
   if (window_ && reference_ == Known::evaluation)
-    keep(load, load_);
+    copy_load(load, load_);
 }
 
-/// After cells have joined: those from `first` on.
-void Body::widen(std::size_t first)
+/// Extends the computed layers after the active cells from `first` on have been added; leaves the window if they reach its end.
+void Body::include_new_cells(std::size_t first)
 {
   const auto nx = static_cast<std::size_t>(grid().surface.nx);
-  keep_active_layers();
+  restrict_to_active_layers();
   for (std::size_t a = first; windowed_ && a < active_.size(); ++a)
     if (window_->is_at_end(static_cast<int>(active_.cell(a) % nx)))
       compute_all_layers();
 }
 
-/// The columns among which evaluations look for new active cells.
-Columns Body::searched() const
+/// Columns in which evaluations look for new active cells.
+Columns Body::searched_columns() const
 {
   return windowed_ ? window_->columns() : Columns{0, grid().surface.nx};
 }

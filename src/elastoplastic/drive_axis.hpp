@@ -8,7 +8,7 @@
 namespace brinell::elastoplastic
 {
 
-/// What is imposed along x or y.
+/// Imposed force or shift along x (axis 0) or y (axis 1).
 [[nodiscard]] inline const contact::TangentialDrive::Axis& axis_of(const contact::TangentialDrive& drive,
                                                                    std::size_t axis)
 {

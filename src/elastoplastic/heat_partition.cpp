@@ -20,7 +20,7 @@ double largest(const std::vector<double>& field)
   return value;
 }
 
-void keep(const std::vector<bool>& pressed, std::vector<double>& field)
+void zero_unpressed(const std::vector<bool>& pressed, std::vector<double>& field)
 {
   for (std::size_t i = 0; i < field.size(); ++i)
     if (!pressed[i])
@@ -32,22 +32,22 @@ void keep(const std::vector<bool>& pressed, std::vector<double>& field)
 bool solve_in_cells(const FieldOperator& A, std::span<const double> b, const std::vector<bool>& pressed,
                     double tolerance, std::vector<double>& x)
 {
-  constexpr int most_iterations = 500;
+  constexpr int max_iterations = 500;
   const std::size_t cells = b.size();
   std::vector<double> r(cells), p(cells), v(cells), t(cells);
   const auto apply = [&](const std::vector<double>& in, std::vector<double>& out)
   {
     A(in, out);
-    keep(pressed, out);
+    zero_unpressed(pressed, out);
   };
-  keep(pressed, x);
+  zero_unpressed(pressed, x);
   apply(x, r);
   for (std::size_t i = 0; i < cells; ++i)
     r[i] = pressed[i] ? b[i] - r[i] : 0.0;
   const std::vector<double> shadow = r;
   double rho = dot(shadow, r);
   p = r;
-  for (int n = 0; n < most_iterations; ++n)
+  for (int n = 0; n < max_iterations; ++n)
   {
     if (largest(r) <= tolerance)
       return true;

@@ -14,8 +14,8 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Columns or rows of the grid of the heat: room for a contact that turns out larger than planned.
-int widened(int cells, bool is_periodic)
+/// Columns or rows of the thermal grid: wider than the material grid, in case the contact becomes larger than planned.
+int thermal_cells(int cells, bool is_periodic)
 {
   return is_periodic ? cells : cells + 2 * static_cast<int>(std::ceil(cells / 6.0));
 }
@@ -23,12 +23,12 @@ int widened(int cells, bool is_periodic)
 SurfaceGrid heat_grid(const SurfaceGrid& body)
 {
   SurfaceGrid grid = body;
-  grid.nx = widened(body.nx, body.is_periodic_x());
-  grid.ny = widened(body.ny, body.is_periodic_y());
+  grid.nx = thermal_cells(body.nx, body.is_periodic_x());
+  grid.ny = thermal_cells(body.ny, body.is_periodic_y());
   return grid;
 }
 
-/// Middles of the layers, and of as many below: the body's grid may grow.
+/// Depths of the layers' centres [m], for twice as many layers as planned, because the material grid may grow.
 std::vector<double> depths_of(const VolumeGrid& volume)
 {
   std::vector<double> depths;
@@ -38,7 +38,7 @@ std::vector<double> depths_of(const VolumeGrid& volume)
   return depths;
 }
 
-/// Those in which plastic work heats.
+/// Layers in which plastic work becomes heat.
 halfspace::HeatedLayers heated_layers(const VolumeGrid& volume, const constitutive::Material& material,
                                       const HeatSettings& settings)
 {
@@ -96,9 +96,9 @@ void BodyHeat::begin(const std::vector<double>& expected, const halfspace::HeatM
   }
   if (plastic_)
   {
-    field_->take_up_in_body(plastic_->arising(motion.velocity_x * motion.duration / grid_.dx, motion.duration),
+    field_->take_up_in_body(plastic_->source(motion.velocity_x * motion.duration / grid_.dx, motion.duration),
                             motion.duration);
-    is_carried_on_ = true;
+    is_volume_heat_advanced_ = true;
   }
   if (field_->time() > 0.0)
   {
@@ -112,7 +112,7 @@ void BodyHeat::begin(const std::vector<double>& expected, const halfspace::HeatM
     return;
   expected_.assign(expected.begin(), expected.end());
   field_->take_up(expected_, motion, before_);
-  is_expected_ = true;
+  is_expected_applied_ = true;
   find_layers(body);
 }
 
@@ -124,17 +124,17 @@ void BodyHeat::settle_work(std::span<const double> work, const VolumeGrid& body,
 
 void BodyHeat::settle(std::span<const double> flux)
 {
-  is_carried_on_ = false;
+  is_volume_heat_advanced_ = false;
   if (steady_)
     steady_->settle(flux);
-  else if (!is_expected_)
+  else if (!is_expected_applied_)
     field_->take_up(flux, motion_);
   else
   {
     for (std::size_t i = 0; i < flux.size(); ++i)
       expected_[i] = flux[i] - expected_[i];
     field_->amend(expected_, motion_);
-    is_expected_ = false;
+    is_expected_applied_ = false;
   }
   if (!swells_)
     return;
@@ -149,13 +149,13 @@ void BodyHeat::restore()
 {
   if (steady_)
     steady_->restore();
-  if (is_carried_on_)
+  if (is_volume_heat_advanced_)
     field_->go_back_in_body();
-  is_carried_on_ = false;
-  if (!is_expected_)
+  is_volume_heat_advanced_ = false;
+  if (!is_expected_applied_)
     return;
   field_->go_back(before_);
-  is_expected_ = false;
+  is_expected_applied_ = false;
 }
 
 void BodyHeat::require_layers(const VolumeGrid& body) const
@@ -165,26 +165,26 @@ void BodyHeat::require_layers(const VolumeGrid& body) const
                     "allowed: a larger grid.extent");
 }
 
-/// What counts in the layers of the body.
+/// Computes thermal stress and softening in the layers of the body, as far as they are needed.
 void BodyHeat::find_layers(const VolumeGrid& body)
 {
   if (is_stressed_)
     stress_.resize(Deviator::size * body.size());
   if (is_softened())
     softening_.resize(body.size());
-  layers(body, {.temperature = softening_, .deviator = stress_, .trace = {}}, room_);
-  for (double& value : softening_) // so far the rise of the temperature
+  layers(body, {.temperature = softening_, .deviator = stress_, .trace = {}}, buffer_);
+  for (double& value : softening_) // up to here it holds the rise of the temperature
     value = constitutive::softening_factor(*softening_law_, bulk_ + value);
 }
 
 void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out) const
 {
-  std::vector<double> room;
-  layers(body, out, room);
+  std::vector<double> buffer;
+  layers(body, out, buffer);
 }
 
-/// @param room  where the fields come to be on the grid of the heat
-void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::vector<double>& room) const
+/// @param buffer  for the fields on the thermal grid; resized
+void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::vector<double>& buffer) const
 {
   if (is_rigid_)
     return;
@@ -195,12 +195,12 @@ void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::v
   const std::size_t cells = grid_.size();
   const std::size_t deviators = out.deviator.empty() ? 0 : Deviator::size, traces = out.trace.empty() ? 0 : 1,
                     temperatures = out.temperature.empty() ? 0 : 1, fields = deviators + traces + temperatures;
-  room.resize(fields * count * cells);
+  buffer.resize(fields * count * cells);
   std::vector<halfspace::ThermalLayer> found;
   found.reserve(count);
   for (std::size_t k = 0; k < count; ++k)
   {
-    const std::span<double> of_layer = std::span(room).subspan(k * fields * cells, fields * cells);
+    const std::span<double> of_layer = std::span(buffer).subspan(k * fields * cells, fields * cells);
     found.push_back({of_layer.subspan((deviators + traces) * cells), of_layer.first(deviators * cells),
                      of_layer.subspan(deviators * cells, traces * cells)});
   }
@@ -224,7 +224,7 @@ void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::v
   }
 }
 
-/// By the trapezoidal rule, in the cells of the body.
+/// Trapezoidal rule in time, with the pressure of the previous call.
 double BodyHeat::work_against(std::span<const double> pressure)
 {
   double work = 0.0;

@@ -14,11 +14,11 @@
 namespace brinell::elastoplastic
 {
 
-/// The heat of one body, on a grid at rest on it.
+/// Temperature, thermal displacement and thermal stress of one body, on a thermal grid at rest on the body.
 class BodyHeat
 {
 public:
-  /// @param volume  of the body when the run begins
+  /// @param volume  material grid of the body at the start of the run
   BodyHeat(const VolumeGrid& volume, const constitutive::Material& material, const HeatedRun& run,
            const HeatNumerics& numerics);
 
@@ -26,64 +26,65 @@ public:
   [[nodiscard]] bool swells() const { return swells_; }
   [[nodiscard]] bool is_steady() const { return steady_.has_value(); }
 
-  /// Whether its temperature takes part of its yield stress.
+  /// Whether the temperature reduces the yield stress.
   [[nodiscard]] bool is_softened() const { return softening_law_.has_value(); }
-  /// Whether what the heat does in the layers counts.
+  /// Whether temperatures or stresses below the surface are needed in increments.
   [[nodiscard]] bool acts_in_layers() const { return is_stressed_ || is_softened(); }
 
-  /// Begins a step with a flux that is expected in it, and finds stress and softening at its end, if they are wanted.
+  /// Begins a step with an expected flux [W/m^2] and computes thermal stress and softening at the end of the step, if they are
+  /// needed.
   void begin(const std::vector<double>& expected, const halfspace::HeatMotion& motion, const VolumeGrid& body);
-  /// Ends it with the flux that has come in.
+  /// Ends a step with its actual flux [W/m^2].
   void settle(std::span<const double> flux);
-  /// Ends it with the plastic work that has been done [J/m^3]; a step that takes no time, too.
+  /// Adds the plastic work of a step [J/m^3] per cell of the material grid; the duration may be 0 [s].
   void settle_work(std::span<const double> work, const VolumeGrid& body, double duration);
   [[nodiscard]] double heat_of_plastic_work() const
   {
     return plastic_ ? plastic_->total() : 0.0;
   } ///< since the start [J]
-  /// Nothing has come in, and no time has passed.
+  /// Returns to the state before the current step.
   void restore();
 
-  /// What remains of all steps before the one at hand at its end, on the grid of the heat.
+  /// Temperature rise and displacement at the end of the current step due to earlier steps, on the thermal grid.
   [[nodiscard]] const std::vector<double>& remaining_temperature() const { return remaining_temperature_; }
   [[nodiscard]] const std::vector<double>& remaining_displacement() const { return remaining_displacement_; }
-  /// As of the last step.
+  /// Thermal displacement at the end of the last step, on the thermal grid [m].
   [[nodiscard]] const std::vector<double>& displacement() const { return displacement_; }
-  /// On the body, at the end of the step at hand [Pa]; empty if it is not wanted.
+  /// Thermal stress at the end of the current step, on the material grid [Pa]; empty if it is not needed.
   [[nodiscard]] const std::vector<double>& stress() const { return stress_; }
-  /// Factors on the yield stress of the body's cells, likewise.
+  /// Factors on the yield stress at the end of the current step, on the material grid; empty if they are not needed.
   [[nodiscard]] const std::vector<double>& softening() const { return softening_; }
-  /// In all layers of a body that may have grown, as of the last step.
+  /// Temperature and thermal stress after the last step, in all layers of a material grid that may have grown.
   void layers(const VolumeGrid& body, const Heating::Layers& out) const;
-  /// Work of the displacement in the last step against a pressure on the grid of the heat [J].
+  /// Work of the thermal displacement of the last step against a pressure on the thermal grid [J].
   [[nodiscard]] double work_against(std::span<const double> pressure);
 
   void exchange(Archive& archive);
 
 private:
   void find_layers(const VolumeGrid& body);
-  void layers(const VolumeGrid& body, const Heating::Layers& out, std::vector<double>& room) const;
+  void layers(const VolumeGrid& body, const Heating::Layers& out, std::vector<double>& buffer) const;
   void require_layers(const VolumeGrid& body) const;
 
   SurfaceGrid grid_;
   Thermal thermal_;
   double bulk_;               ///< temperature far from the contact [deg C]
-  bool swells_, is_stressed_; ///< whether its displacement counts in the gap, its thermal stress when it yields
-  std::optional<constitutive::SofteningLaw> softening_law_; ///< none: it does not count
+  bool swells_, is_stressed_; ///< whether thermal displacement changes the gap, and thermal stress affects yielding
+  std::optional<constitutive::SofteningLaw> softening_law_; ///< none: the yield stress does not depend on temperature
   bool is_rigid_;
-  std::optional<PlasticHeat> plastic_; ///< none: plastic work does not heat
-  bool is_carried_on_ = false;         ///< whether the heat in the body is that at the end of the step at hand
-  std::optional<halfspace::ThermalField> field_;   ///< of all heat since the start; or
-  std::optional<SteadyHeat> steady_;               ///< of that of a step
-  Hidden<halfspace::ThermalField::Heat> before_{}; ///< the step at hand
-  bool is_expected_ = false;                       ///< whether the expected flux of the step at hand is taken up
+  std::optional<PlasticHeat> plastic_;   ///< none: plastic work does not heat
+  bool is_volume_heat_advanced_ = false; ///< whether volume heat has been advanced to the end of the current step
+  std::optional<halfspace::ThermalField> field_;   ///< transient regime: field of all heat since the start
+  std::optional<SteadyHeat> steady_;               ///< steady regime: field of the flux of one step
+  Hidden<halfspace::ThermalField::Heat> before_{}; ///< heat before the current step, for `restore`
+  bool is_expected_applied_ = false;               ///< whether field_ includes the expected flux of the current step
   halfspace::HeatMotion motion_{};
   std::vector<double> expected_;
-  std::vector<double> remaining_temperature_, remaining_displacement_, stress_, softening_, room_;
+  std::vector<double> remaining_temperature_, remaining_displacement_, stress_, softening_, buffer_;
   std::vector<double> displacement_, displacement_before_, pressure_; ///< at the end of the last step
 };
 
-/// A field on a grid as it is on another one with the same middle and the same cells: zero where there was none.
+/// Copies a field to another grid with the same centre and the same cells; zero outside the first grid.
 void fit(const SurfaceGrid& from, std::span<const double> field, const SurfaceGrid& to, std::span<double> out);
 
 } // namespace brinell::elastoplastic

@@ -20,7 +20,7 @@ SurfaceGrid with_rows_of(SurfaceGrid grid, const SurfaceGrid& other)
   return grid;
 }
 
-/// Steps that are alike but for rounding have one plan, which does not depend on the step that was the first of them.
+/// Rounds to 10 digits, so that steps that differ only by rounding share one response, whichever of them comes first.
 double without_rounding(double value)
 {
   if (value == 0.0)
@@ -34,7 +34,8 @@ bool is_zero(std::span<const double> field)
   return std::all_of(field.begin(), field.end(), [](double value) { return value == 0.0; });
 }
 
-Place on_heat(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& place)
+/// Place of the contact grid on the thermal grid, from that on the material grid.
+Place on_thermal_grid(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& place)
 {
   return {place.column + (heat.nx - body.nx) / 2, place.fraction};
 }
@@ -51,12 +52,12 @@ HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material&
   temperature_ = remaining_;
 }
 
-/// A field on the grid of the heat, from the contact grid.
-std::vector<double> HeatedSide::seen(const std::vector<double>& of_heat, const Place& place) const
+/// Interpolates a field of the thermal grid to the contact grid.
+std::vector<double> HeatedSide::on_contact(const std::vector<double>& thermal_field, const Place& place) const
 {
   const SurfaceGrid rows = with_rows_of(heat_->grid(), contact_);
   std::vector<double> fitted(rows.size()), out(contact_.size(), 0.0);
-  fit(heat_->grid(), of_heat, rows, fitted);
+  fit(heat_->grid(), thermal_field, rows, fitted);
   if (is_mirrored_)
     for (auto row = fitted.begin(); row != fitted.end(); row += rows.nx)
       std::reverse(row, row + rows.nx);
@@ -64,7 +65,9 @@ std::vector<double> HeatedSide::seen(const std::vector<double>& of_heat, const P
   return out;
 }
 
-/// The way back, of what acts on a body; all of it.
+/// Transfers a flux or pressure from the contact grid to the thermal grid, conserving its sum.
+/// @param what  name of the field for the message
+/// @throws GridError if a part lies beyond the thermal grid
 std::vector<double> HeatedSide::on_body(std::span<const double> field, const char* what) const
 {
   const SurfaceGrid rows = with_rows_of(heat_->grid(), contact_);
@@ -82,19 +85,20 @@ std::vector<double> HeatedSide::on_body(std::span<const double> field, const cha
   return out;
 }
 
-/// Of the motion of the step at hand; planned when a flux asks for them, as there may be none of a flux that always rests.
+/// Responses for the motion of the current step. They are computed only when a flux needs them, since for a steady flux at rest
+/// they may not exist.
 HeatedSide::Responses& HeatedSide::responses()
 {
-  const auto known = std::find_if(planned_.begin(), planned_.end(),
+  const auto known = std::find_if(cached_responses_.begin(), cached_responses_.end(),
                                   [&](const Responses& responses) { return responses.motion == motion_; });
-  if (known != planned_.end())
+  if (known != cached_responses_.end())
   {
-    planned_.splice(planned_.begin(), planned_, known);
-    return planned_.front();
+    cached_responses_.splice(cached_responses_.begin(), cached_responses_, known);
+    return cached_responses_.front();
   }
-  constexpr std::size_t most = 6;
-  if (planned_.size() == most)
-    planned_.pop_back();
+  constexpr std::size_t max_cached = 6;
+  if (cached_responses_.size() == max_cached)
+    cached_responses_.pop_back();
   halfspace::HeatResponse temperature(contact_, *material_.thermal, motion_);
   auto temperature_scratch = temperature.make_scratch();
   std::optional<halfspace::ThermalResponse> displacement;
@@ -104,12 +108,12 @@ HeatedSide::Responses& HeatedSide::responses()
     displacement.emplace(contact_, *material_.thermal, material_.elastic, motion_, reference_);
     displacement_scratch = displacement->make_scratch();
   }
-  planned_.push_front({motion_, std::move(temperature), std::move(displacement), std::move(temperature_scratch),
-                       std::move(displacement_scratch)});
-  return planned_.front();
+  cached_responses_.push_front({motion_, std::move(temperature), std::move(displacement),
+                                std::move(temperature_scratch), std::move(displacement_scratch)});
+  return cached_responses_.front();
 }
 
-/// Linear in time, of the fluxes of the last two steps as seen from the contact: each is the mean over its step.
+/// Extrapolates the flux linearly in time from the last two steps, on the contact grid; each flux is the mean over its step.
 std::vector<double> HeatedSide::expected_flux(double duration) const
 {
   const double ahead = last_duration_ > 0.0 ? 0.5 * (duration + last_duration_) / last_duration_ : 0.0;
@@ -128,23 +132,23 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
   const double velocity = without_rounding(columns * contact_.dx / duration_);
   constexpr double always = std::numeric_limits<double>::infinity();
   motion_ = {heat_->is_steady() ? always : duration_, velocity};
-  place_ = on_heat(heat_->grid(), body.surface, place);
-  // What was there when the surfaces slid has never been there in the steady state of a step in which they do not.
+  place_ = on_thermal_grid(heat_->grid(), body.surface, place);
+  // The steady state of a step without sliding has no flux left from steps with sliding.
   const bool is_new = heat_->is_steady() && !slides;
   const std::vector<double> none(contact_.size(), 0.0);
   if (!is_mirrored_)
     heat_->begin(heat_->acts_in_layers() ? on_body(is_new ? none : expected_flux(duration), "heat")
                                          : std::vector<double>{},
                  motion_, body);
-  remaining_ = seen(heat_->remaining_temperature(), place_);
+  remaining_ = on_contact(heat_->remaining_temperature(), place_);
   for (double& t : remaining_)
     t += material_.temperature;
   if (swells())
-    remaining_displacement_ = seen(heat_->remaining_displacement(), place_);
+    remaining_displacement_ = on_contact(heat_->remaining_displacement(), place_);
   set_flux(is_new ? none : last_flux_);
 }
 
-void HeatedSide::warm(std::span<const double> flux, std::span<double> rise)
+void HeatedSide::find_rise(std::span<const double> flux, std::span<double> rise)
 {
   if (is_zero(flux))
     std::fill(rise.begin(), rise.end(), 0.0);
@@ -184,7 +188,7 @@ void HeatedSide::settle()
   total_ += sum(flux_) * contact_.cell_area() * duration_;
   if (!conducts())
     return;
-  warm(flux_, temperature_);
+  find_rise(flux_, temperature_);
   for (std::size_t i = 0; i < temperature_.size(); ++i)
     temperature_[i] += remaining_[i];
   if (conducts() && !is_mirrored_)
@@ -201,7 +205,7 @@ void HeatedSide::add_depth(const SurfaceGrid& body, const Place& place, std::spa
 {
   if (!swells())
     return;
-  const std::vector<double> depth = seen(heat_->displacement(), on_heat(heat_->grid(), body, place));
+  const std::vector<double> depth = on_contact(heat_->displacement(), on_thermal_grid(heat_->grid(), body, place));
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] += depth[i];
 }
@@ -231,7 +235,7 @@ void HeatedSide::move_to(const SurfaceGrid& contact)
   move(remaining_, material_.temperature);
   move(temperature_, material_.temperature);
   contact_ = contact;
-  planned_.clear();
+  cached_responses_.clear();
 }
 
 } // namespace brinell::elastoplastic

@@ -13,8 +13,8 @@
 namespace brinell::elastoplastic
 {
 
-/// One side of the contact: the heat of a body as it is seen from the contact grid, and what a flux adds to it in a step. In the steady
-/// regime nothing remains of the steps before: all flux of a step has always been there.
+/// One side of the contact: temperature and thermal displacement of a body on the contact grid, from earlier steps and from the
+/// flux of the current step. In the steady regime earlier steps leave nothing: the flux of a step counts as having acted always.
 class HeatedSide
 {
 public:
@@ -24,24 +24,28 @@ public:
 
   [[nodiscard]] bool conducts() const { return heat_ != nullptr; }
   [[nodiscard]] bool is_mirrored() const { return is_mirrored_; }
-  [[nodiscard]] BodyHeat& heat() const { return *heat_; } ///< of a side that conducts
+  [[nodiscard]] BodyHeat& heat() const { return *heat_; } ///< requires conducts()
 
-  /// Begins a step. Of a side that is not mirrored, the body begins it, too.
+  /// Begins a step. A side that is not mirrored also begins the step of its body.
+  /// @param body      current material grid of the body
+  /// @param place     of the contact grid on the material grid, at the end of the step
+  /// @param columns   by which the contact moves on the body
   /// @param duration  [s], > 0
-  /// @param slides    whether there is friction in it
+  /// @param slides    whether the surfaces slide in the step
   void begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool slides);
   void settle();
-  void count_apart(double heat) { total_ += heat; } ///< [J], that does not come in as a flux
+  void add_heat_without_flux(double heat) { total_ += heat; } ///< adds heat that is not applied as a flux [J]
   void restore();
 
-  /// Temperature at the end of the step [deg C] without the flux of the step.
+  /// Surface temperature at the end of the step [deg C] due to earlier steps alone.
   [[nodiscard]] const std::vector<double>& remaining() const { return remaining_; }
-  /// Of the step at hand: how the flux moves, and what it does to the temperature.
+  /// Motion of the flux in the current step, and the response of the temperature to it.
   [[nodiscard]] const halfspace::HeatMotion& motion() const { return motion_; }
   [[nodiscard]] const halfspace::HeatResponse& temperature_response() { return responses().temperature; }
-  /// What the flux of a step adds to the temperature.
-  void warm(std::span<const double> flux, std::span<double> rise);
-  /// The flux of the step at hand, and what it displaces. @returns the largest change of displacement
+  /// Temperature rise of the surface at the end of the step by a flux [W/m^2] in the step.
+  void find_rise(std::span<const double> flux, std::span<double> rise);
+  /// Sets the flux of the current step [W/m^2] and computes its displacement.
+  /// @returns the largest change of the displacement [m]
   double set_flux(std::span<const double> flux);
   [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
   void add_displacement(std::span<double> gap) const;
@@ -54,7 +58,7 @@ public:
   void move_to(const SurfaceGrid& contact);
 
 private:
-  /// Of one motion.
+  /// Responses to a flux with a given motion, with their buffers.
   struct Responses
   {
     halfspace::HeatMotion motion;
@@ -65,17 +69,17 @@ private:
   };
   [[nodiscard]] Responses& responses();
   [[nodiscard]] bool swells() const { return conducts() && heat_->swells(); }
-  [[nodiscard]] std::vector<double> seen(const std::vector<double>& of_heat, const Place& place) const;
+  [[nodiscard]] std::vector<double> on_contact(const std::vector<double>& thermal_field, const Place& place) const;
   [[nodiscard]] std::vector<double> expected_flux(double duration) const;
 
   SurfaceGrid contact_;
   constitutive::Material material_;
   std::shared_ptr<BodyHeat> heat_;
   bool is_mirrored_;
-  std::optional<double> reference_; ///< of the displacement by a steady flux at rest [m]
-  halfspace::HeatMotion motion_{};  ///< of the step at hand
-  std::list<Responses> planned_;    ///< the one of the last use is the first
-  Place place_{};                   ///< on the grid of the heat
+  std::optional<double> reference_;       ///< reference distance of the displacement by a stationary steady flux [m]
+  halfspace::HeatMotion motion_{};        ///< of the current step
+  std::list<Responses> cached_responses_; ///< cache, most recently used first
+  Place place_{};                         ///< of the contact grid on the thermal grid
   double duration_ = 0.0;
   std::vector<double> remaining_, remaining_displacement_, own_displacement_, flux_;
   // At the end of the last step

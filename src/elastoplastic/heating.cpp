@@ -18,10 +18,10 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Where heat passes between the surfaces in one increment: where they touch, and on cells that cannot tell. A cell at the edge that
-/// opens by the heat that it gets when it touches, and closes without, has no state in which it does the one or the other for good.
-/// Once it has parted so often that this is clear, it is taken as touching until the increment ends: it is open by less than the heat
-/// displaces it.
+/// Cells in which heat passes between the surfaces in one increment: those that touch, and undecided ones. At the edge of the
+/// contact a cell may open because of the heat that it receives while it touches, and close again without this heat, so that
+/// neither state is consistent. After `max_partings` openings in one increment such a cell is held in contact until the increment
+/// ends; its gap is then less than its thermal displacement.
 class TouchingCells
 {
 public:
@@ -35,24 +35,25 @@ public:
     std::vector<bool> touching(heat.size());
     for (std::size_t i = 0; i < touching.size(); ++i)
     {
-      const bool touches = pressure[i] > 0.0 || heat[i] != 0.0; // or has touched at the beginning of the increment
+      const bool touches =
+          pressure[i] > 0.0 || heat[i] != 0.0; // heat without pressure: touched at the beginning of the increment
       partings_[i] += was_touching_[i] && !touches ? 1 : 0;
       was_touching_[i] = touches;
-      touching[i] = touches || partings_[i] >= most_partings;
+      touching[i] = touches || partings_[i] >= max_partings;
     }
     return touching;
   }
-  /// Cells that are taken as touching in this increment whether they do or not.
+  /// Number of cells held in contact in this increment.
   [[nodiscard]] int held() const
   {
     return static_cast<int>(
-        std::count_if(partings_.begin(), partings_.end(), [](int partings) { return partings >= most_partings; }));
+        std::count_if(partings_.begin(), partings_.end(), [](int partings) { return partings >= max_partings; }));
   }
 
 private:
-  static constexpr int most_partings = 3;
+  static constexpr int max_partings = 3;
   std::vector<bool> was_touching_;
-  std::vector<int> partings_; ///< in the increment
+  std::vector<int> partings_; ///< openings of each cell in the increment
 };
 
 } // namespace
@@ -60,26 +61,27 @@ private:
 namespace
 {
 
-/// What the heat of both bodies is made for, and kept on.
+/// Arguments of the constructor, from which the sides are built again when a checkpoint has other thermal grids.
 struct Plan
 {
-  std::array<Heating::Partner, 2> bodies; ///< as they were when the run began
+  std::array<Heating::Partner, 2> bodies; ///< with the grids at the start of the run
   HeatedRun run;
   Twin twin;
   HeatNumerics numerics;
 };
 
-/// The grids of a run that is taken up may have grown before, but not those of the heat, which are made from the first ones.
+/// The material grids of a resumed run may have grown, but the thermal grids follow from the initial material grids, which
+/// therefore are stored.
 void exchange_grids(Archive& archive, std::array<Heating::Partner, 2>& bodies)
 {
-  constexpr int most = 1 << 20;
+  constexpr int max_cells = 1 << 20;
   for (const auto& [name, body] : {std::pair{"lower", &bodies[0]}, {"upper", &bodies[1]}})
   {
     const SurfaceGrid now = body->grid.surface;
     for (const auto& [part, cells] : {std::pair{".columns", &body->grid.surface.nx},
                                       {".rows", &body->grid.surface.ny},
                                       {".layers", &body->grid.nz}})
-      archive(std::string(name) + part, *cells, 1, most);
+      archive(std::string(name) + part, *cells, 1, max_cells);
     if ((now.nx - body->grid.surface.nx) % 2 != 0 || (now.ny - body->grid.surface.ny) % 2 != 0)
       throw InputError(fmt::format("the stored state has heat on a grid of {} x {} cells, which does not fit",
                                    body->grid.surface.nx, body->grid.surface.ny));
@@ -93,26 +95,26 @@ struct Heating::State
   SurfaceGrid contact;
   Plan plan;
   std::array<HeatedSide, 2> sides;
-  double twins; ///< bodies for which one that is solved stands
+  double copies; ///< number of bodies that each solved body represents: 2 for twins
   HeatSettings settings = plan.run.settings;
-  /// What a flux into both bodies adds to the sum of their temperatures, for a pair of motions.
+  /// Response of the sum of both surface temperatures to a flux into both bodies, for a pair of motions.
   struct BothResponses
   {
     std::array<halfspace::HeatMotion, 2> motions;
     halfspace::HeatResponse response;
     halfspace::HeatResponse::Scratch scratch;
   };
-  std::list<BothResponses> planned{}; ///< the one of the last use is the first
-  // Of the increment at hand
+  std::list<BothResponses> cached_responses{}; ///< cache, most recently used first
+  // Of the current increment
   double duration = 0.0, slid = 0.0;
   std::vector<double> shear_before{};
   TouchingCells touching{};
   // Since the start [J]
   double heat_of_friction = 0.0, work_on_pressure = 0.0;
-  int most_held = 0; ///< in an increment
+  int most_held = 0; ///< largest number of held cells in an increment
 
-  void count_apart(double heat);
-  [[nodiscard]] BothResponses& of_both();
+  void add_heat_without_flux(double heat);
+  [[nodiscard]] BothResponses& combined_response();
   [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
   [[nodiscard]] std::vector<double> exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
                                                    Sharing sharing);
@@ -170,62 +172,65 @@ void Heating::begin(const Start& start)
     s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration, start.slid > 0.0);
 }
 
-Heating::State::BothResponses& Heating::State::of_both()
+Heating::State::BothResponses& Heating::State::combined_response()
 {
   const std::array<halfspace::HeatMotion, 2> motions{sides[0].motion(), sides[1].motion()};
-  const auto known =
-      std::find_if(planned.begin(), planned.end(), [&](const BothResponses& both) { return both.motions == motions; });
-  if (known != planned.end())
+  const auto known = std::find_if(cached_responses.begin(), cached_responses.end(),
+                                  [&](const BothResponses& both) { return both.motions == motions; });
+  if (known != cached_responses.end())
   {
-    planned.splice(planned.begin(), planned, known);
-    return planned.front();
+    cached_responses.splice(cached_responses.begin(), cached_responses, known);
+    return cached_responses.front();
   }
-  constexpr std::size_t most = 6;
-  if (planned.size() == most)
-    planned.pop_back();
+  constexpr std::size_t max_cached = 6;
+  if (cached_responses.size() == max_cached)
+    cached_responses.pop_back();
   auto response = halfspace::HeatResponse::of_both(sides[0].temperature_response(), sides[1].temperature_response());
   auto scratch = response.make_scratch();
-  planned.push_front({motions, std::move(response), std::move(scratch)});
-  return planned.front();
+  cached_responses.push_front({motions, std::move(response), std::move(scratch)});
+  return cached_responses.front();
 }
 
-/// The flux into the lower body where they touch, of heat that passes between the surfaces: a share s of it, and what the
-/// conductance h lets through,
-///   q_lower = s q + h (T_upper + R_upper (q - q_lower) - T_lower - R_lower q_lower),
-/// divided by h, so that without a resistance both have one temperature.
+/// Flux into the lower body where the surfaces touch and exchange heat: a share s of the friction heat q, plus the flux through
+/// the conductance h,
+///   q_lower = s q + h (T_upper + R_upper (q - q_lower) - T_lower - R_lower q_lower).
+/// The equation is solved divided by h, so that without resistance (1/h = 0) both surfaces get the same temperature.
 std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
                                                    Sharing sharing)
 {
   HeatedSide &lower = sides[0], &upper = sides[1];
   const double resistance = settings.conductance ? 1.0 / *settings.conductance : 0.0;
-  const double of_heat = resistance * settings.share();
+  const double resisted_share = resistance * settings.share();
   std::vector<double> rhs(heat.size());
   const std::vector<bool> pressed = touching.find(heat, pressure);
-  upper.warm(heat, rhs);
+  upper.find_rise(heat, rhs);
   double largest = 0.0;
   for (std::size_t i = 0; i < rhs.size(); ++i)
   {
-    rhs[i] += upper.remaining()[i] - lower.remaining()[i] + of_heat * heat[i];
+    rhs[i] += upper.remaining()[i] - lower.remaining()[i] + resisted_share * heat[i];
     if (pressed[i])
       largest = std::max(largest, std::abs(rhs[i]));
   }
   if (largest == 0.0)
     return std::vector<double>(heat.size(), 0.0);
-  BothResponses& both = of_both();
-  const FieldOperator warm_both = [&](std::span<const double> in, std::span<double> out)
+  BothResponses& both = combined_response();
+  const FieldOperator apply_both = [&](std::span<const double> in, std::span<double> out)
   {
     both.response.apply(in, out, both.scratch);
     for (std::size_t i = 0; i < in.size(); ++i)
       out[i] += resistance * in[i];
   };
-  const double tolerance = sharing == Sharing::fine ? 1e-6 : 1e-3; // of the difference that the shares make up for
+  const double tolerance =
+      sharing == Sharing::fine ? 1e-6 : 1e-3; // relative to the temperature difference that the partition removes
   std::vector<double> flux = lower.flux();
-  if (!solve_in_cells(warm_both, rhs, pressed, tolerance * largest, flux))
+  if (!solve_in_cells(apply_both, rhs, pressed, tolerance * largest, flux))
     throw ConvergenceError("the surfaces have not come to the temperatures at which they share the heat");
   return flux;
 }
 
-/// Shares the heat, a flux [W/m^2]. @returns the largest change of the displacement [m]
+/// Partitions the heat between the bodies and sets their fluxes.
+/// @param heat  flux of heat into both bodies together [W/m^2]
+/// @returns the largest change of the thermal displacement, summed over both sides [m]
 double Heating::State::share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing)
 {
   auto& [lower, upper] = sides;
@@ -242,12 +247,12 @@ double Heating::State::share_flux(const std::vector<double>& heat, std::span<con
   return lower.set_flux(into_lower) + upper.set_flux(into_upper);
 }
 
-/// Heat that warms nothing, in the shares that are given [J].
-void Heating::State::count_apart(double heat)
+/// Adds heat that is not applied as a flux to the totals of the bodies, by the given partition [J].
+void Heating::State::add_heat_without_flux(double heat)
 {
   const double lower = !sides[1].conducts() ? 1.0 : sides[0].conducts() ? settings.share() : 0.0;
-  sides[0].count_apart(lower * heat);
-  sides[1].count_apart((1.0 - lower) * heat);
+  sides[0].add_heat_without_flux(lower * heat);
+  sides[1].add_heat_without_flux((1.0 - lower) * heat);
 }
 
 double Heating::follow(std::span<const double> pressure, std::span<const double> shear, Sharing sharing)
@@ -255,7 +260,7 @@ double Heating::follow(std::span<const double> pressure, std::span<const double>
   State& s = *state_;
   if (s.duration == 0.0)
     return 0.0;
-  // The mean of the shear at the beginning and at the end: second order in the step.
+  // Mean of the shear at the beginning and at the end of the increment: second order in the step.
   const double factor = 0.5 * s.settings.fraction * s.slid / s.duration;
   std::vector<double> heat(pressure.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
@@ -282,12 +287,12 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
   std::vector<double> heat(heat_per_area.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
     heat[i] = s.settings.fraction * heat_per_area[i] / s.duration;
-  const double all = sum(heat) * s.duration * s.contact.cell_area();
-  s.heat_of_friction += all;
+  const double total = sum(heat) * s.duration * s.contact.cell_area();
+  s.heat_of_friction += total;
   if (is_steady() && s.slid == 0.0)
   {
-    // What the shear gives back where nothing slides is heat, but no source that could have been there always.
-    s.count_apart(all);
+    // Without sliding, heat comes only from work that the deformation returns; it is counted, but is not a steady source.
+    s.add_heat_without_flux(total);
     std::fill(heat.begin(), heat.end(), 0.0);
   }
   static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
@@ -296,7 +301,7 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
     side.settle();
   for (HeatedSide& side : s.sides)
     if (side.conducts() && !side.is_mirrored())
-      s.work_on_pressure += s.twins * side.heat().work_against(side.on_body(pressure, "pressure"));
+      s.work_on_pressure += s.copies * side.heat().work_against(side.on_body(pressure, "pressure"));
 }
 
 bool Heating::takes_work(std::size_t side) const
@@ -358,7 +363,7 @@ double Heating::heat_of_plastic_work() const
   double heat = 0.0;
   for (const HeatedSide& side : state_->sides)
     if (side.conducts() && !side.is_mirrored())
-      heat += state_->twins * side.heat().heat_of_plastic_work();
+      heat += state_->copies * side.heat().heat_of_plastic_work();
   return heat;
 }
 
@@ -387,12 +392,12 @@ void Heating::layers(std::size_t side, const VolumeGrid& body, const Layers& out
 void Heating::exchange(Archive& archive)
 {
   State& s = *state_;
-  const std::array<Partner, 2> planned = s.plan.bodies;
+  const std::array<Partner, 2> before = s.plan.bodies;
   exchange_grids(archive, s.plan.bodies);
-  if (s.plan.bodies[0].grid != planned[0].grid || s.plan.bodies[1].grid != planned[1].grid)
+  if (s.plan.bodies[0].grid != before[0].grid || s.plan.bodies[1].grid != before[1].grid)
   {
     s.sides = sides_of(s.contact, s.plan);
-    s.planned.clear();
+    s.cached_responses.clear();
   }
   archive("lower", s.sides[0]);
   archive("upper", s.sides[1]);
@@ -405,7 +410,7 @@ void Heating::move_to(const SurfaceGrid& contact)
 {
   for (HeatedSide& side : state_->sides)
     side.move_to(contact);
-  state_->planned.clear();
+  state_->cached_responses.clear();
   state_->contact = contact;
 }
 

@@ -17,17 +17,18 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Puts back what an increment has changed, unless it is committed.
+/// Restores the state before the increment on destruction, unless the increment was committed.
 template <typename Sides>
-class Undo
+class Rollback
 {
 public:
-  Undo(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, Interface* interface, Heating* heating)
+  Rollback(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, Interface* interface,
+           Heating* heating)
       : pressure_(pressure), gap_(gap), sides_(sides), interface_(interface), heating_(heating),
         old_pressure_(pressure), old_gap_(gap)
   {
   }
-  ~Undo()
+  ~Rollback()
   {
     if (committed_)
       return;
@@ -40,8 +41,8 @@ public:
     if (heating_ != nullptr)
       heating_->restore();
   }
-  Undo(const Undo&) = delete;
-  Undo& operator=(const Undo&) = delete;
+  Rollback(const Rollback&) = delete;
+  Rollback& operator=(const Rollback&) = delete;
   void commit() { committed_ = true; }
 
 private:
@@ -53,18 +54,19 @@ private:
   bool committed_ = false;
 };
 
-/// Errors over their tolerances below which the next evaluation is likely to be the last one.
+/// Ratio of errors to tolerances below which the next evaluation is likely to be the last one.
 constexpr double closing_factor = 5.0;
 
-/// Once the errors are within so many times their tolerances it is clear whether the strain of a body goes on beyond the sides or ends
-/// of its grid: then the increment begins anew on a larger one, and need not converge before.
-constexpr double clear_factor = 50.0;
+/// Ratio of errors to tolerances at which the plastic zone is known well enough to decide whether it extends beyond the ends or
+/// sides of a grid. If it does, the increment is repeated on a larger grid without converging first.
+constexpr double edge_check_factor = 50.0;
 
-/// Violations of the yield condition between which trials may go further than their residual leads: from afar they would go too
-/// far, and nearer than tolerances ask for the plain combination is as good.
+/// Range of the yield error in which trials may go further than their residual (Body::go_further): at larger errors they would
+/// overshoot, and at smaller ones the plain combination is as good.
 constexpr double near = 0.02, nearest = 1e-4;
 
-/// To tolerances that are much smaller than the usual ones trials never go further: there it has cost increments.
+/// With tolerances much smaller than the default ones trials do not go further, because increments have failed to converge that
+/// way.
 bool may_go_further(const Settings& settings)
 {
   constexpr double share = 0.1;
@@ -78,7 +80,7 @@ bool is_finite(const IncrementReport& report)
   return std::isfinite(report.yield_error + report.displacement_error + report.gap_error);
 }
 
-/// What the contact's dual value counts as imposed, see CoupledContact::energy.
+/// Approach whose work enters the dual value of the contact, see CoupledContact::energy; 0 where the load is imposed.
 double imposed_approach(const contact::Drive& drive, double found)
 {
   return drive.kind == contact::Drive::Kind::load ? 0.0 : found;
@@ -91,7 +93,7 @@ bool CoupledContact::has_unknowns() const
   return std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.unknowns() > 0; });
 }
 
-/// Plastic strain of the present trial, and the residual displacement of the surfaces by it.
+/// Computes the plastic strain of the present trial and the resulting residual displacement of the surfaces.
 /// @returns the largest change of that displacement [m]
 double CoupledContact::integrate(Integration integration)
 {
@@ -101,7 +103,7 @@ double CoupledContact::integrate(Integration integration)
   return change;
 }
 
-/// What the trial is mapped to by the stress under the pressure of the trial.
+/// Computes the stress under the pressure of the trial and, from it, the image g(q) of the trial deviators.
 /// @returns whether cells have become active
 bool CoupledContact::update(IncrementReport& report)
 {
@@ -115,14 +117,15 @@ bool CoupledContact::update(IncrementReport& report)
   return grew;
 }
 
-/// Whether the errors of the fixed point are within so many times their tolerances.
+/// Whether the errors of the fixed point are within `factor` times their tolerances.
 bool CoupledContact::is_within(double factor, const IncrementReport& report) const
 {
   return report.yield_error <= factor * settings_.yield_tolerance &&
          report.displacement_error <= factor * settings_.displacement_tolerance * scales_.displacement;
 }
 
-/// Energy of the present trial. @param approach  see `energy`
+/// Energy of the present trial [J].
+/// @param approach  of the trial [m]
 double CoupledContact::energy_of_trial(const contact::Drive& drive, double approach)
 {
   for (Side& side : sides_)
@@ -130,7 +133,7 @@ double CoupledContact::energy_of_trial(const contact::Drive& drive, double appro
   return energy(imposed_approach(drive, approach));
 }
 
-/// Gap and pressure of the surfaces with the residual displacements of the present trial.
+/// Solves for gap and pressure of the surfaces with the residual displacements of the present trial.
 void CoupledContact::solve_contact(std::span<const double> distance, const contact::Drive& drive,
                                    const Placement& placement, const Strategy& strategy, bool closing,
                                    IncrementReport& report)
@@ -145,14 +148,14 @@ void CoupledContact::solve_contact(std::span<const double> distance, const conta
   spread(placement);
 }
 
-/// The pressure of surfaces at the distance `distance_`.
+/// Solves for the pressure of surfaces at the distance `distance_`.
 void CoupledContact::press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report)
 {
-  constexpr int most_iterations = 2000;
+  constexpr int max_iterations = 2000;
   const contact::Report contact =
-      contact_.solve(distance_, drive, tolerance_of_gap(), most_iterations, pressure_, gap_, strategy.wants_stop,
+      contact_.solve(distance_, drive, tolerance_of_gap(), max_iterations, pressure_, gap_, strategy.wants_stop,
                      wear_ ? wear_->compliance() : std::span<const double>{});
-  if (symmetry_ != Symmetry::none) // rounding shall not grow from step to step
+  if (symmetry_ != Symmetry::none) // otherwise rounding errors would grow from step to step
     for (std::vector<double>* field : {&pressure_, &gap_})
       complete_in_y(grid(), 1.0, field->data(), field->size());
   report.contact_iterations += contact.iterations;
@@ -161,7 +164,7 @@ void CoupledContact::press(const contact::Drive& drive, const Strategy& strategy
   report.approach = contact.approach;
 }
 
-/// Pressure and shear on the grids of the bodies.
+/// Transfers pressure and shear to the grids of the bodies.
 void CoupledContact::spread(const Placement& placement)
 {
   for (Side& side : sides_)
@@ -177,15 +180,15 @@ void CoupledContact::spread(const Placement& placement)
 namespace
 {
 
-/// Of the bodies alone, without what lies beneath: the pressure, and the stress of the last layer, tell only at the end.
-Outgrown along_surface(const Outgrown& outgrown)
+/// Only the lateral edges of the bodies: pressure, and stress in the last layer, are reliable only after convergence.
+Outgrown lateral_edges(const Outgrown& outgrown)
 {
   return {{outgrown.lower.ends, outgrown.lower.sides, false}, {outgrown.upper.ends, outgrown.upper.sides, false}};
 }
 
 } // namespace
 
-/// The fixed point of the trial deviators, to convergence or until it is given up.
+/// Iterates the fixed point of the trial deviators until it converges or is given up.
 IncrementReport CoupledContact::iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy)
 {
@@ -193,9 +196,9 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   Acceleration acceleration(strategy.anderson_depth);
   StallRule stall_rule;
   EnergyWatch energy_watch;
-  // The increment may end with an evaluation that has looked at the stress everywhere: the last few do.
+  // The increment may only end with an evaluation that computed the stress in all cells; near convergence all evaluations do.
   bool closing = strategy.watch_energy || !has_unknowns();
-  bool was_complete = false, has_looked_at_edges = false;
+  bool was_complete = false, has_checked_edges = false;
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
@@ -208,16 +211,16 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
         std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.computes_all_layers(); });
     solve_contact(distance, drive, placement, strategy, closing, report);
     const bool grew = update(report);
-    // The first evaluation measures its change against the state before the increment: only a second one can settle it.
+    // The first evaluation measures its change from the state before the increment: convergence needs at least a second one.
     const bool settled = report.evaluations > 1 || !has_unknowns();
     report.converged = report.contact_converged && !grew && settled && complete && is_within(1.0, report);
     const bool renewed = report.converged && strategy.watch_energy && renews_law(report);
     if (report.converged || !is_finite(report) || report.evaluations >= strategy.max_evaluations)
       return report;
-    if (strategy.stay_within_grids && !has_looked_at_edges && is_within(clear_factor, report))
+    if (strategy.stay_within_grids && !has_checked_edges && is_within(edge_check_factor, report))
     {
-      has_looked_at_edges = true;
-      report.outgrown = along_surface(outgrown());
+      has_checked_edges = true;
+      report.outgrown = lateral_edges(outgrown());
       if (report.outgrown.any())
         return report;
     }
@@ -252,7 +255,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   }
   if (interface_)
     begin_friction(placement, strategy, along);
-  Undo undo(pressure_, gap_, sides_, interface_.get(), heating_.get());
+  Rollback rollback(pressure_, gap_, sides_, interface_.get(), heating_.get());
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
   if (wear_)
@@ -275,7 +278,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     side.body.complete_trial();
     side.body.commit(side.load());
   }
-  report.energy = energy(imposed_approach(drive, report.approach)); // the bodies know the locked-in part by now
+  report.energy = energy(imposed_approach(drive, report.approach)); // after commit, which computes the locked-in part
   if (interface_)
     settle_friction(placement);
   if (wear_)
@@ -284,7 +287,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     settle_heating(strategy);
   placement_ = placement;
   approach_ = report.approach;
-  undo.commit();
+  rollback.commit();
   return report;
 }
 

@@ -30,17 +30,17 @@ double CoupledContact::pressure_energy() const
 
 double CoupledContact::energy(double approach) const
 {
-  // The contact's part as the dual value -(1/2 p A p + p distance), whose error is of second order in that of the pressure.
-  // An imposed approach adds its work, which does not change in the increment only if the load is imposed.
+  // The contact contributes its dual value -(1/2 p A p + p distance), whose error is of second order in the error of the
+  // pressure. An imposed approach adds its work; under an imposed load this work is constant in the increment and left out.
   const double work = dot(pressure_, distance_) - approach * sum(pressure_);
   double bodies = 0.0;
   for (const Side& side : sides_)
     bodies += side.body.energy(side.load()) - work_of_shear(side);
   if (twin_ != Twin::none)
     bodies *= 2.0;
-  const double of_shear = interface_ ? interface_->held_energy() : 0.0;
-  const double of_wear = wear_ ? wear_->held_energy(pressure_) : 0.0;
-  return bodies - pressure_energy() - work * grid().cell_area() + of_shear + of_wear;
+  const double shear_energy = interface_ ? interface_->held_energy() : 0.0;
+  const double wear_energy = wear_ ? wear_->held_energy(pressure_) : 0.0;
+  return bodies - pressure_energy() - work * grid().cell_area() + shear_energy + wear_energy;
 }
 
 } // namespace brinell::elastoplastic

@@ -8,17 +8,17 @@
 #include <optional>
 #include <utility>
 
-/// What friction adds to an increment: docs/theory/elastoplastic.md (coulomb).
+/// Friction in an increment: docs/theory/elastoplastic.md (coulomb).
 namespace brinell::elastoplastic
 {
 
 namespace
 {
 
-/// Adds to `limit` what a surface can carry: the smaller of both. Between the columns of the body it is interpolated; beyond its
-/// ends it goes on as it is there.
-void take_smaller(const SurfaceGrid& body, const std::vector<double>& strength, const Place& place,
-                  const SurfaceGrid& contact, std::vector<double>& limit)
+/// Reduces `limit` to the shear strength of a surface where this is smaller. The strength is interpolated linearly between the
+/// columns of the body and continued as a constant beyond its ends.
+void limit_to_strength(const SurfaceGrid& body, const std::vector<double>& strength, const Place& place,
+                       const SurfaceGrid& contact, std::vector<double>& limit)
 {
   const auto column_on = [&](int column)
   {
@@ -48,7 +48,8 @@ const PartialSlip* CoupledContact::partial_slip() const
   return dynamic_cast<const PartialSlip*>(interface_.get());
 }
 
-/// What each cell of the contact can carry at the start of an increment, in a direction on the lower body.
+/// Largest shear that each cell of the contact can carry at the start of an increment, for a direction of the shear on the lower
+/// body [Pa].
 std::vector<double> CoupledContact::shear_limit(const Placement& placement,
                                                 const std::array<double, 2>& direction) const
 {
@@ -58,9 +59,9 @@ std::vector<double> CoupledContact::shear_limit(const Placement& placement,
     return limit;
   const auto& [x, y] = direction;
   if (const BodyView body = lower(); body.material().is_plastic())
-    take_smaller(body.grid().surface, body.shear_strength(x, y), placement.lower, grid(), limit);
+    limit_to_strength(body.grid().surface, body.shear_strength(x, y), placement.lower, grid(), limit);
   if (const BodyView body = upper(); body.material().is_plastic())
-    take_smaller(body.grid().surface, body.shear_strength(-x, -y), placement.upper, grid(), limit);
+    limit_to_strength(body.grid().surface, body.shear_strength(-x, -y), placement.upper, grid(), limit);
   return limit;
 }
 
@@ -78,7 +79,7 @@ void CoupledContact::spread_shear(const Place& place, const SurfaceGrid& body, d
   }
 }
 
-/// Calls `use` with what the interface needs to know of both bodies.
+/// Calls `use` with the data of both bodies that the interface needs.
 template <typename Use>
 void CoupledContact::with_bodies(const Placement& placement, const Use& use) const
 {
@@ -125,14 +126,14 @@ void CoupledContact::settle_friction(const Placement& placement)
   with_bodies(placement, [&](const Interface::Bodies& bodies) { interface_->settle(bodies); });
 }
 
-/// After the history has moved to larger grids.
+/// Recomputes the displacements of the interface after the history has moved to larger grids.
 void CoupledContact::recall_friction()
 {
   with_bodies(placement_, [&](const Interface::Bodies& bodies) { interface_->recall(bodies); });
 }
 
-/// Whether surfaces that may stick would carry some of the present pressure and shear over an end of the contact grid, so that
-/// what they displace would be lost.
+/// Whether surfaces that may stick would move present pressure and shear over an end of the contact grid, so that their
+/// displacements would be lost.
 bool CoupledContact::carries_off(const Placement& placement) const
 {
   const SurfaceGrid& g = grid();
@@ -147,19 +148,21 @@ bool CoupledContact::carries_off(const Placement& placement) const
   return false;
 }
 
-/// Largest gap under pressure, and overlap elsewhere [m].
+/// Tolerance of the contact solver: largest gap under pressure, and largest overlap elsewhere [m].
 double CoupledContact::tolerance_of_gap() const
 {
   const double usual = settings_.contact_tolerance * scales_.gap;
   return interface_ ? interface_->tolerance_of_gap(usual) : usual;
 }
 
-/// Pressure and shear by turns, until the shear no longer moves the gap. Where it never does, one turn.
-/// @param closing  whether the increment may end with this evaluation. Before, the heat follows the plastic strain a turn behind.
+/// Solves alternately for pressure and for shear, heat and wear, until the gap no longer changes; one turn if they do not affect
+/// the gap.
+/// @param closing  whether the increment may end with this evaluation. If not, the effect of heat on the gap is not iterated to
+///                 convergence but taken into account in the next evaluation.
 void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,
                                               const Strategy& strategy, bool closing, IncrementReport& report)
 {
-  constexpr int most_turns = 60;
+  constexpr int max_turns = 60;
   const double tolerance = tolerance_of_gap();
   const bool exact = closing || !settings_.shortcuts;
   const std::vector<double> without_shear = distance_;
@@ -172,19 +175,19 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
       heating_->add_to_gap(distance_);
     press(drive, strategy, report);
     Interface::Change change = follow(placement);
-    const double by_heat = heating_ && !strategy.watch_energy
-                               ? follow_heat(exact ? Heating::Sharing::fine : Heating::Sharing::rough)
-                               : 0.0;
+    const double heat_change = heating_ && !strategy.watch_energy
+                                   ? follow_heat(exact ? Heating::Sharing::fine : Heating::Sharing::rough)
+                                   : 0.0;
     if (exact)
-      change.gap = larger(change.gap, by_heat);
+      change.gap = larger(change.gap, heat_change);
     if (wear_ && !strategy.watch_energy)
       change.gap = larger(change.gap, follow_wear());
     report.overloaded = change.is_overloaded;
-    report.contact_converged = report.contact_converged && change.is_solved && by_heat <= tolerance;
+    report.contact_converged = report.contact_converged && change.is_solved && heat_change <= tolerance;
     if (change.gap <= tolerance)
       return;
     report.contact_converged = false;
-    if (turn == most_turns || !std::isfinite(change.gap))
+    if (turn == max_turns || !std::isfinite(change.gap))
     {
       report.gap_error = change.gap;
       return;
@@ -192,7 +195,7 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
   }
 }
 
-/// The shear that belongs to the pressure of the trial.
+/// Computes the shear for the pressure of the trial.
 Interface::Change CoupledContact::follow(const Placement& placement)
 {
   if (!interface_->follows_displacement())
@@ -202,8 +205,8 @@ Interface::Change CoupledContact::follow(const Placement& placement)
   return change;
 }
 
-/// With the law of friction held the increment has converged: what belongs to the pressure takes its place.
-/// @returns whether that is something else; then the increment goes on.
+/// After convergence with the law of friction held: updates bound, heat and wear to the present pressure.
+/// @returns whether they changed by more than the tolerances; the iteration then continues.
 bool CoupledContact::renews_law(IncrementReport& report)
 {
   if (!interface_)
@@ -222,7 +225,7 @@ bool CoupledContact::renews_law(IncrementReport& report)
   return !report.converged;
 }
 
-/// Of the shear on the residual displacement of one body [J].
+/// Work of the shear on the residual displacement of one body [J].
 double CoupledContact::work_of_shear(const Side& side) const
 {
   double work = 0.0;

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-/// What heat adds to an increment: docs/theory/heat.md (heat-of-friction).
+/// Heat in an increment: docs/theory/heat.md (heat-of-friction).
 namespace brinell::elastoplastic
 {
 
 void CoupledContact::begin_heating(const Placement& placement, const Strategy& strategy)
 {
-  // What adds up from step to step moves with the columns that it lies on, so that one flux ends where the next one begins; a steady
-  // flux has the velocity of the contact.
+  // In the transient regime the heat accumulates, and its motion follows the placement by columns, so that each flux begins where
+  // the previous one ended. A steady flux moves with the exact velocity of the contact.
   const auto columns = [&](const Place& now, const Place& before, double moved)
   {
     if (strategy.is_put_down)
@@ -31,7 +31,8 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
   }
 }
 
-/// The fluxes that belong to the pressure of the trial. @returns by how much they change the gap [m]
+/// Computes the fluxes for the pressure of the trial.
+/// @returns the largest change of the gap by thermal displacement [m]
 double CoupledContact::follow_heat(Heating::Sharing sharing)
 {
   return heating_->follow(pressure_, interface_->shears()[0], sharing);
@@ -58,7 +59,7 @@ double CoupledContact::expansion_work() const
   return heating_->work_on_pressure() + (twin_ == Twin::none ? 1.0 : 2.0) * on_strain;
 }
 
-/// Of both bodies alike: the fields of a twin are in reverse order.
+/// Adds the thermal stress of a body; for a twin the fields of the solved body are turned by the view.
 void CoupledContact::add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const
 {
   if (!heating_)

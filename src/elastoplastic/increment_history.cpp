@@ -6,14 +6,14 @@
 #include <string>
 #include <utility>
 
-/// What an increment leaves to the next one: in a checkpoint, and on larger grids.
+/// History of a coupled contact: in checkpoints, and moved to larger grids.
 namespace brinell::elastoplastic
 {
 
 namespace
 {
 
-/// A texture is a part of the case, not of the history: what is stored must be the same.
+/// A texture belongs to the case, not to the history: a stored texture only serves to check that it is the same.
 void exchange_texture(Archive& archive, const std::string& name, const std::vector<double>& texture)
 {
   std::vector<double> stored = texture;
@@ -34,8 +34,8 @@ void CoupledContact::exchange(Archive& archive)
   exchange_texture(archive, "upper.texture", textures_.upper);
   for (const auto& [name, place] : {std::pair{"lower", &placement_.lower}, {"upper", &placement_.upper}})
   {
-    constexpr int most_columns = 1 << 28; // differences stay whole numbers
-    archive(std::string(name) + ".column", place->column, -most_columns, most_columns);
+    constexpr int max_columns = 1 << 28; // differences stay whole numbers
+    archive(std::string(name) + ".column", place->column, -max_columns, max_columns);
     archive(std::string(name) + ".fraction", place->fraction, 0.0, 1.0);
   }
   archive("approach", approach_);
@@ -85,7 +85,7 @@ void CoupledContact::continue_from(History history)
     interface_->embed(*history.interface);
   if (history.heating)
   {
-    heating_ = std::move(history.heating); // its own grids stay
+    heating_ = std::move(history.heating); // the thermal grids do not grow
     heating_->move_to(grid());
   }
   if (wear_)

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-/// What a coupled contact is made of.
+/// Construction of a coupled contact.
 namespace brinell::elastoplastic
 {
 
@@ -26,7 +26,7 @@ std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const Elas
   return std::make_unique<SlidingInterface>(contact, lower, upper, sliding.friction, sliding.direction, reference);
 }
 
-/// Those of the surfaces on which the shear works.
+/// Displacements of the surfaces on which pressure and shear do work.
 halfspace::Displacements displacements_under(const Interface* interface)
 {
   if (interface == nullptr)

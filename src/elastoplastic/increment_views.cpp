@@ -8,7 +8,7 @@
 
 #include <tuple>
 
-/// What the committed state shows: surfaces, stress, load, and which edges it has reached.
+/// Results of the committed state: surfaces, stress, load, and reached edges.
 namespace brinell::elastoplastic
 {
 
@@ -23,7 +23,7 @@ void add_depth_of(const BodyView& view, const Place& place, const SurfaceGrid& c
   if (view.is_mirrored())
     add(view.residual_displacement());
   else
-    add(view.solved().residual_displacement()); // every evaluation comes here: without a copy
+    add(view.solved().residual_displacement()); // avoids a copy, as this is called in every evaluation
 }
 
 } // namespace
@@ -52,8 +52,8 @@ CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
   return stress(1, sides_.back().body, place);
 }
 
-/// @param solved  the body itself, or that of which it is the twin: the stress of a mirror image is that which the mirror image
-///                of its load gives to the solved body.
+/// @param solved  the body itself, or the body of which it is the twin. The stress in a mirror image is the mirrored stress of
+///                the solved body under the mirrored load.
 CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place) const
 {
   const BodyView view = side == 0 ? lower() : upper();

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <vector>
 
-/// What wear adds to an increment: docs/theory/elastoplastic.md (wear).
+/// Wear in an increment: docs/theory/elastoplastic.md (wear).
 namespace brinell::elastoplastic
 {
 
-/// Where the surfaces slide everywhere the length is known beforehand. Where they may stick it comes with the solution.
+/// For surfaces that slide everywhere the slip length is known at the start; for surfaces that may stick it follows from the
+/// solution.
 void CoupledContact::begin_wear(const Strategy& strategy)
 {
   slid_ = strategy.slides ? strategy.slid : 0.0;
@@ -17,7 +18,8 @@ void CoupledContact::begin_wear(const Strategy& strategy)
     static_cast<void>(follow_wear());
 }
 
-/// What is worn by the slip of the trial. @returns by how much it changes the gap [m]
+/// Computes the wear by the slip of the trial.
+/// @returns the largest change of the gap by wear [m]
 double CoupledContact::follow_wear()
 {
   const PartialSlip* partial = partial_slip();

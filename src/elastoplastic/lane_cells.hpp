@@ -10,22 +10,22 @@
 #include <span>
 #include <utility>
 
-/// Active cells that are worked on together, one per lane.
+/// Loading and storing of active cells that are processed together, one per lane.
 namespace brinell::elastoplastic
 {
 
 using LaneDeviators = constitutive::LanePoints::Deviators;
 
-/// Neighbours in the grid, in one of its layers, that follow one another among the active cells.
+/// A run of cells that are neighbours within one layer of the grid and consecutive in the list of active cells.
 struct LaneCells
 {
-  std::size_t a;     ///< the first one of the active cells
-  std::size_t cell;  ///< and of the grid
+  std::size_t a;     ///< index of the first one among the active cells
+  std::size_t cell;  ///< index of the first one in the grid
   std::size_t count; ///< at most `lane_count`
 };
 
-/// Calls work(LaneCells) until the active cells [first, last) are done.
-/// @param layer  cells of a layer
+/// Calls work(LaneCells) for runs that cover the active cells [first, last).
+/// @param layer  number of cells in a layer
 template <typename Work>
 void for_lane_cells(std::span<const std::size_t> cells, std::size_t first, std::size_t last, std::size_t layer,
                     const Work& work)
@@ -42,7 +42,8 @@ void for_lane_cells(std::span<const std::size_t> cells, std::size_t first, std::
   }
 }
 
-/// Of a field of the grid, component after component. @param stride  cells of the grid
+/// Loads deviators from a field of the grid, stored component after component.
+/// @param stride  number of cells of the grid
 inline LaneDeviators load_deviators(const double* field, std::size_t stride, const LaneCells& at)
 {
   LaneDeviators d;
@@ -59,7 +60,7 @@ inline void store_deviators(const LaneDeviators& d, double* field, std::size_t s
 namespace detail
 {
 
-/// Values that `count` packed deviators put into the register r.
+/// Number of values of `count` packed deviators that lie in the register r.
 inline std::size_t packed_in(std::size_t r, std::size_t count)
 {
   const std::size_t all = Deviator::size * count, before = r * lane_count;
@@ -71,25 +72,26 @@ struct Source
 {
   int of, from;
 };
-/// Where the component c of the deviator of a lane lies in registers of packed deviators.
+/// Source in registers of packed deviators of the component c of the deviator in a lane.
 constexpr Source packed_place(int c, int lane)
 {
   const int place = Deviator::size * lane + c;
   return {place / lane_count, place % lane_count};
 }
-/// The other way round: where the value in a lane of the register r comes from, as component and lane of it.
+/// Inverse of `packed_place`: component (`of`) and lane (`from`) whose value belongs in a lane of the packed register r.
 constexpr Source component_place(int r, int lane)
 {
   const int place = lane_count * r + lane;
   return {place % Deviator::size, place / Deviator::size};
 }
 
-/// @tparam place  of the number n and the lane
+/// Gathers the vector number n of the result from five vectors.
+/// @tparam place  function that maps (n, lane) to a Source
 template <auto place, int n, int... lane>
 Lanes gathered(const LaneDeviators& from, std::integer_sequence<int, lane...> /*all*/)
 {
   static_assert(Deviator::size == 5);
-  // Lanes that are not of these two hold anything.
+  // Lanes whose source is not among the two vectors hold arbitrary values, which the next shuffles replace.
   const Lanes low =
       __builtin_shufflevector(from[0], from[1], (place(n, lane).from + (place(n, lane).of == 1 ? lane_count : 0))...);
   const Lanes high =
@@ -108,7 +110,7 @@ LaneDeviators turned(const LaneDeviators& from)
 
 } // namespace detail
 
-/// Of what is packed, deviator after deviator.
+/// Loads deviators that are packed, deviator after deviator.
 inline LaneDeviators load_packed(const double* packed, const LaneCells& at)
 {
   LaneDeviators values;

@@ -67,12 +67,12 @@ bool PartialSlip::is_forced(std::size_t axis) const
 std::array<double, 2> PartialSlip::direction(const TangentialDrive& along) const
 {
   const std::array<double, 2> force = forces();
-  std::array<double, 2> way{};
+  std::array<double, 2> way{}; // from the present force or shift to the imposed one
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
     const auto& [kind, value] = axis_of(along, axis);
     way[axis] = value - (kind == TangentialDrive::Kind::force ? force : state_.shift)[axis];
-    // A force of zero is met to rounding, which has no direction.
+    // A force of zero is reached only to rounding, and rounding must not define a direction.
     if (kind == TangentialDrive::Kind::force && std::abs(way[axis]) <= 1e-9 * (std::abs(value) + std::abs(force[axis])))
       way[axis] = 0.0;
   }
@@ -80,7 +80,8 @@ std::array<double, 2> PartialSlip::direction(const TangentialDrive& along) const
   return size > 0.0 ? std::array{way[0] / size, way[1] / size} : std::array{0.0, 0.0};
 }
 
-/// Displacement of the lower body less that of the upper one, but for that of the shears.
+/// Displacement along x and y, lower minus upper body, due to a pressure and the residual displacements, without that of the
+/// shears.
 void PartialSlip::find_displacement(const Bodies& bodies, std::span<const double> pressure, Pair& out)
 {
   if (couples_)
@@ -97,8 +98,8 @@ void PartialSlip::find_displacement(const Bodies& bodies, std::span<const double
   add(bodies.lower_y, bodies.upper_y, out[1]);
 }
 
-/// The contact rolls on: what the surfaces have is in other cells now. Residual displacements come where they belong by
-/// themselves, as they are read from the bodies.
+/// Moves the quantities that belong to surface points through the contact grid as the contact rolls. Residual displacements are
+/// read from the bodies at the new place and need no move.
 void PartialSlip::carry_along(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
@@ -118,7 +119,8 @@ void PartialSlip::carry_along(const Bodies& bodies)
   contact::carry(grid, carried_, before_.heat, state_.heat);
 }
 
-/// By how much the upper body is moved past the lower one there in the increment, without what a force finds [m].
+/// Rigid displacement of the upper body relative to the lower one that is imposed on a cell in the increment, by shift and spin;
+/// the shift that follows from an imposed force is not included [m].
 double PartialSlip::imposed(std::size_t axis, int column, int row) const
 {
   const SurfaceGrid& grid = pair_.grid();
@@ -126,32 +128,32 @@ double PartialSlip::imposed(std::size_t axis, int column, int row) const
   return shift + drive_.spin * (axis == 0 ? -grid.y(row) : grid.x(column));
 }
 
-/// What the drive moves the surfaces by in the increment, about: a force moves them as it would from a bound that is nowhere reached.
+/// Estimate of the relative displacement that the drive causes in the increment; for a force, with the compliance of full stick.
 /// @returns 0 if nothing is driven [m]
-double PartialSlip::motion() const
+double PartialSlip::driven_motion() const
 {
   const double carried = sum(bound_before_) * pair_.grid().cell_area();
-  const double displaced = friction().coefficient * start_.approach; // by shears at their bound, about
+  const double displaced = friction().coefficient * start_.approach; // estimate, by shears at their bound
   const std::array<double, 2> force = forces();
   const SurfaceGrid& grid = pair_.grid();
   double squares = std::pow(drive_.spin * std::hypot(grid.x(grid.nx - 1), grid.y(grid.ny - 1)), 2);
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
     const double value = axis_of(drive_, axis).value;
-    constexpr double rounding = 1e-12; // of a sum of shears: a force of zero is met to it
+    constexpr double rounding = 1e-12; // of a sum of shears: a force of zero is reached to this accuracy
     const double share = carried > 0.0 ? std::abs(value - force[axis]) / carried : 0.0;
     squares += std::pow(is_forced(axis) ? (share > rounding ? share * displaced : 0.0) : value, 2);
   }
   return std::sqrt(squares);
 }
 
-/// The tolerance of displacements is relative to the approach. Slip may be far less: shears at their bound displace about
-/// friction times the approach, and what is imposed in an increment may be less still. Where surfaces roll, errors of the slip pile
-/// up from step to step until the points have left the contact.
+/// The usual tolerance of displacements is relative to the approach. Slip can be far smaller: shears at their bound displace the
+/// surfaces by about friction times the approach, and the imposed motion of an increment may be smaller still. In rolling, errors
+/// of the slip accumulate from step to step until the points have left the contact. Hence a tighter tolerance [m].
 double PartialSlip::tolerance_of_slip() const
 {
   constexpr double of_bound = 1e-4, of_motion = 1e-3, rounding = 1e-15;
-  const double moved = motion();
+  const double moved = driven_motion();
   double wanted = of_bound * friction().coefficient * start_.approach;
   if (moved > 0.0)
     wanted = std::min(wanted, of_motion * moved);
@@ -185,7 +187,7 @@ void PartialSlip::begin(Start start)
   for (std::size_t axis = 0; axis < 2; ++axis)
     for (std::size_t i = 0; i < bound_.size(); ++i)
       displacement_before_[axis][i] += change_[axis][i];
-  start_.bodies = {}; // does not last
+  start_.bodies = {}; // the spans are valid during this call only
 }
 
 /// Largest shear of a cell.
@@ -194,7 +196,7 @@ double PartialSlip::bound_at(std::size_t cell, double pressure) const
   return std::min(friction().coefficient * pressure, start_.limit[cell]);
 }
 
-/// Largest shear of each cell; held after the first time in an increment, if it shall be.
+/// Sets the largest shear of each cell; with `Start::holds_law` only once per increment or after `renew`.
 void PartialSlip::set_bound(std::span<const double> pressure)
 {
   if (start_.holds_law && has_bound_)
@@ -204,17 +206,18 @@ void PartialSlip::set_bound(std::span<const double> pressure)
     bound_[i] = bound_at(i, pressure[i]);
 }
 
-/// Whether the bound is enough for a force that is imposed.
+/// Whether shears within the bound can carry the imposed force.
 bool PartialSlip::carries_drive() const
 {
   double squares = 0.0;
   for (std::size_t axis = 0; axis < 2; ++axis)
     squares += is_forced(axis) ? std::pow(axis_of(drive_, axis).value, 2) : 0.0;
-  constexpr double margin = 1e-8; // more than that of TangentialContact, which refuses what is left
+  constexpr double margin = 1e-8; // larger than the margin of TangentialContact, which rejects the remaining cases
   return squares == 0.0 || std::sqrt(squares) < (1.0 - margin) * sum(bound_) * pair_.grid().cell_area();
 }
 
-/// The tangential problem under the present bound.
+/// Solves the tangential problem under the present bound.
+/// @returns whether it converged
 bool PartialSlip::solve(const Bodies& bodies)
 {
   for (std::size_t i = 0; i < bound_.size(); ++i)
@@ -233,7 +236,7 @@ bool PartialSlip::solve(const Bodies& bodies)
   }
   if (!carries_drive())
     return false;
-  constexpr int most_iterations = 2000;
+  constexpr int max_iterations = 2000;
   contact::TangentialStep step;
   step.bound = bound_;
   step.before = {before_.shear[0], before_.shear[1]};
@@ -241,14 +244,15 @@ bool PartialSlip::solve(const Bodies& bodies)
   step.drive = drive_;
   step.carried = carried_;
   const contact::TangentialReport report =
-      tangential_.solve(step, start_.tolerance, most_iterations, {state_.shear[0], state_.shear[1]},
+      tangential_.solve(step, start_.tolerance, max_iterations, {state_.shear[0], state_.shear[1]},
                         {slip_[0], slip_[1]}, start_.wants_stop);
   shift_ = report.shift;
   return report.converged;
 }
 
-/// What the shears add to the gap. @returns the largest change [m]
-double PartialSlip::lower_gap()
+/// Computes the normal displacement that the shears add to the gap.
+/// @returns its largest change [m]
+double PartialSlip::update_depth()
 {
   if (!couples_)
     return 0.0;
@@ -263,11 +267,12 @@ Interface::Change PartialSlip::follow(const Bodies& bodies)
   Change change;
   change.is_solved = solve(bodies);
   change.is_overloaded = !carries_drive();
-  change.gap = lower_gap();
+  change.gap = update_depth();
   return change;
 }
 
-/// The bound of the solution stays until there is another one: what slips is told by it.
+/// Only marks the bound for renewal: the bound of the present solution stays until the next `follow`, because `slips_at` compares
+/// the shear with it.
 Interface::Change PartialSlip::renew(const Bodies& bodies)
 {
   has_bound_ = false;
@@ -277,7 +282,8 @@ Interface::Change PartialSlip::renew(const Bodies& bodies)
   return change;
 }
 
-/// The dual value of the tangential problem: -1/2 q C q + q (what the shears would have to displace without slip).
+/// The dual value of the tangential problem: -1/2 q C q + q u, where u is the displacement that the shears would have to cause
+/// for full stick.
 double PartialSlip::held_energy() const
 {
   std::array<std::vector<double>, 2> along{std::vector<double>(bound_.size()), std::vector<double>(bound_.size())};
@@ -289,8 +295,8 @@ double PartialSlip::held_energy() const
       for (int column = 0; column < grid.nx; ++column)
       {
         const std::size_t i = grid.index(column, row);
-        const double whole = displacement_before_[axis][i] + imposed(axis, column, row);
-        total += state_.shear[axis][i] * (whole - 0.5 * along[axis][i]);
+        const double full_stick = displacement_before_[axis][i] + imposed(axis, column, row);
+        total += state_.shear[axis][i] * (full_stick - 0.5 * along[axis][i]);
       }
   return total * pair_.grid().cell_area();
 }
@@ -303,7 +309,7 @@ void PartialSlip::add_to_gap(std::span<double> gap) const
 
 void PartialSlip::recall(const Bodies& /*bodies*/)
 {
-  static_cast<void>(lower_gap());
+  static_cast<void>(update_depth());
 }
 
 } // namespace brinell::elastoplastic

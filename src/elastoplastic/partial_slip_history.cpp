@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// The end of an increment of stick and slip, and what is kept and told of it.
+/// The end of an increment of stick and slip: history and results.
 namespace brinell::elastoplastic
 {
 
-/// Whether the shear of the trial is at its bound there.
+/// Whether the shear of the trial has reached its bound in a cell.
 bool PartialSlip::slips_at(std::size_t cell) const
 {
   const double size = std::hypot(state_.shear[0][cell], state_.shear[1][cell]);
@@ -28,8 +28,8 @@ std::vector<double> PartialSlip::slipped() const
   return length;
 }
 
-/// The slip of an increment is along the shear at its end, which is then at its bound: what a cell slips before it has reached
-/// the bound is nothing. The bound changes with the pressure; its mean over the increment is of second order.
+/// A cell slips only while its shear is at the bound, along the shear at the end of the increment. The bound changes with the
+/// pressure; the friction work uses its mean over the increment, which is of second order.
 void PartialSlip::settle(const Bodies& bodies)
 {
   state_.sticking = state_.pressed = 0;
@@ -65,7 +65,7 @@ void PartialSlip::settle(const Bodies& bodies)
   state_.work += 0.5 * (moment_of(shear_before_) + moment_of(state_.shear)) * (state_.turned - before_.turned);
 }
 
-/// Points that leave the contact in the increment slip until their shear is gone.
+/// Adds slip and heat of points that leave the contact in the increment: they slip until their shear has vanished.
 void PartialSlip::add_parting_heat()
 {
   const auto parts = [&](std::size_t i)
@@ -76,7 +76,7 @@ void PartialSlip::add_parting_heat()
     any = parts(i);
   if (!any)
     return;
-  Pair added{state_.shear[0], state_.shear[1]}; // shears first, then what they displace
+  Pair added{state_.shear[0], state_.shear[1]}; // first the change of the shears, then its displacement
   for (std::size_t axis = 0; axis < 2; ++axis)
     for (std::size_t i = 0; i < bound_.size(); ++i)
       added[axis][i] -= shear_before_[axis][i];
@@ -124,9 +124,9 @@ double PartialSlip::elastic_energy(std::span<const double> pressure) const
 {
   std::array<std::vector<double>, 2> along{std::vector<double>(bound_.size()), std::vector<double>(bound_.size())};
   pair_.apply({.shear_x = state_.shear[0], .shear_y = state_.shear[1]}, {.x = along[0], .y = along[1]});
-  const double together = state_.depth.empty() ? 0.0 : dot(pressure, state_.depth);
-  const double alone = 0.5 * (dot(state_.shear[0], along[0]) + dot(state_.shear[1], along[1]));
-  return (together + alone) * pair_.grid().cell_area();
+  const double coupling = state_.depth.empty() ? 0.0 : dot(pressure, state_.depth);
+  const double tangential = 0.5 * (dot(state_.shear[0], along[0]) + dot(state_.shear[1], along[1]));
+  return (coupling + tangential) * pair_.grid().cell_area();
 }
 
 void PartialSlip::embed(const Interface& smaller)

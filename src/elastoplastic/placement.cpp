@@ -12,15 +12,14 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Cubic interpolation between the columns -1, 0, 1, 2 at `fraction` of the way from 0 to 1 (Lagrange): exact for a parabola
-/// that falls on cells.
+/// Weights of the columns -1, 0, 1, 2 for cubic Lagrange interpolation at the position f in [0, 1); exact for parabolas.
 std::array<double, 4> interpolation_weights(double f)
 {
   return {-f * (f - 1.0) * (f - 2.0) / 6.0, (f + 1.0) * (f - 1.0) * (f - 2.0) / 2.0, -(f + 1.0) * f * (f - 2.0) / 2.0,
           (f + 1.0) * f * (f - 1.0) / 6.0};
 }
 
-/// The column of a body's grid; -1 outside of it, which a periodic one has no outside of.
+/// Index of a column in a body's grid: wrapped if the grid is periodic, otherwise -1 outside the grid.
 int column_on(const SurfaceGrid& body, int column)
 {
   if (body.is_periodic_x())

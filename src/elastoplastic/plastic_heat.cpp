@@ -14,7 +14,8 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// `to` += `factor` times a field, layer by layer, moved along x by a number of columns; what leaves an open grid is left out.
+/// `to` += `factor` times a field, layer by layer, moved along x by a number of columns; values that leave an open grid are
+/// dropped.
 void add_moved(const SurfaceGrid& grid, std::span<const double> field, double columns, double factor,
                std::vector<double>& to)
 {
@@ -37,13 +38,13 @@ void add_moved(const SurfaceGrid& grid, std::span<const double> field, double co
 
 } // namespace
 
-std::vector<double> PlasticHeat::arising(double columns, double duration)
+std::vector<double> PlasticHeat::source(double columns, double duration)
 {
   expected_.assign(last_.size(), 0.0);
-  // A longer step, as the way back to the next pass, need not have more.
+  // A longer step, such as the way back to the next pass, does not imply more plastic work: no scaling up.
   add_moved(grid_, last_, columns, last_duration_ > 0.0 ? std::min(1.0, duration / last_duration_) : 0.0, expected_);
-  std::vector<double> all(std::max(expected_.size(), lacking_.size()), 0.0);
-  for (const std::vector<double>* part : {&expected_, &lacking_})
+  std::vector<double> all(std::max(expected_.size(), pending_.size()), 0.0);
+  for (const std::vector<double>* part : {&expected_, &pending_})
     for (std::size_t i = 0; i < part->size(); ++i)
       all[i] += (*part)[i];
   return all;
@@ -65,23 +66,23 @@ void PlasticHeat::settle(std::span<const double> work, const VolumeGrid& body, d
   total_ += share_ * kept * body.cell_volume();
   if (duration > 0.0)
   {
-    lacking_.assign(std::max(heat.size(), expected_.size()), 0.0);
+    pending_.assign(std::max(heat.size(), expected_.size()), 0.0);
     for (std::size_t i = 0; i < expected_.size(); ++i)
-      lacking_[i] -= expected_[i];
+      pending_[i] -= expected_[i];
     last_ = heat;
     last_duration_ = duration;
   }
-  lacking_.resize(std::max(heat.size(), lacking_.size()), 0.0);
+  pending_.resize(std::max(heat.size(), pending_.size()), 0.0);
   for (std::size_t i = 0; i < heat.size(); ++i)
-    lacking_[i] += heat[i];
+    pending_[i] += heat[i];
 }
 
 void PlasticHeat::exchange(Archive& archive)
 {
   archive.list("last", last_);
   archive("duration", last_duration_);
-  archive.list("lacking", lacking_);
-  for (const std::vector<double>* field : {&last_, &lacking_})
+  archive.list("lacking", pending_);
+  for (const std::vector<double>* field : {&last_, &pending_})
     if (field->size() % grid_.size() != 0)
       throw InputError("the stored heat of plastic work is on another grid");
   archive("total", total_);

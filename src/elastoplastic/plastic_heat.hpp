@@ -10,25 +10,25 @@
 namespace brinell::elastoplastic
 {
 
-/// The heat of the plastic work of one body, step by step, on the grid of its heat.
+/// Heat of the plastic work of one body, step by step, on the thermal grid of the body.
 ///
-/// While a step is solved, it has the heat that is expected: that of the step before, moved along with the contact, and less of
-/// it in a shorter step. What the work of
-/// the step differs from it by comes with the next step, so that in all nothing is lost: docs/theory/heat.md (heat-of-plastic-work).
+/// While a step is solved, an expected heat is used: that of the previous step, moved along with the contact, and scaled down in
+/// a shorter step. The difference from the actual heat of the step is applied in the next step, so that no heat is lost in total:
+/// docs/theory/heat.md (heat-of-plastic-work).
 class PlasticHeat
 {
 public:
-  /// @param grid   of the heat of the body
-  /// @param share  of the plastic work, [0, 1]
+  /// @param grid   thermal grid of the body
+  /// @param share  share of the plastic work that becomes heat, [0, 1]
   PlasticHeat(const SurfaceGrid& grid, double share) : grid_(grid), share_(share) {}
 
-  /// What arises in the step that begins [J/m^3], [layer][cell].
+  /// Heat to be applied in the step that begins [J/m^3], [layer][cell]: the expected heat and the difference from earlier steps.
   /// @param columns   by which the contact moves on the body
   /// @param duration  [s], > 0
-  [[nodiscard]] std::vector<double> arising(double columns, double duration);
+  [[nodiscard]] std::vector<double> source(double columns, double duration);
   /// Ends the step.
-  /// @param work      plastic work in it [J/m^3] per cell of the body
-  /// @param duration  [s]; 0: it arises at once, and the step had no `arising`
+  /// @param work      plastic work in the step [J/m^3] per cell of the material grid
+  /// @param duration  [s]; 0: the heat arises at once, and `source` was not called for the step
   void settle(std::span<const double> work, const VolumeGrid& body, double duration);
   [[nodiscard]] double total() const { return total_; } ///< since the start [J]
 
@@ -37,10 +37,10 @@ public:
 private:
   SurfaceGrid grid_;
   double share_;
-  std::vector<double> expected_; ///< in the step at hand [J/m^3]
-  std::vector<double> last_;     ///< in the last one [J/m^3]
+  std::vector<double> expected_; ///< expected heat of the current step [J/m^3]
+  std::vector<double> last_;     ///< actual heat of the last step [J/m^3]
   double last_duration_ = 0.0;   ///< [s]
-  std::vector<double> lacking_;  ///< that has not come into the body yet [J/m^3]
+  std::vector<double> pending_;  ///< actual minus applied heat, still to be applied [J/m^3]
   double total_ = 0.0;
 };
 

@@ -17,13 +17,13 @@ namespace
 constexpr Elastic unit_body{1.0, 0.0};
 constexpr Elastic rigid_body{std::numeric_limits<double>::infinity(), 0.0};
 
-/// (1 - 2 nu)/(2 mu), which is 1 of the unit body.
+/// Coupling weight (1 - 2 nu)/(2 mu) [1/Pa]; it is 1 for the unit body.
 double coupling_weight(const Elastic& elastic)
 {
   return elastic.is_rigid() ? 0.0 : (1.0 - 2.0 * elastic.poisson_ratio) / (2.0 * elastic.shear_modulus());
 }
 
-/// The shear times the slope along x of a displacement, by central differences [Pa].
+/// Shear times the slope along x of a displacement, by central differences [Pa].
 std::vector<double> stretch(const SurfaceGrid& grid, std::span<const double> shear,
                             std::span<const double> displacement)
 {
@@ -59,7 +59,7 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
       direction_(direction), lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
       limit_(grid.size(), std::numeric_limits<double>::infinity())
 {
-  // Without coupling both bodies have the mean of their weights: no gap, and still a balance of energy.
+  // Without coupling both bodies get the mean of their weights: the gap does not change, and the energy balance still holds.
   if (!friction.coupling)
     lower_weight_ = upper_weight_ = 0.5 * (lower_weight_ + upper_weight_);
   for (std::vector<double>* field :
@@ -135,27 +135,28 @@ void SlidingInterface::add_to_gap(std::span<double> gap) const
   add(lower_weight_ - upper_weight_, state_.depth, gap);
 }
 
-/// Under the pressure both surfaces move the same way along x, in proportion to their weights; under the shear opposite ways,
-/// which has no stretch in sum, because the displacement along x is an even function of the distance from the load.
+/// Pressure displaces both surfaces in the same direction along x, in proportion to their weights. Shear displaces them in
+/// opposite directions; its stretch is left out, because it vanishes in sum: the displacement along x is even in the distance
+/// from the load.
 void SlidingInterface::find_displacements(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
-  std::vector<double> of_pressure(grid.size());
-  unit_.apply({.pressure = bodies.pressure}, {.x = of_pressure});
+  std::vector<double> unit_displacement(grid.size());
+  unit_.apply({.pressure = bodies.pressure}, {.x = unit_displacement});
   unit_.apply({.shear_x = state_.shear}, {.z = state_.depth});
   pair_.apply({.shear_x = state_.shear}, {.x = state_.slip});
   std::vector<double> lower(bodies.lower_x.begin(), bodies.lower_x.end());
   std::vector<double> upper(bodies.upper_x.begin(), bodies.upper_x.end());
-  add(lower_weight_, of_pressure, lower);
-  add(upper_weight_, of_pressure, upper);
+  add(lower_weight_, unit_displacement, lower);
+  add(upper_weight_, unit_displacement, upper);
   add(1.0, lower, state_.slip);
   add(-1.0, upper, state_.slip);
   state_.lower_stretch = stretch(grid, state_.shear, lower);
   state_.upper_stretch = stretch(grid, state_.shear, upper);
 }
 
-/// The work of the shear on what the material under it has been displaced: by the change in a cell of the contact grid, and
-/// because that cell has moved along the bodies. Both by the trapezoidal rule.
+/// Work of the shear on the displacement of the material under it: by the change within a cell of the contact grid, and because
+/// the cell moves along the bodies. Both parts use the trapezoidal rule.
 void SlidingInterface::settle(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
@@ -171,7 +172,7 @@ void SlidingInterface::settle(const Bodies& bodies)
   state_.work = before_.work + sum(work_per_area_) * grid.cell_area();
 }
 
-/// Where the motion turns, the shear turns before the surfaces slide: it always resists them.
+/// Where the motion reverses, the shear reverses before the surfaces slide: it always resists the sliding. Hence magnitudes.
 std::vector<double> SlidingInterface::heat_per_area(double slid) const
 {
   std::vector<double> heat(state_.shear.size());
@@ -190,8 +191,8 @@ double SlidingInterface::elastic_energy(std::span<const double> pressure) const
 {
   std::vector<double> along(state_.shear.size());
   pair_.apply({.shear_x = state_.shear}, {.x = along});
-  const double together = (lower_weight_ - upper_weight_) * dot(pressure, state_.depth);
-  return (together + 0.5 * dot(state_.shear, along)) * pair_.grid().cell_area();
+  const double coupling = (lower_weight_ - upper_weight_) * dot(pressure, state_.depth);
+  return (coupling + 0.5 * dot(state_.shear, along)) * pair_.grid().cell_area();
 }
 
 double SlidingInterface::force() const

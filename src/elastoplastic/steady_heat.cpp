@@ -35,7 +35,7 @@ const halfspace::SteadyField& SteadyHeat::field(std::size_t layers) const
 {
   if (planned_ && planned_->velocity == now_.velocity && planned_->field.depths().size() >= layers)
     return planned_->field;
-  planned_.reset(); // before there is another one
+  planned_.reset(); // frees its memory before the next field is made
   std::vector<double> depths;
   for (std::size_t k = 0; k < layers; ++k)
     depths.push_back((static_cast<double>(k) + 0.5) * layer_thickness_);

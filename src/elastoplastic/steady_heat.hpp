@@ -11,8 +11,8 @@
 namespace brinell::elastoplastic
 {
 
-/// What the flux into one body does to it in the steady regime: it has always been there, and moved as it does in the step at hand. Nothing
-/// is remembered of the steps before.
+/// Thermal displacement and stress of one body in the steady regime: the flux of the current step is taken to have acted, and
+/// moved with the velocity of this step, for all time. Earlier steps have no influence.
 class SteadyHeat
 {
 public:
@@ -20,16 +20,16 @@ public:
   SteadyHeat(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, double layer_thickness,
              std::optional<double> reference);
 
-  /// Begins a step in which the flux moves so [m/s], with what is expected of it.
+  /// Begins a step with the velocity of the flux [m/s] and its expected value [W/m^2].
   void begin(double velocity, std::span<const double> expected);
-  /// Ends it with the flux that there is.
+  /// Ends the step with the actual flux [W/m^2].
   void settle(std::span<const double> flux);
-  /// As before the step.
+  /// Returns to the state before the step.
   void restore() { now_ = last_; }
 
-  /// Into the body [m].
+  /// Displacement of the surface, positive into the body [m].
   void displacement(std::span<double> out) const;
-  /// Of the flux that is expected, or the last one.
+  /// Temperature and stress in the layers, for the expected flux during a step and the actual one after it.
   void layers(std::span<const halfspace::ThermalLayer> out) const;
 
   void exchange(Archive& archive);
@@ -48,14 +48,14 @@ private:
   Elastic elastic_;
   double layer_thickness_;
   std::optional<double> reference_;
-  Source now_, last_; ///< of the step at hand, and of the one before
+  Source now_, last_; ///< of the current step, and of the previous one
   struct Planned
   {
     double velocity;
     halfspace::SteadyField field;
   };
   mutable std::optional<Planned>
-      planned_{}; ///< the last one alone, as it has seven spectra a layer; a plan is no state
+      planned_{}; ///< cache of the last field only, which needs seven spectra per layer; not part of the state
 };
 
 } // namespace brinell::elastoplastic

@@ -3,15 +3,16 @@
 
 #include <cmath>
 
-/// When an increment is given up before it has converged.
+/// Rules that give up an increment before it has converged.
 namespace brinell::elastoplastic
 {
 
-/// Notices when an accelerated iteration runs in circles.
+/// Detects that an accelerated iteration makes no progress.
 class StallRule
 {
 public:
-  /// @returns whether the error has not halved within the last evaluations with the same active cells.
+  /// @param grew  whether cells have become active: the count starts again
+  /// @returns whether the error has not halved within the last `patience` evaluations
   bool stalls(double error, bool grew)
   {
     if (grew)
@@ -32,12 +33,13 @@ private:
   int since_ = 0;
 };
 
-/// Notices when the energy of a plain iteration rises.
+/// Detects that the energy of a plain iteration rises.
 class EnergyWatch
 {
 public:
-  /// @param evaluation  that the energy comes after, counted from 1: the first one has no earlier one to compare with.
-  /// @param grew        cells have joined: the energy may rise.
+  /// @param evaluation  number of the evaluation that gave the energy, counts from 1; the first has no predecessor to compare
+  ///                    with
+  /// @param grew        whether cells have become active: the energy may then rise
   bool rises(double energy, int evaluation, bool grew)
   {
     constexpr double rounding = 1e-10;
@@ -45,11 +47,11 @@ public:
     last_ = energy;
     return rose;
   }
-  /// From `evaluation` on, the energy is another function.
+  /// After `evaluation` the energy is a different function: earlier values are not compared with later ones.
   void begin_anew(int evaluation) { comparable_ = evaluation + 1; }
 
 private:
-  int comparable_ = 2; ///< evaluation after which energies can be compared
+  int comparable_ = 2; ///< energies of later evaluations are compared with their predecessor
   double last_ = 0.0;
 };
 

@@ -9,7 +9,7 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Sum over [first, last) of what has the sums `sums` from its start on, and goes on for ever if it is periodic.
+/// Sum over [first, last) of values whose cumulative sums are `sums`; outside [0, count) values are zero, or repeat if periodic.
 double sum_of(const std::vector<double>& sums, int count, int first, int last, bool is_periodic)
 {
   const auto up_to = [&](int end)
@@ -36,7 +36,7 @@ void SurfaceMeans::set(std::size_t cell, const Deviator& value)
   fields_[1][cell] = value[Deviator::yz];
 }
 
-void SurfaceMeans::take_along(std::size_t first, std::size_t stride, int count, int half, bool is_periodic)
+void SurfaceMeans::average_along(std::size_t first, std::size_t stride, int count, int half, bool is_periodic)
 {
   const int cells = 2 * half + 1;
   sums_.resize(static_cast<std::size_t>(count) + 1);
@@ -52,14 +52,14 @@ void SurfaceMeans::take_along(std::size_t first, std::size_t stride, int count, 
   }
 }
 
-void SurfaceMeans::take()
+void SurfaceMeans::average()
 {
   const auto nx = static_cast<std::size_t>(surface_.nx);
   for (std::size_t row = 0; row < fields_[0].size(); row += nx)
-    take_along(row, 1, surface_.nx, half_x, surface_.is_periodic_x());
+    average_along(row, 1, surface_.nx, half_x, surface_.is_periodic_x());
   for (std::size_t layer = 0; layer < fields_[0].size(); layer += surface_.size())
     for (std::size_t i = 0; i < nx; ++i)
-      take_along(layer + i, nx, surface_.ny, half_y, surface_.is_periodic_y());
+      average_along(layer + i, nx, surface_.ny, half_y, surface_.is_periodic_y());
 }
 
 double SurfaceMeans::contracted(std::size_t cell, const Deviator& with) const

@@ -11,8 +11,9 @@
 namespace brinell::elastoplastic
 {
 
-/// Means of xz and yz over the cells around a cell in its layer, in the layers next to the surface: what is the same all along
-/// these layers, which as a plastic strain makes hardly any stress.
+/// Local means of the components xz and yz of a deviator field, over boxes of cells within each layer next to the surface. A
+/// plastic strain that is uniform along such a layer causes hardly any stress, so that its residual may be extrapolated
+/// (Body::go_further).
 class SurfaceMeans
 {
 public:
@@ -21,16 +22,16 @@ public:
   explicit SurfaceMeans(const VolumeGrid& grid);
 
   [[nodiscard]] bool contains(std::size_t cell) const { return cell < fields_[0].size(); }
-  /// Of a cell in these layers; 0 in cells that are not set. Before `take`.
+  /// Sets the value of a cell in these layers, before `average`; cells that are not set are 0.
   void set(std::size_t cell, const Deviator& value);
-  /// Takes the means, over boxes of as many cells everywhere: beyond the ends of an open grid they are 0, so what is taken from
-  /// one cell to another is as much as the other way round.
-  void take();
-  /// Contraction of a deviator with the mean of xz and yz around a cell, after `take`.
+  /// Replaces the values by means. All boxes have the same number of cells, and beyond the ends of an open grid values are 0, so
+  /// that the average is a symmetric operator.
+  void average();
+  /// Contraction of a deviator with the mean of xz and yz around a cell, after `average`.
   [[nodiscard]] double contracted(std::size_t cell, const Deviator& with) const;
 
 private:
-  void take_along(std::size_t first, std::size_t stride, int count, int half, bool is_periodic);
+  void average_along(std::size_t first, std::size_t stride, int count, int half, bool is_periodic);
 
   SurfaceGrid surface_;
   std::array<std::vector<double>, 2> fields_; ///< xz, yz

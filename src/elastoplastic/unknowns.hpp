@@ -20,7 +20,7 @@ concept Participant = requires(Part& part, const Part& fixed)
 {
   {
     fixed.unknowns()
-    } -> std::same_as<std::size_t>; ///< how many; they may become more, not fewer
+    } -> std::same_as<std::size_t>; ///< number of unknowns; it may grow within an increment, but not shrink
   {
     part.trial()
     } -> std::same_as<std::vector<double>&>;
@@ -29,19 +29,18 @@ concept Participant = requires(Part& part, const Part& fixed)
     } -> std::same_as<const std::vector<double>&>;
   {
     fixed.flow()
-    } -> std::same_as<
-        const std::vector<double>&>; ///< factors of changes of g in the work on the strain of the trial, in all copies
+    } -> std::same_as<const std::vector<double>&>; ///< see ActiveCells::flow
   {
     part.go_further(std::vector<double>{})
-    } -> std::same_as<void>; ///< trials, from a combination of evaluations with this residual
+    } -> std::same_as<void>; ///< see Body::go_further
 };
 static_assert(Participant<Body>);
 
-/// The unknowns of all participants as one vector, in which those that come later stand at the end.
+/// The unknowns of all participants as one vector, to which new unknowns are appended.
 class Unknowns
 {
 public:
-  /// Appends what the participants, the bodies of `sides`, have gained since the last call.
+  /// Appends the unknowns that the participants (the bodies of `sides`) have gained since the last call.
   template <typename Sides>
   void grow(const Sides& sides)
   {
@@ -52,7 +51,7 @@ public:
   }
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// The participant that has all unknowns, so that its fields are the common vectors; nullptr: there is none.
+  /// The participant that has all unknowns, so that its arrays can be used in place of common vectors; nullptr if there is none.
   template <typename Sides>
   [[nodiscard]] auto* only_one(Sides& sides) const
   {
@@ -61,7 +60,7 @@ public:
     return found == places_.end() ? nullptr : &sides[static_cast<std::size_t>(found - places_.begin())].body;
   }
 
-  /// Trials to x, what they are mapped to, to g, and their flow to y.
+  /// Copies the trials to x, their images g(q) to g, and their flow to y.
   template <typename Sides>
   void pack(Sides& sides, std::vector<double>& x, std::vector<double>& g, std::vector<double>& y) const
   {
@@ -84,7 +83,7 @@ public:
                  });
     }
   }
-  /// Lets the trials go further from where the residual of all is f.
+  /// Calls Body::go_further of all participants with their parts of the common residual f.
   template <typename Sides>
   void go_further(const std::vector<double>& f, Sides& sides) const
   {
@@ -112,19 +111,19 @@ public:
   }
 
 private:
-  std::vector<std::vector<std::size_t>> places_; ///< in the common vector: [participant][its unknown]
+  std::vector<std::vector<std::size_t>> places_; ///< index in the common vector: [participant][its unknown]
   std::size_t size_ = 0;
 };
 
-/// The next trials of all participants from those of the evaluations so far.
+/// Computes the next trials of all participants from the evaluations so far.
 class Acceleration
 {
 public:
-  /// @param depth  0: the plain fixed point, which goes where the trials are mapped to
+  /// @param depth  0: plain fixed point, q <- g(q)
   explicit Acceleration(int depth) : is_plain_(depth == 0), anderson_(depth) {}
 
-  /// @param is_near  whether trials may go further than their residual leads
-  /// @param changes_map  the evaluation is not of the same map as the one before, see Anderson::change_map
+  /// @param changes_map  whether the map differs from that of the previous evaluation, see Anderson::change_map
+  /// @param is_near      whether trials may go further than their residual, see Body::go_further
   template <typename Sides>
   void advance(Sides& sides, bool changes_map, bool is_near)
   {

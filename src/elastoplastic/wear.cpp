@@ -29,7 +29,7 @@ double Wear::follow(const Slip& slip)
   for (std::size_t i = 0; i < compliance_.size(); ++i)
   {
     const double p = slip.pressure[i];
-    // Where nothing presses there is no ratio, and no wear.
+    // Without pressure the ratio is undefined, and there is no wear.
     const double ratio = law_.kind == WearLaw::Kind::archard ? 1.0 : (p > 0.0 ? slip.shear[i] / p : 0.0);
     const double now = law_.sum() * slip.length[i] * ratio;
     change = larger(change, std::abs(now - compliance_[i]) * p);

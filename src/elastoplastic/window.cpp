@@ -10,13 +10,15 @@ namespace brinell::elastoplastic
 namespace
 {
 
-constexpr int margin = 2; ///< columns on either side of what is needed
-/// Lengths that occur, in shares of the body: few, as each is planned, and none that hardly pays.
+constexpr int margin = 2; ///< columns on either side of the needed ones
+/// Possible lengths of windows, relative to the body. Only few, because each needs operators of its own, and none so long that it
+/// would save little time.
 constexpr std::array<double, 2> shares{0.25, 0.375};
-/// Evaluations that ask for a length before it is planned. Planning costs about as much as twenty evaluations of the whole.
-constexpr double wishes_needed = 60.0;
+/// Number of requests for a length before its operators are made. Making them costs about as much as twenty evaluations of all
+/// cells.
+constexpr double min_requests = 60.0;
 
-/// An even number of columns, so that the transforms have a shortest wave, as those of the body have.
+/// Columns of a window: an even number, so that its transforms have a Nyquist wave like those of the body.
 int length_for(double share, int columns)
 {
   return 2 * static_cast<int>(std::floor(0.5 * share * columns));
@@ -34,7 +36,7 @@ double value_at(std::span<const double> field, std::size_t cell)
 
 } // namespace
 
-void keep(const halfspace::SurfaceLoad& load, KeptLoad& kept)
+void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept)
 {
   const auto parts = parts_of(load);
   for (std::size_t t = 0; t < parts.size(); ++t)
@@ -43,7 +45,7 @@ void keep(const halfspace::SurfaceLoad& load, KeptLoad& kept)
 
 Window::Window(const VolumeGrid& body, const Elastic& elastic, Symmetry symmetry)
     : body_(body), elastic_(elastic), symmetry_(symmetry), cells_(body), parts_(shares.size()),
-      wishes_(shares.size(), 0.0)
+      requests_(shares.size(), 0.0)
 {
 }
 
@@ -55,17 +57,18 @@ bool Window::place(const Columns& needed, const Reference& reference)
   std::size_t length = 0;
   while (length < shares.size() && length_for(shares[length], all) < needed.count + 2 * margin)
     ++length;
-  if (length == shares.size() || ++wishes_[length] <= wishes_needed)
+  if (length == shares.size() || ++requests_[length] <= min_requests)
     return false;
   const int count = length_for(shares[length], all);
   length_ = length;
   columns_ = {std::clamp(needed.first - (count - needed.count) / 2, 0, all - count), count};
   cells_.surface.nx = count;
-  refer_to(reference);
+  set_reference(reference);
   return true;
 }
 
-/// Calls use(place of a row in a field of deviators of the body, the same of the window) for all independent rows.
+/// Calls use(start of a row in a deviator field of the body, start of the same row in one of the window) for all independent
+/// rows.
 template <typename Use>
 void Window::for_independent_rows(int layers, const Use& use) const
 {
@@ -88,29 +91,29 @@ void Window::for_surface_rows(const Use& use) const
     use(body_.surface.index(columns_.first, j), cells_.surface.index(0, j));
 }
 
-void Window::refer_to(const Reference& reference)
+void Window::set_reference(const Reference& reference)
 {
   const auto count = static_cast<std::size_t>(columns_.count);
-  for (std::vector<double>* field : {&strain_, &stress_, &change_, &answer_})
+  for (std::vector<double>* field : {&strain_, &stress_, &strain_change_, &stress_change_})
     field->resize(Deviator::size * cells_.size());
   for_independent_rows(body_.nz,
-                       [&](std::size_t in_body, std::size_t here)
+                       [&](std::size_t in_body, std::size_t in_window)
                        {
                          for (std::size_t i = 0; i < count; ++i)
                          {
-                           strain_[here + i] = reference.strain[in_body + i];
-                           stress_[here + i] =
+                           strain_[in_window + i] = reference.strain[in_body + i];
+                           stress_[in_window + i] =
                                reference.stress[in_body + i] - value_at(reference.thermal_stress, in_body + i);
                          }
                        });
-  for (std::size_t t = 0; t < surface_.size(); ++t)
+  for (std::size_t t = 0; t < displacement_.size(); ++t)
   {
     const std::span<const double> field = reference.displacement[t];
-    surface_[t].assign(field.empty() ? 0 : cells_.surface.size(), 0.0);
-    moved_[t] = surface_[t];
+    displacement_[t].assign(field.empty() ? 0 : cells_.surface.size(), 0.0);
+    displacement_change_[t] = displacement_[t];
     if (!field.empty())
       for_surface_rows([&](std::size_t from, std::size_t to)
-                       { std::copy_n(field.data() + from, count, surface_[t].data() + to); });
+                       { std::copy_n(field.data() + from, count, displacement_[t].data() + to); });
   }
   load_ = *reference.load;
 }
@@ -139,7 +142,7 @@ bool Window::holds(const halfspace::SurfaceLoad& load) const
   return true;
 }
 
-Window::Part& Window::part()
+Window::Part& Window::operators()
 {
   std::unique_ptr<Part>& part = parts_[length_];
   if (!part)
@@ -157,26 +160,26 @@ void Window::load(std::span<const double> strain, int layers, halfspace::Displac
   layers_ = layers;
   const auto count = static_cast<std::size_t>(columns_.count);
   for_independent_rows(body_.nz,
-                       [&](std::size_t in_body, std::size_t here)
+                       [&](std::size_t in_body, std::size_t in_window)
                        {
                          for (std::size_t i = 0; i < count; ++i)
-                           change_[here + i] = strain[in_body + i] - strain_[here + i];
+                           strain_change_[in_window + i] = strain[in_body + i] - strain_[in_window + i];
                        });
-  Part& operators = part();
-  halfspace::HalfSpace::exchange_buffers(operators.work, host);
-  loaded_.emplace(operators.half_space.load(change_, layers, operators.work, displacements, symmetry_));
+  Part& part = operators();
+  halfspace::HalfSpace::exchange_buffers(part.work, host);
+  loaded_.emplace(part.half_space.load(strain_change_, layers, part.work, displacements, symmetry_));
   std::array<std::span<double>, 3> wanted;
   for (std::size_t t = 0; t < wanted.size(); ++t)
     if (!displacement[t].empty())
-      wanted[t] = moved_[t];
+      wanted[t] = displacement_change_[t];
   loaded_->displacement({.z = wanted[0], .x = wanted[1], .y = wanted[2]});
-  halfspace::HalfSpace::exchange_buffers(operators.work, host);
+  halfspace::HalfSpace::exchange_buffers(part.work, host);
   for (std::size_t t = 0; t < wanted.size(); ++t)
     for_surface_rows(
         [&](std::size_t to, std::size_t from)
         {
           for (std::size_t i = 0; i < (wanted[t].empty() ? 0 : count); ++i)
-            displacement[t][to + i] = surface_[t][from + i] + moved_[t][from + i];
+            displacement[t][to + i] = displacement_[t][from + i] + displacement_change_[t][from + i];
         });
 }
 
@@ -187,24 +190,25 @@ void Window::stress(const halfspace::SurfaceLoad& load, std::span<const double> 
   const auto parts = parts_of(load);
   for (std::size_t t = 0; t < parts.size(); ++t)
   {
-    added_[t].assign(parts[t].empty() && load_[t].empty() ? 0 : cells_.surface.size(), 0.0);
+    load_change_[t].assign(parts[t].empty() && load_[t].empty() ? 0 : cells_.surface.size(), 0.0);
     for_surface_rows(
         [&](std::size_t from, std::size_t to)
         {
-          for (std::size_t i = 0; i < (added_[t].empty() ? 0 : count); ++i)
-            added_[t][to + i] = value_at(parts[t], from + i) - value_at(load_[t], from + i);
+          for (std::size_t i = 0; i < (load_change_[t].empty() ? 0 : count); ++i)
+            load_change_[t][to + i] = value_at(parts[t], from + i) - value_at(load_[t], from + i);
         });
   }
-  Part& operators = part();
-  halfspace::HalfSpace::exchange_buffers(operators.work, host);
-  loaded_->stress({.pressure = added_[0], .shear_x = added_[1], .shear_y = added_[2]}, answer_);
-  halfspace::HalfSpace::exchange_buffers(operators.work, host);
+  Part& part = operators();
+  halfspace::HalfSpace::exchange_buffers(part.work, host);
+  loaded_->stress({.pressure = load_change_[0], .shear_x = load_change_[1], .shear_y = load_change_[2]},
+                  stress_change_);
+  halfspace::HalfSpace::exchange_buffers(part.work, host);
   for_independent_rows(layers_,
-                       [&](std::size_t in_body, std::size_t here)
+                       [&](std::size_t in_body, std::size_t in_window)
                        {
                          for (std::size_t i = 0; i < count; ++i)
-                           stress[in_body + i] =
-                               stress_[here + i] + answer_[here + i] + value_at(thermal_stress, in_body + i);
+                           stress[in_body + i] = stress_[in_window + i] + stress_change_[in_window + i] +
+                                                 value_at(thermal_stress, in_body + i);
                        });
 }
 

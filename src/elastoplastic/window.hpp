@@ -12,9 +12,9 @@
 namespace brinell::elastoplastic
 {
 
-/// The parts of a load in the order pressure, shear along x, shear along y, on the whole surface; empty ones are zero.
-using KeptLoad = std::array<std::vector<double>, 3>;
-void keep(const halfspace::SurfaceLoad& load, KeptLoad& kept);
+/// Copy of a load on the whole surface, in the order pressure, shear along x, shear along y [Pa]; empty parts are zero.
+using StoredLoad = std::array<std::vector<double>, 3>;
+void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept);
 
 /// Columns [first, first + count) of a body.
 struct Columns
@@ -22,56 +22,57 @@ struct Columns
   int first, count;
 };
 
-/// Columns of a body in which an increment happens, as a half space of their own.
+/// A range of columns of a body in which strain and load change in an increment, computed like a half space of its own.
 ///
-/// Stress and displacement are linear in plastic strain and load. So of a reference, for which all of the body has been
-/// computed, only differences are computed: those of strain and load within the window, on its cells. What they make beside it is
-/// left out until the whole is computed again: docs/theory/elastoplastic.md (windows).
+/// Stress and displacement are linear in plastic strain and load. Relative to a reference solution, for which all of the body has
+/// been computed, only the changes of strain and load within the window and their effects within the window are computed. Their
+/// effects outside the window are left out until all cells are computed again: docs/theory/elastoplastic.md (windows).
 class Window
 {
 public:
   Window(const VolumeGrid& body, const Elastic& elastic, Symmetry symmetry);
 
-  /// Fields of the whole body that belong together.
+  /// A consistent solution for the whole body.
   struct Reference
   {
     std::span<const double> strain, stress;              ///< deviators
-    std::span<const double> thermal_stress;              ///< which `stress` contains; empty: none
-    std::array<std::span<const double>, 3> displacement; ///< along z, x and y; empty parts are not wanted
-    const KeptLoad* load;
+    std::span<const double> thermal_stress;              ///< deviator, included in `stress`; empty: none
+    std::array<std::span<const double>, 3> displacement; ///< along z, x and y; empty parts are not needed
+    const StoredLoad* load;
   };
-  /// Places the window around what is needed and some columns more, if it is short enough to pay, and wanted often enough for
-  /// what planning costs.
+  /// Places the window around the needed columns and a margin, if the window is short enough to save time and has been requested
+  /// often enough to justify the cost of its operators.
   /// @returns whether it has been placed
   [[nodiscard]] bool place(const Columns& needed, const Reference& reference);
   [[nodiscard]] const Columns& columns() const { return columns_; }
-  /// Whether a column lies at an end of the window that is none of the body.
+  /// Whether a column lies at an end of the window that is not an end of the body.
   [[nodiscard]] bool is_at_end(int column) const;
-  /// Whether the load differs from that of the reference within the window alone.
+  /// Whether the load equals that of the reference outside the window.
   [[nodiscard]] bool holds(const halfspace::SurfaceLoad& load) const;
 
-  /// Transforms the strain, and writes the displacement of the surface within the window.
+  /// Transforms the change of the strain, and writes the displacement of the surface within the window.
   /// @param strain  of the whole body
-  /// @param layers  whose stress is wanted
-  /// @param host    work of the whole body, not in use
+  /// @param layers  number of layers, from the surface, whose stress will be computed
+  /// @param host    work of the whole body, not in use, whose buffers are borrowed
   void load(std::span<const double> strain, int layers, halfspace::Displacements displacements,
             const std::array<std::span<double>, 3>& displacement, halfspace::HalfSpace::Work& host);
-  /// Stress of the strain loaded and of a load, in the layers wanted and the independent rows of the window.
+  /// Writes the stress for the strain of the last `load` and a load, in the requested layers and the independent rows of the
+  /// window.
   void stress(const halfspace::SurfaceLoad& load, std::span<const double> thermal_stress, std::span<double> stress,
               halfspace::HalfSpace::Work& host);
 
-  /// On how often it has been wanted depends when there is one: a part of the state.
-  [[nodiscard]] std::vector<double>& wishes() { return wishes_; }
+  /// Number of requests for each length. It decides when windows are used, and therefore is part of the state in checkpoints.
+  [[nodiscard]] std::vector<double>& requests() { return requests_; }
 
 private:
-  /// Operators of a window of some length, and what they are applied with.
+  /// Operators of a window of a given length, with their buffers.
   struct Part
   {
     halfspace::HalfSpace half_space;
     halfspace::HalfSpace::Work work;
   };
-  [[nodiscard]] Part& part();
-  void refer_to(const Reference& reference);
+  [[nodiscard]] Part& operators();
+  void set_reference(const Reference& reference);
   template <typename Use>
   void for_independent_rows(int layers, const Use& use) const;
   template <typename Use>
@@ -81,17 +82,17 @@ private:
   Elastic elastic_;
   Symmetry symmetry_;
   Columns columns_{0, 0};
-  VolumeGrid cells_;                           ///< of the window
-  int layers_ = 0;                             ///< wanted
-  std::vector<std::unique_ptr<Part>> parts_;   ///< by length, planned when they are first used
-  std::vector<double> wishes_;                 ///< evaluations that have asked for each length
-  std::vector<double> strain_, stress_;        ///< of the reference, within the window
-  std::array<std::vector<double>, 3> surface_; ///< its displacement there
-  KeptLoad load_;                              ///< of the reference
-  std::vector<double> change_, answer_;        ///< of the strain, and of the stress with it
-  std::array<std::vector<double>, 3> moved_;   ///< change of the displacement
-  KeptLoad added_;                             ///< change of the load
-  std::size_t length_ = 0;                     ///< of the window, among those that occur
+  VolumeGrid cells_;                                ///< grid of the window
+  int layers_ = 0;                                  ///< number of layers whose stress is computed
+  std::vector<std::unique_ptr<Part>> parts_;        ///< for each length, made when first used
+  std::vector<double> requests_;                    ///< see `requests`
+  std::vector<double> strain_, stress_;             ///< of the reference, within the window
+  std::array<std::vector<double>, 3> displacement_; ///< displacement of the reference, within the window
+  StoredLoad load_;                                 ///< of the reference
+  std::vector<double> strain_change_, stress_change_;
+  std::array<std::vector<double>, 3> displacement_change_; ///< change of the displacement
+  StoredLoad load_change_;                                 ///< change of the load
+  std::size_t length_ = 0;                                 ///< index of the window's length among the possible lengths
   std::optional<halfspace::HalfSpace::Loaded> loaded_;
 };
 

@@ -6,8 +6,8 @@
 namespace brinell::elastoplastic
 {
 
-/// Calls `use` for an active cell, and with symmetry for its mirror image, with the cell and with what shows a deviator of the
-/// active cell as it is there.
+/// Calls use(cell, seen) for an active cell and, with symmetry, for its mirror image; the function `seen` converts a deviator of
+/// the active cell to its value in that cell.
 template <typename Use>
 void Body::with_copies(std::size_t a, const Use& use) const
 {

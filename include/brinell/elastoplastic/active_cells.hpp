@@ -10,44 +10,44 @@
 namespace brinell::elastoplastic
 {
 
-/// The cells of a body that may yield in the increment at hand, with the unknowns of the fixed point, the trial deviators q,
-/// with g(q), to which an evaluation maps them, and with the plastic flow that follows from them. All is packed, in the order
-/// in which the cells have become active.
+/// The active set: the cells of a body that may yield in the current increment. For each active cell it stores the unknown of the
+/// fixed point (the trial deviator q), its image g(q) under an evaluation, and the plastic flow that follows from q. All arrays
+/// are packed, in the order in which the cells became active.
 class ActiveCells
 {
 public:
   ActiveCells() = default;
-  /// @param cells  of the body's grid
-  /// @param terms  of kinematic hardening
+  /// @param cells  number of cells of the body's grid
+  /// @param terms  number of terms of kinematic hardening
   ActiveCells(std::size_t cells, std::size_t terms) : is_active_(cells, 0), terms_(terms) {}
 
   void clear();
-  /// A cell joins; its trial deviator is mapped to itself until an evaluation says otherwise.
+  /// Adds a cell to the active set. Until the next evaluation its trial deviator is mapped to itself.
   /// @param start   plastic strain before the increment
-  /// @param copies  cells for which it stands, itself included: with symmetry its mirror image is like it
+  /// @param copies  number of cells that this cell represents, itself included: with symmetry also its mirror image
   void add(std::size_t cell, const Deviator& q, const Deviator& start, int copies);
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] bool empty() const { return cells_.empty(); }
   [[nodiscard]] bool contains(std::size_t cell) const { return is_active_[cell] != 0; }
-  /// In the grid of the body.
+  /// Index in the grid of the body of the a-th active cell.
   [[nodiscard]] std::size_t cell(std::size_t a) const { return cells_[a]; }
   [[nodiscard]] const std::vector<std::size_t>& cells() const { return cells_; }
-  /// Cells for which it stands.
+  /// Number of cells that the a-th active cell represents, see `add`.
   [[nodiscard]] double copies(std::size_t a) const { return copies_[a]; }
   /// Plastic strain before the increment.
   [[nodiscard]] Deviator start(std::size_t a) const { return at(start_, a); }
-  /// The last cell in the order of the grid, which is a deepest one. There must be cells.
+  /// The last active cell in the order of the grid, which lies in the deepest active layer. The set must not be empty.
   [[nodiscard]] std::size_t deepest() const;
 
   [[nodiscard]] Deviator trial(std::size_t a) const { return at(q_, a); }
   [[nodiscard]] Deviator mapped(std::size_t a) const { return at(g_, a); }
   void set_trial(std::size_t a, const Deviator& q) { set(q_, a, q); }
-  /// All of them, [active][component].
+  /// All trial deviators, [active][component].
   [[nodiscard]] std::vector<double>& trials() { return q_; }
   [[nodiscard]] const std::vector<double>& mapped() const { return g_; }
-  /// The plastic strain of the increment as what multiplies trials in its work: the products with the components of a deviator,
-  /// in sum over those of a cell, make the contraction of strain and deviator, times the cells for which it stands.
+  /// The plastic strain of the increment, weighted so that a plain scalar product with the trials gives the work: for each
+  /// cell, the sum over components of flow times deviator is the contraction of strain and deviator times `copies`.
   [[nodiscard]] const std::vector<double>& flow() const { return flow_; }
 
   /// Equivalent plastic strain [-] and plastic work [J/m^3] of the increment.
@@ -55,7 +55,7 @@ public:
   [[nodiscard]] double dissipation(std::size_t a) const { return dissipation_[a]; }
   void set_flow(std::size_t a, const constitutive::PlasticIncrement& increment);
 
-  /// What is packed, for work on several cells at once: deviators as [active][component].
+  /// Pointers to the packed arrays, for work on several cells at once; deviators are [active][component].
   struct Packed
   {
     double *trials, *mapped, *flow;

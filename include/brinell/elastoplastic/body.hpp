@@ -18,22 +18,22 @@
 namespace brinell::elastoplastic
 {
 
-/// All history of one body, on its own material grid.
+/// The complete history of one body, on its own material grid.
 struct BodyState
 {
-  std::vector<double> plastic_strain;          ///< deviator field, 5 values per cell
-  std::vector<double> equivalent;              ///< accumulated equivalent plastic strain
-  std::vector<double> backstress;              ///< deviator field per kinematic term, one after the other [Pa]
-  std::vector<double> stress;                  ///< deviator after the last increment [Pa]; empty of what cannot yield
-  std::vector<double> residual_displacement;   ///< of the surface, into the body positive [m]
+  std::vector<double> plastic_strain;        ///< deviator field, 5 values per cell
+  std::vector<double> equivalent;            ///< accumulated equivalent plastic strain
+  std::vector<double> backstress;            ///< deviator field per kinematic term, one after the other [Pa]
+  std::vector<double> stress;                ///< deviator after the last increment [Pa]; empty if the body cannot yield
+  std::vector<double> residual_displacement; ///< of the surface, positive into the body [m]
   std::vector<double> residual_displacement_x; ///< along x [m]; empty unless the surface bears shear
-  std::vector<double> residual_displacement_y; ///< along y [m]; empty unless it bears shear along y, too
+  std::vector<double> residual_displacement_y; ///< along y [m]; empty unless it bears shear along y
   double dissipation =
       0.0; ///< plastic work since the start [J]; with back stresses, a part of it stays in the material
   double locked_in_energy = 0.0;        ///< elastic energy of the residual stress [J]
-  std::vector<double> thermal_stress{}; ///< its deviator at the end of the last increment [Pa]; empty without heat
-  double thermal_work = 0.0;            ///< of the thermal stress on the plastic strain since the start [J]
-  std::vector<double> softening{}; ///< factors on the yield stress of the cells, as they are now; empty: 1 everywhere
+  std::vector<double> thermal_stress{}; ///< deviator at the end of the last increment [Pa]; empty without heat
+  double thermal_work = 0.0;            ///< work of the thermal stress on the plastic strain since the start [J]
+  std::vector<double> softening{};      ///< current factors on the yield stress of the cells; empty: 1 everywhere
 
   void exchange(Archive& archive);
 };
@@ -49,22 +49,23 @@ struct Edges
   bool bottom = false; ///< last layer
 };
 
-/// One body of a contact: material, operators, history, and the trial of the increment at hand.
+/// One body of a contact: material, operators, history, and the trial solution of the current increment.
 ///
-/// The unknown of an increment is the trial deviator q = s + c d_eps in the active cells (those near or beyond yield);
-/// everywhere else the stress is elastic and follows. In the course of an increment, from `begin` to `commit` or `restore`,
-/// the plastic strain of the state is that of the trial; the rest of the state is what it was before.
+/// The unknown of an increment is the trial deviator q = s + c d_eps in the active cells (those near or beyond yield).
+/// Everywhere else the increment is elastic, and the stress follows from load and plastic strain. During an increment, from
+/// `begin` to `commit` or `restore`, the plastic strain in the state is that of the trial; the rest of the state is unchanged.
 class Body
 {
 public:
-  /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid.
+  /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid body.
   /// @param shortcuts   compute only the layers and cells near yield until an evaluation closes the increment; see
   ///                    Settings::shortcuts.
-  /// @param displacements  those on which the loads work: along x with shear along x, all with shears along x and y. All are
-  ///                    computed in each evaluation, along x only when asked for.
-  /// @param symmetry    of history and loads. With one, evaluations work on the independent rows alone; in the state all rows agree.
-  /// @param windows     with short cuts: compute only the columns of the active cells and of the load until an evaluation closes the
-  ///                    increment; see Settings::windows.
+  /// @param displacements  the components on which the loads do work: also the one along x with shear along x, all with shear
+  ///                    along x and y. All three are computed in each evaluation; if only x is added, it is computed on demand.
+  /// @param symmetry    of history and loads. If there is one, evaluations work on the independent rows alone; in the state
+  ///                    all rows are kept consistent.
+  /// @param windows     with short cuts: compute only the columns of the active cells and of the load until an evaluation closes
+  ///                    the increment; see Settings::windows.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
        const constitutive::Material& material, bool shortcuts = true,
        halfspace::Displacements displacements = halfspace::Displacements::normal, Symmetry symmetry = Symmetry::none,
@@ -78,46 +79,47 @@ public:
   [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
   [[nodiscard]] const constitutive::Material& material() const { return material_; }
   [[nodiscard]] const BodyState& state() const { return state_; }
-  /// Where the state has plastic strain; empty of a body that cannot yield.
+  /// Where the state has plastic strain; empty for a body that cannot yield.
   [[nodiscard]] const PlasticZone& plastic_zone() const { return zone_; }
   [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
-  /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): with isotropic hardening.
+  /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): only with isotropic hardening.
   [[nodiscard]] bool has_energy() const { return material_.kinematic.empty(); }
 
-  /// Sets the factor that the yield stress of each cell has beside the one over depth, as by its temperature
-  /// (constitutive/softening.hpp). It holds from now on; within an increment from the next `integrate` on, and no longer than it if
-  /// it is restored. It is a part of the state: an increment begins with it, and one that takes no time has no other.
+  /// Sets a factor on the yield stress of each cell, in addition to the depth profile, for instance by temperature
+  /// (constitutive/softening.hpp). Between increments the factor takes effect at once; within an increment it takes effect with
+  /// the next `integrate`, and `restore` undoes it. The factor is part of the state: an increment begins with the factor of the
+  /// previous one, and an increment of zero duration keeps it.
   /// @param factor  > 0, one per cell; empty: 1 everywhere
   void set_softening(std::span<const double> factor);
 
-  /// Starts an increment. The guess for q comes from the last increment and moves along with the contact, by `shift` cells
-  /// in x.
+  /// Starts an increment. The initial guess for q is taken from the last increment and moved along x with the contact.
+  /// @param shift            by which the contact moves along x [cells]
   /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. With 1 the plain fixed point descends from any start in the
   ///                         continuum (docs/theory/elastoplastic.md); a cell's own stiffness, near 0.6, converges faster.
   void begin(int shift, double stiffness_share);
-  /// Deviator of the thermal stress at the end of the increment, 5 values per cell [Pa]; after `begin`. Without it, that of the
-  /// last increment stays.
+  /// Sets the deviator of the thermal stress at the end of the increment, 5 values per cell [Pa]; to be called after `begin`.
+  /// Without this call the thermal stress of the last increment stays.
   void set_thermal_stress(std::span<const double> deviator);
-  /// The next evaluation computes the stress in all cells; without windows so do those after it, until new cells become active.
-  /// An increment may only be committed after an evaluation that has computed all cells and has found no new active one.
+  /// Makes the next evaluation compute the stress in all cells; without windows all later evaluations do so too, until new cells
+  /// become active. An increment may only be committed after an evaluation of all cells that found no new active cell.
   void compute_all_layers();
-  /// After `integrate`: whether the evaluation computes the stress in all cells.
+  /// Valid after `integrate`: whether the current evaluation computes the stress in all cells.
   [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz && !windowed_; }
-  /// Undoes everything that an increment without a commit has changed; does nothing after a commit.
+  /// Undoes all changes of an increment that was not committed; does nothing after a commit.
   void restore();
   /// Integrates the plastic strain for the present q and computes the residual displacement of that strain.
-  /// @returns the largest change of that displacement into the body [m], where the evaluation before has computed it
+  /// @returns the largest change of the normal displacement since the previous evaluation [m], over the cells that both computed
   double integrate(Integration integration);
-  /// Stress under `load` (on the whole surface grid) and, from it, the next fixed-point value g of q.
-  /// @returns whether cells outside the active set yield; they have been added to it.
+  /// Computes the stress under `load` (on the whole surface grid) and, from the stress, the next fixed-point value g(q).
+  /// @returns whether cells outside the active set yield; they have been added to the set.
   bool update(const halfspace::SurfaceLoad& load);
-  /// Finds what evaluations leave out, for `energy` and `commit`: the displacement along x of the present trial, if the surface
-  /// bears shear, where it is not known yet; and with symmetry the rows of the trial that are mirror images of others.
+  /// Computes what evaluations leave out but `energy` and `commit` need: the displacement along x of the present trial, if the
+  /// surface bears shear and it is not known yet; and with symmetry the rows of the trial that are mirror images of others.
   void complete_trial();
   /// Makes the present trial the new state.
   void commit(const halfspace::SurfaceLoad& load);
 
-  /// Plastic work of the increment that was committed last [J/m^3], one per cell; before the next one begins.
+  /// Plastic work of the last committed increment [J/m^3], one value per cell. Valid until the next increment begins.
   [[nodiscard]] std::vector<double> work_of_increment() const;
 
   /// Everything that the next increment depends on.
@@ -126,8 +128,8 @@ public:
   /// Edges of the grid that the plastic zone of the present trial has reached: strain beyond them would be lost.
   [[nodiscard]] Edges reached_edges() const;
 
-  /// Takes over the history of the same body from a smaller grid whose middle is the middle of this one. Stress and residual
-  /// displacement are computed anew, under `load` (on the whole surface grid).
+  /// Takes over the history of the same body from a smaller grid with the same centre. Stress and residual displacement are
+  /// computed anew, under `load` (on the whole surface grid).
   void continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load);
   [[nodiscard]] BodyState take_state() && { return std::move(state_); }
 
@@ -135,32 +137,33 @@ public:
   [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
   [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
   [[nodiscard]] const std::vector<double>& flow() const { return active_.flow(); }     ///< see ActiveCells::flow
-  /// Lets the trials go further along the flow of the last evaluation in cells near the surface that flow along it, which the body
-  /// around them hardly holds; nothing without shear on the surface.
-  /// @param residual  g - q of the combination of evaluations from which the trials come, unknowns() values. Where it is 0 they stay.
+  /// Lengthens the step of the trials in cells near the surface that flow along the surface, because the surrounding body hardly
+  /// restrains such flow; does nothing without shear on the surface.
+  /// @param residual  g - q of the combination of evaluations from which the trials come, unknowns() values. Trials with a zero
+  ///                  residual are not changed.
   void go_further(const std::vector<double>& residual);
-  /// Of the last `update`: largest von Mises norm of g - q over the yield stress, over the cells that yield.
+  /// Error of the last `update`: largest von Mises norm of g - q over the yield stress, among the cells that yield.
   [[nodiscard]] double yield_error() const { return yield_error_; }
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
   /// Empty unless the surface bears shear and the body is plastic.
   [[nodiscard]] std::span<const double> residual_displacement_x() const { return displacement_x_; }
-  /// Likewise along y; empty unless all displacements are kept.
+  /// Likewise along y; empty unless all displacements are computed.
   [[nodiscard]] std::span<const double> residual_displacement_y() const { return displacement_y_; }
-  /// Shear that the cells of the surface can carry along a unit vector, before the increment [Pa]; infinite if the body does not
-  /// yield. Without a direction, that which they carry in all of them.
+  /// Shear that each cell of the surface can carry along a unit vector, before the increment [Pa]; infinite if the body does not
+  /// yield. For a zero vector: the shear that the cell can carry in every direction.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
-  /// Stress in all layers [Pa] of a load and the plastic strain, and that from before the first load: deviator, 5 values per
-  /// cell, and trace. The body must not be rigid.
+  /// Total stress in all layers [Pa], from a load, the plastic strain and the initial stress before the first load: deviator, 5
+  /// values per cell, and trace. The body must not be rigid.
   void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace);
-  /// Locked-in elastic energy plus dissipation [J] of the present trial, for the load of the last update, or of the increment that was
-  /// committed last.
+  /// Locked-in elastic energy plus dissipation [J], of the present trial for the load of the last update, or of the last
+  /// committed increment.
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
 
 private:
-  /// In the layers [0, layers) and the rows [0, rows) of each.
+  /// Adds the initial stress in the layers [0, layers) and in the rows [0, rows) of each layer.
   void add_initial_stress(int layers, int rows, std::span<double> stress) const;
   void add_thermal_stress(int layers, int rows, std::span<double> stress) const;
-  [[nodiscard]] std::size_t independent_cells() const; ///< of each layer
+  [[nodiscard]] std::size_t independent_cells() const; ///< in each layer
   [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(active_.copies(a)); }
   template <typename Use>
   void with_copies(std::size_t a, const Use& use) const;
@@ -168,11 +171,11 @@ private:
   [[nodiscard]] double work_of(std::span<const double> stress_deviator, std::span<const double> strain) const;
   [[nodiscard]] double thermal_work_of_trial() const;
   void prepare_trial();
-  void take_up_guess();
-  void keep_guess();
-  void keep_active_layers();
+  void recover_guess();
+  void store_guess();
+  void restrict_to_active_layers();
   [[nodiscard]] double softening(std::size_t cell) const { return softening_.empty() ? 1.0 : softening_[cell]; }
-  /// The law of a layer that is not softened.
+  /// Hardening law in a layer without softening.
   template <typename Law>
   [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const
   {
@@ -188,27 +191,27 @@ private:
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   template <typename Law>
   [[nodiscard]] constitutive::PlasticIncrement increment(const Law& law, std::size_t a, Integration integration);
-  struct Together;
+  struct ActiveLanes;
   template <typename Law>
   void flow_of(const Law& law, Integration integration);
   template <typename Law>
   [[nodiscard]] double map_trials(const Law& law);
   void sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const;
   template <typename Law>
-  void find_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift, double fraction,
-                   std::vector<std::size_t>& found) const;
+  void find_cells_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
+                         double fraction, std::vector<std::size_t>& found) const;
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
-  [[nodiscard]] bool may_yield_beneath() const;
+  [[nodiscard]] bool may_yield_below() const;
   [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const;
   [[nodiscard]] PlasticZone zone_of_trial() const;
-  [[nodiscard]] halfspace::Displacements found_at_once() const;
+  [[nodiscard]] halfspace::Displacements displacements_per_evaluation() const;
   void find_displacements(halfspace::Displacements wanted);
   void choose_window();
   void load_strain();
   void find_stress(const halfspace::SurfaceLoad& load);
-  void widen(std::size_t first);
-  [[nodiscard]] Columns columns_at_work(const std::array<std::vector<double>, 3>& load, int shift) const;
-  [[nodiscard]] Columns searched() const;
+  void include_new_cells(std::size_t first);
+  [[nodiscard]] Columns affected_columns(const std::array<std::vector<double>, 3>& load, int shift) const;
+  [[nodiscard]] Columns searched_columns() const;
   [[nodiscard]] double change_of_displacement(const std::vector<double>& before) const;
 
   VolumeGrid grid_;
@@ -219,37 +222,37 @@ private:
   BodyState state_;
   PlasticZone zone_;                                  ///< of the state
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
-  std::vector<double> softening_;                     ///< at the end of the increment at hand; empty: none
-  std::vector<double> thermal_stress_;                ///< at the end of the increment at hand; empty without heat
+  std::vector<double> softening_;                     ///< at the end of the current increment; empty: none
+  std::vector<double> thermal_stress_;                ///< at the end of the current increment; empty without heat
   double stiffness_ = 0.0;                            ///< c [Pa]
   bool shortcuts_;
   Symmetry symmetry_;
   int layers_; ///< layers whose stress is computed, from the surface
   ActiveCells active_;
-  double yield_error_ = 0.0; ///< of the last evaluation
-  bool bears_shear_ = false; ///< in the last evaluation
+  double yield_error_ = 0.0; ///< error of the last evaluation
+  bool bears_shear_ = false; ///< whether there was shear in the last evaluation
   bool in_increment_ = false;
-  /// Deviatoric stress of the trial in the layers computed. Between increments: that of the state, and in the cells that were
-  /// active last their q, the guess of the next increment.
+  /// Deviatoric stress of the trial in the computed layers. Between increments: the stress of the state, but in the cells that
+  /// were active last their q, which is the initial guess of the next increment.
   std::vector<double> stress_;
-  /// These cells and their q, for when an increment fails.
+  /// Indices and q of those cells, to restore the guess when an increment fails.
   std::vector<std::size_t> guessed_cells_;
   std::vector<double> guessed_q_;
   std::vector<double> displacement_, displacement_x_, displacement_y_;
-  bool knows_displacement_x_ = false; ///< of the present trial
+  bool knows_displacement_x_ = false; ///< whether displacement_x_ is that of the present trial
 
-  /// Of what all cells are known, so that a window can refer to it.
+  /// Reference solution, known in all cells, from which an evaluation of a window computes differences.
   enum class Known
   {
     nothing,
-    state,     ///< before the increment
-    evaluation ///< the last one
+    state,     ///< the state before the increment
+    evaluation ///< the last evaluation of all cells
   };
   std::unique_ptr<Window> window_;                    ///< nullptr: none
-  bool windowed_ = false;                             ///< the evaluation at hand is one of the window
-  bool was_windowed_ = false;                         ///< the one before was, in the box that the window has now
-  bool wants_whole_ = false;                          ///< the next one is not
-  Known reference_ = Known::nothing;                  ///< in an increment
+  bool windowed_ = false;                             ///< the current evaluation is restricted to the window
+  bool was_windowed_ = false;                         ///< the previous one was, in the present box of the window
+  bool wants_all_cells_ = false;                      ///< the next evaluation is to compute all cells
+  Known reference_ = Known::nothing;                  ///< within an increment
   int shift_ = 0;                                     ///< by which the contact moves in the increment [cells]
   std::array<std::vector<double>, 3> load_;           ///< of the last evaluation of all cells; with a window
   std::array<std::vector<double>, 3> committed_load_; ///< of the state; with a window

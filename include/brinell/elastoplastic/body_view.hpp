@@ -6,7 +6,7 @@
 namespace brinell::elastoplastic
 {
 
-/// What the upper body is to the lower one, so that only that one need be solved.
+/// Relation of the upper body to the lower one; other than none, only the lower body is solved.
 enum class Twin
 {
   none,
@@ -14,12 +14,12 @@ enum class Twin
   alike         ///< the same field in the same direction: pure rolling
 };
 
-/// One side of a contact as it is seen from outside: a body that is solved, or the twin of one, which has no fields of its
-/// own. Fields are in the axes of this side; those of a mirror image are copied in reverse order.
+/// One side of a contact as seen by a user: a body that is solved, or the twin of a solved body, which has no fields of its own.
+/// Fields are in the axes of this side; those of a mirror image are copied in reverse order.
 class BodyView
 {
 public:
-  /// @param texture  depth that the surface of this side had before the first load, into the body [m]; empty: smooth
+  /// @param texture  depth of the surface of this side before the first load, positive into the body [m]; empty: smooth
   BodyView(const Body& solved, Twin twin, const std::vector<double>& texture)
       : solved_(&solved), twin_(twin), texture_(&texture)
   {
@@ -28,7 +28,7 @@ public:
   [[nodiscard]] const VolumeGrid& grid() const { return solved_->grid(); }
   [[nodiscard]] const constitutive::Material& material() const { return solved_->material(); }
   [[nodiscard]] const std::vector<double>& texture() const { return *texture_; }
-  /// The body that is solved: for what does not depend on directions, such as energies and largest values.
+  /// The body that is solved: for quantities that do not depend on directions, such as energies and largest values.
   [[nodiscard]] const Body& solved() const { return *solved_; }
 
   /// Whether the fields of this side are those of `solved` in reverse order.
@@ -37,15 +37,15 @@ public:
   /// Turns fields of the solved body into those of this side: a deviator field of 5 values per cell, and a scalar one.
   void turn(std::vector<double>& deviators, std::vector<double>& scalars) const;
 
-  /// A copy of a field on the surface, from the solved body to this side or back.
-  /// @param parity  the sign that its mirror image has
+  /// A copy of a surface field, converted from the solved body to this side or back.
+  /// @param parity  factor, +1 or -1, of the field's value in the mirror image
   [[nodiscard]] std::vector<double> turned(std::span<const double> surface, double parity) const;
 
   /// A copy of the history.
   [[nodiscard]] BodyState state() const;
-  /// A copy of one of its deviator fields, such as &BodyState::plastic_strain.
+  /// A copy of one deviator field of the history, such as &BodyState::plastic_strain.
   [[nodiscard]] std::vector<double> deviators(std::vector<double> BodyState::*fields) const;
-  /// A copy of one of its scalar fields, such as &BodyState::equivalent.
+  /// A copy of one scalar field of the history, such as &BodyState::equivalent.
   [[nodiscard]] std::vector<double> scalars(std::vector<double> BodyState::*field) const;
   /// Residual displacement of the surface in the present trial [m].
   [[nodiscard]] std::vector<double> residual_displacement() const;

@@ -17,7 +17,8 @@
 #include <utility>
 #include <vector>
 
-/// One increment of two elastic-plastic bodies in contact: pressure, plastic strain and residual displacement that agree.
+/// One increment of two elastic-plastic bodies in contact: mutually consistent pressure, plastic strain and residual
+/// displacement.
 namespace brinell::elastoplastic
 {
 
@@ -37,15 +38,15 @@ struct Outgrown
 struct IncrementReport
 {
   bool converged = false;
-  Outgrown outgrown{}; ///< by the solution, if it converged
+  Outgrown outgrown{}; ///< edges that the solution reached, if it converged
   bool contact_converged = false;
   double approach = 0.0; ///< imposed, or found for the load imposed [m]
-  int evaluations = 0;   ///< of the elastic-plastic operator of both bodies
+  int evaluations = 0;   ///< evaluations of the elastic-plastic operator of both bodies
   int contact_iterations = 0;
   double yield_error = 0.0;        ///< largest |g(q) - q| over the yield stress
   double displacement_error = 0.0; ///< largest change of residual displacement in the last evaluation [m]
   double gap_error = 0.0;          ///< contact complementarity [m]
-  double energy = 0.0;             ///< locked-in, elastic and dissipated energy: what backward Euler minimises [J]
+  double energy = 0.0;             ///< locked-in, elastic and dissipated energy, which backward Euler minimises [J]
   bool energy_rose = false;        ///< stopped by Strategy::watch_energy
   bool overloaded = false;         ///< friction could not carry the force along the surface in the last evaluation
 };
@@ -53,13 +54,13 @@ struct IncrementReport
 /// Reference lengths of the tolerances [m].
 struct Scales
 {
-  /// For the change of residual displacement: approach at first yield, in plans between 1 % and all of the largest approach.
-  /// Without friction: with it bodies yield sooner, but what matters to the contact is no smaller for that.
+  /// For the change of residual displacement: approach at first yield; plans limit it to between 1 % and 100 % of the largest
+  /// approach. Friction is left out: it makes bodies yield earlier, but the displacements relevant to the contact stay as large.
   double displacement = 0.0;
   double gap = 0.0; ///< for complementarity: largest approach
 };
 
-/// Heights that the surfaces had before the first load, on the material grids, as depth into the body [m]; empty: smooth.
+/// Textures of the surfaces before the first load, on the material grids, as depth into the body [m]; empty: smooth.
 struct Textures
 {
   std::vector<double> lower, upper;
@@ -75,22 +76,23 @@ struct Strategy
   double stiffness_share = 0.6;
   /// Compute all layers in each evaluation, and give up as soon as the energy of the increment's convex problem,
   /// docs/theory/elastoplastic.md (energy), rises (backward Euler, plain fixed point): the caller then tries a larger stiffness
-  /// share, that is shorter steps of the iteration. Otherwise the stall rule ends an iteration that runs in circles.
+  /// share, that is shorter steps of the iteration. If false, the stall rule ends an iteration that makes no progress.
   bool watch_energy = false;
-  /// Do not commit a solution that has outgrown a grid: `converged` then is false, and the caller is to continue on larger
-  /// grids. Without this, strain beyond an edge is lost.
+  /// Do not commit a solution that has outgrown a grid: `converged` is then false, and the caller has to continue on larger
+  /// grids. If false, strain beyond an edge is lost.
   bool stay_within_grids = false;
-  /// Whether the surfaces slide on each other in this increment: without it there is no friction.
+  /// Whether the surfaces slide on each other in this increment; if false there is no friction.
   bool slides = true;
   std::function<bool()> wants_stop{}; ///< asked before each evaluation and while the contact is solved
-  double duration = 0.0;              ///< of the increment [s]; 0: nothing happens to the heat
-  double slid = 0.0;                  ///< by which the undeformed surfaces slide on each other in it [m], >= 0
-  bool is_put_down = false;           ///< the contact has not moved over the bodies to where it is: no heat on the way
-  /// By which the contact moves over the lower and the upper body in it [m]. The placements follow that by whole columns.
+  double duration = 0.0;              ///< of the increment [s]; 0: no heat is generated or conducted
+  double slid = 0.0;                  ///< sliding distance of the undeformed surfaces in the increment [m], >= 0
+  bool is_put_down =
+      false; ///< the contact was put down at its place without moving over the bodies: no heat on the way
+  /// Distances that the contact moves over the lower and the upper body in the increment [m]. Placements follow by whole columns.
   std::array<double, 2> moved{};
 };
 
-/// What two bodies have been through, and the grids on which it is written.
+/// The history of two bodies, with the grids of its fields.
 struct History
 {
   SurfaceGrid contact;
@@ -105,26 +107,26 @@ struct History
   std::unique_ptr<Wear> wear{};       ///< none without wear
 };
 
-/// Friction and wear, and what the surfaces do along each other.
+/// Tangential behaviour of the contact: friction, wear, direction of sliding, heat.
 struct Sliding
 {
   Friction friction{};
   int direction = 1;   ///< in which the upper body slides over the lower one: +1 towards +x, or -1
-  bool sticks = false; ///< where friction can hold the surfaces they stick: there is no direction then
-  /// Of surfaces that slide everywhere: what becomes of the heat of friction; none: nothing.
+  bool sticks = false; ///< partial slip: surfaces stick where friction can hold them; `direction` is not used then
+  /// Heat of friction of surfaces that slide everywhere; none: heat is not computed.
   std::optional<HeatedRun> heat{};
   WearLaw wear{};
 };
 
-/// The coupled solver, with its buffers.
+/// The solver of the coupled problem of contact and plastic flow, with its buffers.
 class CoupledContact
 {
 public:
-  /// @param twin  unless none, the upper body has the grid, material and history of the lower one (or their mirror image)
-  ///              and keeps it: only the lower one is solved.
-  /// @param reference  of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m].
-  /// @param symmetry   of both bodies, their surfaces, and all that will be asked of them. Half of each body is solved; not
-  ///                   where surfaces may stick.
+  /// @param twin       unless none, the upper body has, and keeps, the grid, material and history of the lower one (or their
+  ///                   mirror image): only the lower one is solved.
+  /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m].
+  /// @param symmetry   of both bodies, their surfaces, and all later increments. With symmetry half of each body is solved; it is
+  ///                   not available where surfaces may stick.
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
                  const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {},
@@ -132,8 +134,8 @@ public:
 
   [[nodiscard]] BodyView lower() const { return {sides_.front().body, Twin::none, textures_.lower}; }
   [[nodiscard]] BodyView upper() const { return {sides_.back().body, twin_, textures_.upper}; }
-  /// Whether backward Euler minimises an energy in an increment, so that Strategy::watch_energy has something to watch. A mean
-  /// gap has none: the approach that it asks for changes with the plastic strain.
+  /// Whether backward Euler minimises an energy in an increment, as Strategy::watch_energy requires. Under an imposed mean gap
+  /// there is no such energy, because the approach that gives this gap changes with the plastic strain.
   [[nodiscard]] bool has_energy(contact::Drive::Kind drive) const;
   [[nodiscard]] std::span<const double> pressure() const { return pressure_; } ///< on the contact grid [Pa]
   [[nodiscard]] std::span<const double> gap() const { return gap_; }           ///< on the contact grid [m]
@@ -142,42 +144,41 @@ public:
   [[nodiscard]] double elastic_energy() const; ///< recoverable, of pressure and shear [J]
   /// The shear between the surfaces; nullptr without friction.
   [[nodiscard]] const Interface* interface() const { return interface_.get(); }
-  /// The same of surfaces that slide everywhere; nullptr of others.
+  /// The interface of surfaces that slide everywhere; nullptr for others.
   [[nodiscard]] const SlidingInterface* sliding() const;
-  /// The same of surfaces that may stick; nullptr of others.
+  /// The interface of surfaces that may stick; nullptr for others.
   [[nodiscard]] const PartialSlip* partial_slip() const;
   /// The heat of friction in both bodies; nullptr where none is computed.
   [[nodiscard]] const Heating* heating() const { return heating_.get(); }
-  /// What both surfaces have lost; nullptr without wear.
+  /// Material lost by both surfaces; nullptr without wear.
   [[nodiscard]] const Wear* wear() const { return wear_.get(); }
-  /// What heat has done mechanically since the start, on the pressure and on the plastic strain [J].
+  /// Mechanical work of thermal expansion since the start, on the pressure and on the plastic strain [J].
   [[nodiscard]] double expansion_work() const;
-  /// Load per approach with which the bodies would begin to part or to approach further without yielding [N/m]:
-  /// contact::stiffness.
+  /// Elastic contact stiffness: change of load per change of approach, without yielding [N/m]: contact::stiffness.
   [[nodiscard]] double stiffness() const;
   [[nodiscard]] const SurfaceGrid& grid() const { return compliance_.grid(); }
 
-  /// Factors on the yield stress of the cells, see Body::set_softening. The upper one of twins follows the lower one.
-  /// @throws InternalError for factors of an upper twin
+  /// Sets factors on the yield stress of the cells, see Body::set_softening. An upper twin follows the lower body.
+  /// @throws InternalError if factors are given for an upper twin
   void set_softening(std::span<const double> lower, std::span<const double> upper);
 
   /// Solves one increment from the present state; commits it only if it converged.
   /// @param distance   of the smooth, undeformed surfaces on the contact grid where they touch without load [m], one per cell.
   /// @param placement  of the contact grid on the material grids.
-  /// @param along      of surfaces that may stick: forces at the end of the increment, or shifts since the first one; of
-  ///                   others the sign of the shift along x is their direction, unless it is zero.
-  /// @throws Interrupted between two evaluations or within a contact solution; GridError. Without convergence, or after these,
-  /// everything is as it was before the increment.
+  /// @param along      for surfaces that may stick: forces at the end of the increment, or shifts since the first one. For
+  ///                   others: the sign of the shift along x, unless zero, is the direction of sliding.
+  /// @throws Interrupted between two evaluations or within a contact solution; GridError. Without convergence, or after an
+  /// exception, the state is that before the increment.
   [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy,
                                         const contact::TangentialDrive& along = {});
 
-  /// Depth of the surfaces under the contact grid, each with texture, residual displacement and what is worn off [m]; zero outside
-  /// their grids.
-  /// They are added to `out`.
+  /// Adds to `out` the depth of a surface under the contact grid, from texture, residual displacement and wear [m]; zero outside
+  /// the grid of the body.
   void add_lower_depth(const Place& place, std::span<double> out) const;
   void add_upper_depth(const Place& place, std::span<double> out) const;
-  /// Stress in all layers of a body [Pa]: of the contact's pressure, of the plastic strain, and that from before the first load.
+  /// Total stress in all layers of a body [Pa]: from the load, the plastic strain, heat, and the initial stress before the first
+  /// load.
   struct Stress
   {
     std::vector<double> deviator; ///< 5 values per cell
@@ -186,30 +187,30 @@ public:
   /// @throws InputError if the body is rigid
   [[nodiscard]] Stress lower_stress(const Place& place);
   [[nodiscard]] Stress upper_stress(const Place& place);
-  /// Temperature of all cells of a body [deg C]; empty without heat, or if the body is rigid.
+  /// Temperature in all cells of a body [deg C]; empty without heat, or if the body is rigid.
   [[nodiscard]] std::vector<double> lower_temperature() const { return temperature(0, lower()); }
   [[nodiscard]] std::vector<double> upper_temperature() const { return temperature(1, upper()); }
   /// Whether pressure acts on the outermost cells of the contact grid.
   [[nodiscard]] bool reaches_edge() const;
-  /// The history, to be continued on other grids; what is left of this object is not to be used.
+  /// Moves out the history, to be continued on other grids; this object must not be used afterwards.
   [[nodiscard]] History take_history() &&;
-  /// Continues a history from smaller grids whose middles are those of these grids.
-  /// @throws InternalError if they do not lie so
+  /// Continues a history from smaller grids that have the same centres as these grids.
+  /// @throws InternalError if the centres differ
   void continue_from(History history);
 
   /// Everything that the next increment depends on.
   void exchange(Archive& archive);
 
 private:
-  /// A body that is solved, and what the contact does to it.
+  /// A body that is solved, with the load that the contact puts on it.
   struct Side
   {
     Body body;
     Place Placement::*place;
     std::vector<double> pressure{};             ///< of the trial, on the grid of the body [Pa]
     bool leaves_grid = false;                   ///< pressure of the trial lies beyond an end of the body's grid
-    double shear_sign = 1.0;                    ///< of the shear on this body
-    std::array<std::vector<double>, 2> shear{}; ///< of the trial, along x and y [Pa]; empty if there never is one
+    double shear_sign = 1.0;                    ///< sign of the interface's shear on this body
+    std::array<std::vector<double>, 2> shear{}; ///< of the trial, along x and y [Pa]; empty if there never is any
 
     [[nodiscard]] halfspace::SurfaceLoad load() const
     {
@@ -268,11 +269,12 @@ private:
   std::unique_ptr<Interface> interface_; ///< none without friction
   std::unique_ptr<Heating> heating_;     ///< none without heat
   std::unique_ptr<Wear> wear_;           ///< none without wear
-  double slid_ = 0.0;                    ///< Strategy::slid of the increment at hand [m]
+  double slid_ = 0.0;                    ///< Strategy::slid of the current increment [m]
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;
-  std::vector<double> distance_; ///< of the surfaces with texture and residual displacement at no approach
+  std::vector<double>
+      distance_; ///< distance of the surfaces with texture and residual displacement, at zero approach [m]
 };
 
 } // namespace brinell::elastoplastic

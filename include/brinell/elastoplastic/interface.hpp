@@ -18,17 +18,18 @@ struct Friction
 {
   double coefficient = 0.0; ///< shear over pressure, >= 0; 0: none
   std::optional<double>
-      shear_limit{}; ///< that a surface can carry [Pa], > 0; none: the shear strength of the softer one
-  /// Whether the shear moves the gap where the materials differ.
+      shear_limit{}; ///< largest shear that a surface can carry [Pa], > 0; none: the shear strength of the softer body
+  /// Whether the shear changes the gap where the elastic constants differ.
   bool coupling = true;
 
   bool operator==(const Friction&) const = default;
 };
 
-/// The shear between two surfaces: how it follows, within an increment, from the pressure and from what the bodies do.
+/// The shear between two surfaces: how it follows, within an increment, from the pressure and from the motion and deformation of
+/// the bodies.
 ///
-/// The shear is that on the lower body; on the upper body it acts the other way. All fields are on the contact grid, x and y are
-/// the same axes for both bodies.
+/// The shear is that on the lower body; on the upper body it acts in the opposite direction. All fields are on the contact grid;
+/// x and y are the same axes for both bodies.
 class Interface
 {
 public:
@@ -39,33 +40,34 @@ public:
 
   [[nodiscard]] const Friction& friction() const { return friction_; }
 
-  /// What is known of both bodies at a moment.
+  /// Pressure and displacements of both bodies at one moment.
   struct Bodies
   {
     std::span<const double> pressure;         ///< [Pa]
     std::span<const double> lower_x, upper_x; ///< residual displacement along x [m]
     std::span<const double> lower_y{}, upper_y{};
-    double lower_columns = 0.0, upper_columns = 0.0; ///< by which the contact has moved on the bodies in the increment
+    double lower_columns = 0.0,
+           upper_columns = 0.0; ///< columns that the contact has moved on the bodies in the increment
   };
-  /// How an increment begins.
+  /// Data of an increment at its beginning.
   struct Start
   {
-    bool slides = true;             ///< without it there is no shear between surfaces that slide everywhere
+    bool slides = true;             ///< if false, surfaces that slide everywhere bear no shear
     contact::TangentialDrive along; ///< see CoupledContact::advance
-    std::vector<double> limit;      ///< that the surfaces can carry in each cell [Pa]
+    std::vector<double> limit;      ///< largest shear that the surfaces can carry in each cell [Pa]
     Bodies bodies;                  ///< before the increment
     bool holds_law = false;         ///< see `renew`
     double tolerance = 0.0;         ///< of displacements [m]
-    double approach = 0.0;          ///< of the bodies, the largest of the run [m]
+    double approach = 0.0;          ///< largest approach of the bodies in the run [m]
     std::function<bool()> wants_stop{};
   };
-  /// By how much a quantity changed at most.
+  /// Largest changes made by an update.
   struct Change
   {
     double shear = 0.0; ///< [Pa]
     double gap = 0.0;   ///< [m]
     bool is_solved = true;
-    bool is_overloaded = false; ///< friction cannot carry the force that is imposed
+    bool is_overloaded = false; ///< friction cannot carry the imposed force
   };
 
   /// Unit vector along which an increment drives the surface of the lower body; zero: no direction.
@@ -73,24 +75,25 @@ public:
   virtual void begin(Start start) = 0;
   /// Whether `follow` needs the residual displacements.
   [[nodiscard]] virtual bool follows_displacement() const = 0;
-  /// Sets the shear that belongs to a pressure and to residual displacements, and what it adds to the gap.
+  /// Computes the shear for a pressure and residual displacements, and the displacement that it adds to the gap.
   virtual Change follow(const Bodies& bodies) = 0;
-  /// Coulomb's law has no energy. Where `Start::holds_law`, what of it follows the pressure is held, so that the rest has one;
-  /// this brings it up to date.
-  /// @returns by how much that changed what the surfaces may carry, and the gap
+  /// Coulomb's law does not derive from an energy. With `Start::holds_law` the bound of the shear, which follows the pressure, is
+  /// held fixed, so that the remaining problem has an energy; this function updates the bound to the present pressure.
+  /// @returns the changes of the shear that the surfaces may carry, and of the gap
   virtual Change renew(const Bodies& bodies) = 0;
-  /// What the energy of the increment has of the shear besides its work on residual displacements, the law being held [J].
+  /// Contribution of the shear to the energy of the increment, apart from its work on residual displacements, with the law held
+  /// [J].
   [[nodiscard]] virtual double held_energy() const = 0;
-  /// Whether shear moves the gap.
+  /// Whether shear changes the gap.
   [[nodiscard]] virtual bool moves_gap() const = 0;
-  /// What the shear asks of the gap, if it is so small that errors of the gap matter to it [m].
-  /// @param usual  largest error of the gap, that of `Start`
+  /// Error of the gap that the shear tolerates [m]; smaller than usual where errors of the gap become errors of the slip.
+  /// @param usual  tolerance of the gap without regard to shear [m]
   [[nodiscard]] virtual double tolerance_of_gap(double usual) const { return usual; }
-  /// Adds what the shear adds to the gap [m].
+  /// Adds to the gap the normal displacement due to the shear [m].
   virtual void add_to_gap(std::span<double> gap) const = 0;
   /// Ends an increment.
   virtual void settle(const Bodies& bodies) = 0;
-  /// The increment has failed: as it was before it began.
+  /// After a failed increment: returns to the state before its beginning.
   virtual void restore() = 0;
 
   /// Along x and y; a part that never acts is empty [Pa].
@@ -104,9 +107,9 @@ public:
 
   /// Everything that the next increment depends on.
   virtual void exchange(Archive& archive) = 0;
-  /// Takes over the history of an interface of the same kind on a smaller contact grid with the same middle.
+  /// Takes over the history of an interface of the same kind on a smaller contact grid with the same centre.
   virtual void embed(const Interface& smaller) = 0;
-  /// The bodies have been moved to larger grids after `embed`.
+  /// Recomputes displacements after `embed`, once the bodies have been moved to larger grids.
   virtual void recall(const Bodies& bodies) = 0;
 
 private:

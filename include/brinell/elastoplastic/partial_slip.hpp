@@ -13,12 +13,13 @@ namespace brinell::elastoplastic
 
 /// The shear between two surfaces that stick in places and slip in others: docs/theory/elastoplastic.md (partial-slip).
 ///
-/// Slip is that of the upper surface over the lower one. The contact may roll: it moves by the same whole columns on both bodies,
-/// and shear, slip and heat are those of the points of the surfaces that are under it, which carry them along.
+/// Slip is the relative displacement of the upper surface over the lower one. The contact may roll: it moves by the same whole
+/// number of columns on both bodies. Shear, slip and heat belong to points of the surfaces, so that they move through the contact
+/// grid with these points.
 class PartialSlip final : public Interface
 {
 public:
-  /// @param reference  of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m]
+  /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m]
   PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, const Friction& friction,
               double reference);
 
@@ -29,7 +30,7 @@ public:
   Change renew(const Bodies& bodies) override;
   [[nodiscard]] double held_energy() const override;
   [[nodiscard]] bool moves_gap() const override { return couples_; }
-  /// The pressure pulls along the surfaces, so that errors of it are errors of the slip.
+  /// With unequal elastic constants the pressure displaces the surfaces tangentially: its errors become errors of the slip.
   [[nodiscard]] double tolerance_of_gap(double usual) const override { return couples_ ? start_.tolerance : usual; }
   void add_to_gap(std::span<double> gap) const override;
   void settle(const Bodies& bodies) override;
@@ -40,19 +41,19 @@ public:
   [[nodiscard]] double elastic_energy(std::span<const double> pressure) const override;
   [[nodiscard]] double limited_share() const override { return state_.limited_share; }
 
-  /// Slip since the start, or since these points of the surfaces came under the contact grid, with its sign [m].
+  /// Signed slip since the start, or since these points of the surfaces came under the contact grid [m].
   [[nodiscard]] contact::ConstAlongSurface slips() const { return {state_.slip[0], state_.slip[1]}; }
-  /// Length of the way slipped in the increment at hand, where the surfaces slip on each other under pressure [m].
+  /// Slip length in the current increment, where the surfaces slip on each other under pressure; 0 elsewhere [m].
   [[nodiscard]] std::vector<double> slipped() const;
-  /// Length of the way slipped since then [m].
+  /// Accumulated slip length, over the same time as `slips` [m].
   [[nodiscard]] std::span<const double> path() const { return state_.path; }
-  /// Heat of friction per area since then [J/m^2].
+  /// Heat of friction per area, over the same time as `slips` [J/m^2].
   [[nodiscard]] std::span<const double> heat_per_area() const { return state_.heat; }
-  /// Heat of friction since the start, with that of points which have left the grid [J].
+  /// Heat of friction since the start, including points that have left the grid [J].
   [[nodiscard]] double heat() const { return state_.total_heat; }
-  /// By which distant points of the upper body have been moved past those of the lower one since the start [m].
+  /// Displacement of distant points of the upper body relative to those of the lower one since the start, along x and y [m].
   [[nodiscard]] std::array<double, 2> shift() const { return state_.shift; }
-  /// Work of the forces along the surface, and of their moment on the spin, since the start [J].
+  /// Work of the tangential forces, and of their moment on the spin, since the start [J].
   [[nodiscard]] double work() const { return state_.work; }
   /// Cells under pressure that did not slip in the last increment, and all cells under pressure.
   [[nodiscard]] int sticking_cells() const { return state_.sticking; }
@@ -64,16 +65,16 @@ public:
 
 private:
   using Pair = std::array<std::vector<double>, 2>;
-  /// What an increment changes, and the next one depends on.
+  /// Quantities that an increment changes and on which the next one depends.
   struct State
   {
     Pair shear;                ///< [Pa]
     Pair slip;                 ///< see `slips` [m]
-    std::vector<double> path;  ///< length of the way slipped since then [m]
-    std::vector<double> heat;  ///< since then [J/m^2]
-    std::vector<double> depth; ///< what the shears add to the gap [m]; empty if they do not
+    std::vector<double> path;  ///< see `path` [m]
+    std::vector<double> heat;  ///< see `heat_per_area` [J/m^2]
+    std::vector<double> depth; ///< displacement that the shears add to the gap [m]; empty without coupling
     std::array<double, 2> shift{};
-    double turned = 0.0; ///< of the upper body past the lower one about z [rad]
+    double turned = 0.0; ///< rotation of the upper body relative to the lower one about z [rad]
     double work = 0.0;
     double total_heat = 0.0; ///< [J]
     double limited_share = 0.0;
@@ -84,7 +85,7 @@ private:
 
   void carry_along(const Bodies& bodies);
   [[nodiscard]] double imposed(std::size_t axis, int column, int row) const;
-  [[nodiscard]] double motion() const;
+  [[nodiscard]] double driven_motion() const;
   [[nodiscard]] double tolerance_of_slip() const;
   void add_parting_heat();
   [[nodiscard]] double moment_of(const Pair& shear) const;
@@ -94,7 +95,7 @@ private:
   [[nodiscard]] bool carries_drive() const;
   [[nodiscard]] bool solve(const Bodies& bodies);
   void find_displacement(const Bodies& bodies, std::span<const double> pressure, Pair& out);
-  [[nodiscard]] double lower_gap();
+  [[nodiscard]] double update_depth();
   [[nodiscard]] bool is_forced(std::size_t axis) const;
 
   halfspace::TractionCompliance pair_; ///< of both bodies
@@ -103,15 +104,15 @@ private:
   bool couples_;
   Start start_;
   contact::TangentialDrive drive_; ///< of the increment
-  std::array<int, 2> carried_{};   ///< by which the surfaces move through the contact grid in it, in cells
-  Pair shear_before_;              ///< of the points that are in a cell now [Pa]
+  std::array<int, 2> carried_{};   ///< cells by which the surfaces move through the contact grid in the increment
+  Pair shear_before_;              ///< before the increment, of the surface points that now lie in each cell [Pa]
   std::vector<double> bound_before_, bound_;
-  bool has_bound_ = false; ///< in this increment
+  bool has_bound_ = false; ///< whether bound_ is already that of this increment
   std::vector<double> pressure_before_, pressure_added_;
-  Pair residual_before_;     ///< of the lower body less that of the upper one [m]
-  Pair displacement_before_; ///< likewise of all, elastic and residual [m]
-  Pair change_;              ///< in this increment, of all but the shears [m]
-  Pair slip_;                ///< of this increment [m]
+  Pair residual_before_;     ///< residual displacement, lower minus upper body, before the increment [m]
+  Pair displacement_before_; ///< total (elastic and residual) displacement, lower minus upper, before the increment [m]
+  Pair change_;              ///< change in this increment of the displacement that is not due to the shears [m]
+  Pair slip_;                ///< slip in this increment [m]
   std::array<double, 2> shift_{};
   State state_, before_; ///< now, and before the increment
 };

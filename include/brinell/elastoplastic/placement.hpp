@@ -9,7 +9,7 @@
 namespace brinell::elastoplastic
 {
 
-/// Where the contact grid lies on a material grid: contact column i is at column i + column + fraction.
+/// Where the contact grid lies on a material grid: contact column i is at material column i + column + fraction.
 struct Place
 {
   int column = 0;
@@ -23,28 +23,29 @@ struct Placement
   Place lower, upper;
 };
 
-/// Adds the depth of a body's surface, displacement and texture, to the cells of the contact grid above it. Between the columns
-/// of the body it is interpolated (cubic, Lagrange); outside its grid it is zero, and a periodic grid goes on.
+/// Adds the depth of a body's surface, displacement plus texture, to the cells of the contact grid above it. Between the columns
+/// of the body the depth is interpolated (cubic, Lagrange); outside the grid it is zero, and a periodic grid is continued.
 /// @param displacement  on the body's surface grid [m]
-/// @param texture       likewise, or empty
+/// @param texture       on the body's surface grid [m], or empty
 /// @param out           on the contact grid, which has the same cells and rows [m]
 void add_depth(const SurfaceGrid& body, std::span<const double> displacement, std::span<const double> texture,
                const Place& place, const SurfaceGrid& contact, std::span<double> out);
 
-/// The way back, transposed, so that no work is lost in between: pressure or shear of the contact grid to the cells of a body.
+/// Transfers a pressure or shear from the contact grid to the cells of a body. This is the transpose of the interpolation in
+/// `add_depth`, so that the work of the traction is conserved.
 /// @param out  on the body's surface grid; overwritten
-/// @returns whether all of it lies on the body's grid; what does not is left out.
+/// @returns whether all of the traction lies on the body's grid; the part beyond is left out.
 bool spread_traction(const SurfaceGrid& contact, std::span<const double> traction, const Place& place,
                      const SurfaceGrid& body, std::vector<double>& out);
 
-/// Adds a depth in the cells of the contact grid, times a factor, to the cells of a body. Between the columns of the body it is
-/// shared out linearly: the volume stays, and no cell gets less than nothing.
+/// Adds a depth in the cells of the contact grid, times a factor, to the cells of a body. The depth is distributed linearly
+/// between the two nearest columns: this conserves volume and keeps the sign.
 /// @param out  on the body's surface grid
-/// @returns whether all of it lies on the body's grid; what does not is left out.
+/// @returns whether all of the depth lies on the body's grid; the part beyond is left out.
 bool spread_volume(const SurfaceGrid& contact, std::span<const double> depth, double factor, const Place& place,
                    const SurfaceGrid& body, std::span<double> out);
 
-/// Copies a field of a grid into the middle of a larger one.
+/// Copies a field of a grid into the centre of a larger one.
 void embed_field(const SurfaceGrid& small, std::span<const double> from, const SurfaceGrid& large,
                  std::span<double> to);
 

@@ -11,7 +11,7 @@
 namespace brinell::elastoplastic
 {
 
-/// Where a body has flowed: most of its cells never do, and need not be looked at for it.
+/// The cells of a body that have flowed plastically. Most cells never flow; loops over the zone skip them.
 class PlasticZone
 {
 public:
@@ -19,10 +19,11 @@ public:
   /// @param equivalent  plastic strain, accumulated, one value per cell of the grid
   PlasticZone(const VolumeGrid& grid, std::span<const double> equivalent);
 
-  /// A cell has flowed. @param equivalent  its plastic strain now, accumulated; it never falls
+  /// Adds a cell that has flowed.
+  /// @param equivalent  accumulated equivalent plastic strain of the cell, not below earlier values
   void add(std::size_t cell, double equivalent);
 
-  /// Columns of one row of a layer, from the first cell that has flowed to the one behind the last.
+  /// Range of columns in one row of a layer: from the first cell that has flowed to one past the last.
   struct Columns
   {
     std::size_t first, end;
@@ -44,7 +45,7 @@ public:
     }
   }
 
-  /// Accumulated equivalent plastic strain: the largest of each layer, and of all.
+  /// Largest accumulated equivalent plastic strain of each layer, and of all layers.
   [[nodiscard]] std::span<const double> largest_of_layers() const { return largest_; }
   [[nodiscard]] double largest() const;
 

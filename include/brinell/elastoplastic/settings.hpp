@@ -17,16 +17,16 @@ struct Settings
   int max_evaluations = 60;             ///< evaluations per increment before it is split
   int anderson_depth = 6;               ///< 0: plain fixed point
   Integration integration = Integration::path;
-  /// Of two bodies that keep mirrored or equal fields, solve one: docs/theory/elastoplastic.md.
+  /// If both bodies have mirrored or equal fields throughout, solve only one: docs/theory/elastoplastic.md.
   bool mirror = true;
-  /// Where bodies, surfaces and motion are the same on both sides of y = 0, solve one side: docs/theory/elastoplastic.md.
+  /// If bodies, surfaces and motion are symmetric about y = 0, solve one half: docs/theory/elastoplastic.md.
   bool symmetry = true;
-  /// Compute the stress only down to the deepest active cell (near yield) and one layer more, until the increment is nearly
-  /// solved; the evaluation that ends the increment computes all layers, and finds every cell that yields. false: all layers
+  /// Until the increment is nearly solved, compute the stress only down to one layer below the deepest active cell (near yield);
+  /// the evaluation that ends the increment computes all layers, and finds every cell that yields. false: all layers
   /// in every evaluation, every cell active.
   bool shortcuts = true;
-  /// With short cuts, on a body much longer than the contact: until an increment is nearly solved compute only the columns of the
-  /// active cells and of the load; the evaluation that ends the increment computes all cells. false: all columns.
+  /// With short cuts, on a body much longer than the contact: until the increment is nearly solved, compute only the columns of
+  /// the active cells and of the load; the evaluation that ends the increment computes all cells. false: all columns.
   bool windows = true;
 };
 

@@ -10,13 +10,13 @@
 namespace brinell::elastoplastic
 {
 
-/// The shear between two surfaces that slide everywhere where they touch, along x: positive where the upper body slides towards
-/// +x. What it displaces, and the work that it does.
+/// The shear along x between two surfaces that slide wherever they touch, with its displacements and its work. The shear is
+/// positive where the upper body slides towards +x.
 class SlidingInterface final : public Interface
 {
 public:
   /// @param direction  +1 where the upper body slides towards +x over the lower one, -1 the other way
-  /// @param reference  of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m]
+  /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m]
   SlidingInterface(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, const Friction& friction,
                    int direction, double reference);
 
@@ -39,29 +39,30 @@ public:
   [[nodiscard]] std::span<const double> shear() const { return state_.shear; } ///< along x [Pa]
   /// Sum of the shear on the lower body [N].
   [[nodiscard]] double force() const;
-  /// Adds the elastic depth that the shear gives to each surface [m], as of the last increment.
+  /// Adds the elastic normal displacement of each surface under the shear of the last increment, positive into the body [m].
   void add_depth(std::span<double> lower, std::span<double> upper) const;
-  /// Work that the shear has done on both bodies by their deformation since the start [J].
+  /// Work of the shear on the deformation of both bodies since the start [J].
   [[nodiscard]] double work() const { return state_.work; }
 
-  /// Heat of friction in the last increment [J/m^2]: work of the shear, less what it has done by the deformation of the bodies.
-  /// @param slid  by which the undeformed surfaces have slid in it [m]
+  /// Heat of friction per area in the last increment [J/m^2]: work of the shear on the sliding distance, minus its work on the
+  /// deformation of the bodies.
+  /// @param slid  sliding distance of the undeformed surfaces in the increment [m]
   [[nodiscard]] std::vector<double> heat_per_area(double slid) const;
 
   void exchange(Archive& archive) override { state_.exchange(archive); }
   void embed(const Interface& smaller) override;
-  /// What the shear and the pressure displace.
+  /// Recomputes the displacements under shear and pressure.
   void recall(const Bodies& bodies) override { find_displacements(bodies); }
 
 private:
-  /// What an increment changes, and the next one depends on.
+  /// Quantities that an increment changes and on which the next one depends.
   struct State
   {
     std::vector<double> shear; ///< [Pa]
-    /// Depth of the surface of a body with unit coupling weight under the shear [m].
+    /// Normal displacement under the shear of a body with unit coupling weight, positive into the body [m].
     std::vector<double> depth;
-    std::vector<double> slip; ///< displacement along x of the lower surface less that of the upper one [m]
-    /// The shear times the slope of the displacement along x, of each body [Pa].
+    std::vector<double> slip; ///< displacement along x, lower minus upper surface [m]
+    /// Shear times the slope of the displacement along x, for each body [Pa].
     std::vector<double> lower_stretch, upper_stretch;
     double work = 0.0;
     double limited_share = 0.0;
@@ -75,12 +76,12 @@ private:
   halfspace::TractionCompliance pair_; ///< of both bodies
   halfspace::TractionCompliance unit_; ///< of a body with unit coupling weight
   int direction_;
-  /// (1 - 2 nu)/(2 mu) [1/Pa]: of pressure along x and of shear along z.
+  /// (1 - 2 nu)/(2 mu) [1/Pa]: couples pressure to displacement along x, and shear to displacement along z.
   double lower_weight_, upper_weight_;
   bool slides_ = false, is_held_ = false;
   std::vector<double> limit_;
   State state_, before_;              ///< now, and before the increment
-  std::vector<double> work_per_area_; ///< of the shear on the deformation in the last increment [J/m^2]
+  std::vector<double> work_per_area_; ///< work of the shear on the deformation in the last increment [J/m^2]
 };
 
 } // namespace brinell::elastoplastic

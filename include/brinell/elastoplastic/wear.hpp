@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-/// What two surfaces lose where they slip on each other: docs/theory/elastoplastic.md (wear).
+/// Wear of two surfaces where they slip on each other: docs/theory/elastoplastic.md (wear).
 namespace brinell::elastoplastic
 {
 
-/// How much each surface loses.
+/// Wear law, with a coefficient for each surface.
 struct WearLaw
 {
   enum class Kind
@@ -28,55 +28,59 @@ struct WearLaw
   bool operator==(const WearLaw&) const = default;
 };
 
-/// What both surfaces have lost, as depth on their own material grids, and what they lose in an increment.
+/// Worn depth of both surfaces, on their own material grids, and the wear of the current increment.
 ///
-/// The depth of an increment follows from the pressure at its end (backward Euler), with which it is found: to the contact it
-/// is a layer that gives way in proportion to the local pressure. However much is worn in an increment, nothing oscillates.
+/// The worn depth of an increment follows from the pressure at its end (backward Euler) and is solved together with it: for the
+/// contact solver wear is a compliant layer whose deflection is proportional to the local pressure. Solution is therefore stable
+/// for any amount of wear in an increment.
 class Wear
 {
 public:
   Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law);
 
-  /// What the surfaces do in the trial of an increment; one value per cell of the contact.
+  /// Pressure and slip of the trial of an increment; one value per cell of the contact grid.
   struct Slip
   {
     std::span<const double> pressure; ///< [Pa]
-    std::span<const double> length;   ///< slipped in the increment [m]
-    std::span<const double> shear;    ///< its size [Pa]; for WearLaw::Kind::energy
+    std::span<const double> length;   ///< slip length in the increment [m]
+    std::span<const double> shear;    ///< magnitude [Pa]; for WearLaw::Kind::energy
   };
 
-  /// Begins an increment. @param pressure  before it [Pa]
+  /// Begins an increment.
+  /// @param pressure  before the increment [Pa]
   void begin(std::span<const double> pressure);
-  /// Sets what is worn per pressure. @returns the largest change of the worn depth of both [m]
+  /// Sets the worn depth per pressure.
+  /// @returns the largest change of the worn depth of both surfaces together [m]
   double follow(const Slip& slip);
   /// Depth that both surfaces lose in the increment per pressure at its end [m/Pa], on the contact grid.
   [[nodiscard]] std::span<const double> compliance() const { return compliance_; }
-  /// What the energy of the increment's convex problem has of the wear, its slip being held [J].
+  /// Contribution of the wear to the energy of the increment's convex problem, with the slip held fixed [J].
   [[nodiscard]] double held_energy(std::span<const double> pressure) const;
-  /// Ends an increment: puts on record what it has worn.
+  /// Ends an increment: adds its wear to the worn depths.
   void settle(std::span<const double> pressure, const Placement& placement);
 
-  /// Since the start, of the lower (0) or upper (1) surface.
+  /// Worn depth since the start of the lower (0) or upper (1) surface.
   [[nodiscard]] std::span<const double> depth(std::size_t side) const { return sides_.at(side).depth; } ///< [m]
   [[nodiscard]] double largest_depth(std::size_t side) const;                                           ///< [m]
-  /// By pressure or shear and slip of each increment [m^3]: the sum of the depth over the cells, but for rounding.
+  /// Worn volume, summed from the increments on the contact grid [m^3]; equals the sum of the depth over the cells up to
+  /// rounding.
   [[nodiscard]] double volume(std::size_t side) const { return sides_.at(side).volume; }
-  /// Largest depth that both surfaces have lost together in one increment [m].
+  /// Largest depth lost by both surfaces together in one increment [m].
   [[nodiscard]] double largest_step() const { return largest_step_; }
-  /// Work of the pressure on what was worn [J].
+  /// Work of the pressure on the worn depth [J].
   [[nodiscard]] double work() const { return work_; }
   /// Adds the worn depth of a surface to the cells of the contact grid above it [m].
   void add_depth(std::size_t side, const Place& place, std::span<double> out) const;
 
   void exchange(Archive& archive);
-  /// Takes over the history of smaller grids with the same middles.
+  /// Takes over the history of smaller grids with the same centres.
   void embed(const Wear& smaller);
 
 private:
   struct Side
   {
     SurfaceGrid grid;
-    double share;              ///< of this surface in what both lose
+    double share;              ///< share of this surface in the wear of both
     std::vector<double> depth; ///< [m]
     double volume = 0.0;       ///< [m^3]
   };
@@ -85,7 +89,7 @@ private:
   WearLaw law_;
   std::array<Side, 2> sides_;
   double work_ = 0.0, largest_step_ = 0.0;
-  std::vector<double> compliance_, pressure_before_; ///< of the increment at hand
+  std::vector<double> compliance_, pressure_before_; ///< of the current increment
 };
 
 } // namespace brinell::elastoplastic

@@ -46,7 +46,7 @@ TEST(SurfaceMeansTest, AreThoseOfTheCellsAround)
         if (means.contains(cell))
           means.set(cell, {{9.0, 9.0, yz[cell], xz[cell], 9.0}});
       }
-      means.take();
+      means.average();
       const Deviator with{{5.0, 5.0, 0.25, 2.0, 5.0}};
       for (int layer = 0; layer < SurfaceMeans::layers; ++layer)
         for (int j = 0; j < ny; ++j)
@@ -66,7 +66,7 @@ TEST(SurfaceMeansTest, TakeAsMuchOneWayAsTheOther)
   {
     SurfaceMeans means(grid);
     means.set(from, {{0.0, 0.0, 0.3, 1.0, 0.0}});
-    means.take();
+    means.average();
     return means.contracted(to, {{0.0, 0.0, 0.3, 1.0, 0.0}});
   };
   const std::size_t corner = grid.index(0, 0, 1), inner = grid.index(5, 3, 1);
