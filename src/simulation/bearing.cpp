@@ -13,7 +13,7 @@ namespace brinell::simulation
 namespace
 {
 
-/// The curve: heights that fall, each in the middle of its share of the area.
+/// The bearing-area curve: descending heights, each at the middle of its share of the area.
 struct Curve
 {
   std::vector<double> heights;
@@ -28,7 +28,7 @@ struct Curve
     return (static_cast<double>(i) + 0.5) / static_cast<double>(size());
   }
 
-  /// Share at which the curve falls to a level, on the straight way between two of its points.
+  /// Share of the area at which the curve falls to a level, by linear interpolation between two points.
   [[nodiscard]] double share_above(double level) const
   {
     const auto next = std::lower_bound(heights.begin(), heights.end(), level, std::greater<>()); // first not above
@@ -42,14 +42,14 @@ struct Curve
   }
 };
 
-/// Height of the line of the core where the curve begins, and by how much the line falls up to its end.
+/// The core line: height at 0 % of the area, and its fall up to 100 %.
 struct Line
 {
   double start = 0.0, fall = 0.0;
 };
 
-/// The secant over 40 % of the area that falls least, the first of several; the line is the best fit (least squares) to the
-/// curve there.
+/// Finds the secant over 40 % of the area with the smallest slope (the first one, if there are several); the core line is the
+/// least-squares fit to the curve within this secant.
 Line core_of(const Curve& curve)
 {
   constexpr double part = 0.4;
@@ -57,7 +57,7 @@ Line core_of(const Curve& curve)
   const auto across =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(part * static_cast<double>(curve.size()))));
   const double rounding =
-      1e-9 * (h.front() - h.back()); // waves have many secants alike: none is chosen by its last digit
+      1e-9 * (h.front() - h.back()); // regular waves have many equal secants, which must not be chosen by rounding
   std::size_t first = 0;
   for (std::size_t i = 1; i + across < curve.size(); ++i)
     if (h[i] - h[i + across] < h[first] - h[first + across] - rounding)
@@ -92,13 +92,13 @@ Bearing bearing_of(std::vector<double> heights)
   const Line core = core_of(curve);
   const double top = core.start, bottom = core.start - core.fall;
   const auto cells = static_cast<double>(curve.size());
-  double above = 0.0, below = 0.0; // areas between the curve and both ends of the core
+  double above = 0.0, below = 0.0; // areas between the curve and the levels of the core's ends
   for (const double height : curve.heights)
   {
     above += std::max(0.0, height - top) / cells;
     below += std::max(0.0, bottom - height) / cells;
   }
-  const bool is_plateau = core.fall == 0.0; // heights at its level are neither above nor below
+  const bool is_plateau = core.fall == 0.0; // heights at the level of the plateau are neither above nor below
   const auto& h = curve.heights;
   Bearing bearing{.core_height = core.fall};
   if (above > 0.0)

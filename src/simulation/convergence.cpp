@@ -13,14 +13,15 @@ namespace brinell::simulation
 namespace
 {
 
-constexpr double highest_order = 2.0;  ///< of step and cells
-constexpr double believed_order = 2.2; ///< more is by accident, as Roache says of a tenth above the order of theory
-constexpr double lowest_order = 0.5;   ///< less is no convergence that could be extrapolated
-constexpr double safety = 1.25;        ///< Roache's, of three grids with an order
-constexpr double wide_safety = 3.0;    ///< Roache's, without
-constexpr double solver_share = 1e-4;  ///< what steps are converged to: closer no two runs agree
+constexpr double highest_order = 2.0; ///< theoretical order of steps and cells
+constexpr double believed_order =
+    2.2; ///< a higher observed order is accidental (Roache: a tenth above the theoretical order)
+constexpr double lowest_order = 0.5;  ///< a lower observed order is not extrapolated
+constexpr double safety = 1.25;       ///< Roache's factor for three grids with an observed order
+constexpr double wide_safety = 3.0;   ///< Roache's factor without an observed order
+constexpr double solver_share = 1e-4; ///< relative convergence of steps, below which runs do not agree
 
-/// The order by which differences fall: d32 / d21 = r21^p (r32^p - 1) / (r21^p - 1), by bisection; of equal ratios r^p.
+/// The observed order p from d32 / d21 = r21^p (r32^p - 1) / (r21^p - 1) by bisection; for equal ratios the right side is r^p.
 double observed_order(double d21, double d32, double r21, double r32)
 {
   const double quotient = d32 / d21;
@@ -49,7 +50,7 @@ Half half_interval(std::span<const double> h, std::span<const double> f)
   const double r32 = h[n - 3] / h[n - 2];
   const double d32 = f[n - 3] - f[n - 2];
   const double largest = std::max(std::abs(d21), std::abs(d32));
-  if (!(d21 * d32 > 0.0)) // to and fro, or no difference at all
+  if (!(d21 * d32 > 0.0)) // oscillating, or no difference at all
     return {wide_safety * largest, nan, largest == 0.0 ? f[n - 1] : nan};
   const double p = observed_order(d21, d32, r21, r32);
   if (p < lowest_order)
@@ -58,7 +59,7 @@ Half half_interval(std::span<const double> h, std::span<const double> f)
   const double limit = f[n - 1] - d21 / (std::pow(r21, q) - 1.0);
   if (p <= believed_order)
     return {safety * std::abs(d21) / (std::pow(r21, q) - 1.0), p, limit};
-  // The difference is small by accident: at least what second order would have left of the one before.
+  // The difference may be small by accident: use at least the one that second order would give from the previous difference.
   const double second = std::abs(d32) * (std::pow(r21, 2.0) - 1.0) / (std::pow(r32, 2.0) - 1.0) / std::pow(r21, 2.0);
   return {wide_safety * std::max(std::abs(d21), second) / (std::pow(r21, q) - 1.0), p, limit};
 }

@@ -10,10 +10,10 @@ namespace brinell::simulation
 namespace
 {
 
-/// Of a body, the layers from the first to the last one whose strain counts beside the largest.
+/// Number of layers of a body from the first to the last one with a significant plastic strain.
 int plastic_layers(const elastoplastic::Body& body)
 {
-  constexpr double counts = 0.01; // less is the rim that every plastic zone has
+  constexpr double counts = 0.01; // share of the largest strain; smaller ones are the rim of every plastic zone
   const std::span<const double> largest = body.plastic_zone().largest_of_layers();
   if (largest.empty())
     return 0;
@@ -26,7 +26,7 @@ int plastic_layers(const elastoplastic::Body& body)
 
 } // namespace
 
-void widen(Coverage& coverage, const elastoplastic::CoupledContact& pair)
+void extend(Coverage& coverage, const elastoplastic::CoupledContact& pair)
 {
   const SurfaceGrid& grid = pair.grid();
   int left = grid.nx, right = -1, front = grid.ny, back = -1;
@@ -41,7 +41,7 @@ void widen(Coverage& coverage, const elastoplastic::CoupledContact& pair)
       }
   coverage.contact_columns = std::max(coverage.contact_columns, right - left + 1);
   coverage.contact_rows = std::max(coverage.contact_rows, back - front + 1);
-  // The body that yields most is the one that has to be resolved.
+  // The body with the larger plastic strain has to be resolved.
   const bool lower_yields_more = pair.lower().solved().state().dissipation >= pair.upper().solved().state().dissipation;
   coverage.plastic_layers = plastic_layers(lower_yields_more ? pair.lower().solved() : pair.upper().solved());
 }

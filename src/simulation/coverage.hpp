@@ -7,7 +7,7 @@
 namespace brinell::simulation
 {
 
-/// Takes in what the cells cover in the present state.
-void widen(Coverage& coverage, const elastoplastic::CoupledContact& pair);
+/// Enlarges a coverage to include contact and plastic zone of the present state.
+void extend(Coverage& coverage, const elastoplastic::CoupledContact& pair);
 
 } // namespace brinell::simulation

@@ -19,7 +19,7 @@ namespace brinell::simulation
 namespace
 {
 
-/// Whether the bodies are curved along x alone, so that they touch along y.
+/// Whether the bodies are curved only along x, so that they touch along y.
 bool touch_in_a_line(const Shape& lower, const Shape& upper)
 {
   const auto k = relative_curvature(lower, upper);
@@ -54,7 +54,7 @@ std::optional<std::string> reason_against_contact(const ShapedBody& lower, const
 namespace
 {
 
-/// How far a part that does not repeat reaches from the middle of the surface [m]; none for one that does.
+/// Distance from the middle of the surface to which a part that does not repeat extends [m]; none for a part that repeats.
 std::optional<std::array<double, 2>> bounds(const TexturePart& part)
 {
   if (const auto* dent = std::get_if<Dent>(&part))
@@ -90,7 +90,7 @@ std::optional<std::string> reason_against_texture(const Texture& texture, const 
 namespace
 {
 
-/// Whether the lines of a map along one axis are all the same, and go on over a period of that size.
+/// Whether a map is uniform along one axis and compatible with a period of a given size.
 bool is_uniform(const HeightMap& map, bool along_y, double size)
 {
   constexpr double rounding = 1e-9;
@@ -125,7 +125,7 @@ bool is_uniform(const Texture& texture, bool along_y, double size)
                      { return std::visit([&](const auto& p) { return is_uniform(p, along_y, size); }, part); });
 }
 
-/// What of two bodies varies along one axis of a period of that size; empty if nothing does.
+/// Name of the part of two bodies that varies along one axis of a period of a given size; empty if nothing varies.
 std::string what_varies(const ShapedBody& lower, const ShapedBody& upper, bool along_y, double size)
 {
   const auto k = relative_curvature(lower.shape, upper.shape);
@@ -143,9 +143,9 @@ void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, 
                               const SurfaceGrid& grid)
 {
   const std::optional<double> cells = cells_per_wave(lower, upper, domain, grid.dx, grid.dy);
-  if (!cells || std::isinf(*cells)) // the shapes touch, whatever the textures; or there are no waves to lose
+  if (!cells || std::isinf(*cells)) // not flats over a period, or no waves that cells could miss
     return;
-  constexpr double flat = 1e-6; // of the texture's height: rounding, and what no tolerance of a contact resolves
+  constexpr double flat = 1e-6; // share of the texture's height: rounding, and below every tolerance of a contact
   std::string names;
   for (const auto& [name, body] : {std::pair{"lower.texture", &lower}, {"upper.texture", &upper}})
   {
@@ -225,8 +225,9 @@ std::optional<std::string> reason_against_approach(const ShapedBody& lower, cons
   const double mean = std::accumulate(distance.begin(), distance.end(), 0.0) / size;
   const double magnitude =
       std::sqrt(std::inner_product(distance.begin(), distance.end(), distance.begin(), 0.0) / size);
-  const bool may_be_apart = scenario == "sliding";           // at first: peaks meet further on the way, below zero too
-  const double most = mean > 1e-12 * magnitude ? mean : 0.0; // textures about the mean plane leave rounding
+  const bool may_be_apart = scenario == "sliding"; // initially: peaks may meet on the way, even at a negative approach
+  const double most =
+      mean > 1e-12 * magnitude ? mean : 0.0; // a smaller mean is rounding of textures about the mean plane
   if (approach < 0.0 || (most > 0.0 && approach <= most * rounding))
     return std::nullopt;
   return fmt::format(

@@ -6,36 +6,38 @@
 namespace brinell::simulation
 {
 
-/// Whether bodies touch along y all through a period, so that their shapes leave a plane problem.
+/// Whether bodies touch along the whole period in y, so that their shapes allow a plane problem.
 [[nodiscard]] bool touch_all_along_y(const Shape& lower, const Shape& upper, const Domain& domain);
 
-/// One period of bodies that are periodic along both axes, in cells fine enough for estimates: at most those of the grid.
+/// Grid over one period of bodies that are periodic along both axes, fine enough for estimates and no finer than the grid of the
+/// run.
 [[nodiscard]] SurfaceGrid sampled_period(const Domain& domain);
-/// What the cells of that grid have of a texture [m], where the cells of a run are: a column at x = 0, rows around y = 0.
+/// Depths of a texture on the cells of that grid [m], placed like the cells of a run: a column at x = 0, rows around y = 0.
 [[nodiscard]] std::vector<double> sampled_depths(const Texture& texture, const SurfaceGrid& grid);
 
-/// Flats over a period are apart by what their cells have of the textures; waves that fit a whole number of times into a cell
-/// leave nothing there.
+/// Checks that cells resolve the textures of flats over a period at all. Waves that fit a whole number of times into a cell
+/// vanish in the mean over the cell, and without heights the distance of the flats is the same everywhere.
 /// @throws KeyError
 void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
                               const SurfaceGrid& grid);
 
-/// One row, or one column, of a period shows no more than what is uniform along it.
+/// Checks the numbers of cells in periods. A period with a single row or column can represent only what is uniform along it.
 /// @param grid  of the contact.
-/// @throws KeyError if the bodies, or their textures, are not; if there is one cell only, which nothing displaces; and of cells
-///         that have nothing of the textures of flats
+/// @throws KeyError if bodies or textures are not uniform in that way; if there is only one cell, which no pressure displaces; or
+/// if the cells do not resolve the textures of flats
 void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
                               const SurfaceGrid& grid);
 
-/// Why bodies that are periodic along both axes cannot approach so far [m]; empty if they can. Approaches are counted from the
-/// mean planes then, and at the mean distance of the surfaces all of them touches.
-/// @param scenario  whose keys the text names
+/// Why bodies that are periodic along both axes cannot approach by a given distance [m]; empty if they can. For such bodies the
+/// approach is counted from the mean planes, and at the mean distance of the surfaces the whole period is in contact.
+/// @param scenario  name used for the keys in the text
 [[nodiscard]] std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper,
                                                                  double approach, const Domain& domain,
                                                                  std::string_view scenario);
 
-/// A mean pressure on bodies that are periodic along both axes is there at any depth. Held in its plane, material under it
-/// carries a von Mises stress of p (1 - 2 nu)/(1 - nu): what yields under that yields without end, and no grid is deep enough.
+/// Checks that the plastic zone is finite. The mean pressure p on bodies that are periodic along both axes acts at every depth
+/// and, with lateral strain suppressed, causes a von Mises stress of p (1 - 2 nu)/(1 - nu). Material that yields under this
+/// stress yields at all depths, and no grid is deep enough.
 /// @throws InputError
 void require_finite_depth(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain);
 

@@ -13,10 +13,10 @@ namespace brinell::simulation
 namespace
 {
 
-/// One evaluation of so many cells: as N log N of the lattice, on which open axes are twice as long.
+/// Time of one evaluation of a grid [s]: proportional to N log N of the padded grid, in which open axes are twice as long.
 double evaluation_seconds(const SurfaceGrid& surface, std::size_t cells)
 {
-  constexpr double per_cell_level = 1e-9; // measured: 0.4e-9 to 1.1e-9, and 2e-9 of runs that are over in a moment
+  constexpr double per_cell_level = 1e-9; // [s], measured: 0.4e-9 to 1.1e-9, and 2e-9 in very short runs
   const double padding = (surface.is_periodic_x() ? 1.0 : 2.0) * (surface.is_periodic_y() ? 1.0 : 2.0);
   const double points = padding * static_cast<double>(cells);
   return points * std::log2(points + 2.0) * per_cell_level;
@@ -27,7 +27,7 @@ double evaluation_seconds(const SurfaceGrid& surface, std::size_t cells)
 double rough_seconds(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
                      const Work& work)
 {
-  constexpr double of_contact = 0.05, of_heat = 2.5; // in evaluations of a body
+  constexpr double of_contact = 0.05, of_heat = 2.5; // cost relative to an evaluation of a body
   double step = 0.0;
   for (const auto& [body, grid] : {std::pair{&lower, &plan.lower}, std::pair{&upper, &plan.upper}})
   {
@@ -39,7 +39,7 @@ double rough_seconds(const Plan& plan, const constitutive::Material& lower, cons
         (body->is_plastic() ? 1.0 : of_contact) * work.evaluations + (body->thermal ? of_heat : 0.0);
     step += evaluations * evaluation_seconds(grid->surface, cells);
   }
-  constexpr double symmetric_share = 0.6; // of the whole in half of it
+  constexpr double symmetric_share = 0.6; // time for half of a body over that for the whole body
   return (plan.symmetry == Symmetry::none ? 1.0 : symmetric_share) * plan.steps * step;
 }
 

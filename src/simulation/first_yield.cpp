@@ -16,19 +16,19 @@ namespace
 
 using constitutive::Material;
 
-/// Peak pressure over yield stress.
+/// Ratio C of peak pressure to yield stress at first yield.
 double pressure_ratio(double poisson_ratio, ContactKind kind, double friction)
 {
   if (kind == ContactKind::line)
     return reference::line_sliding_first_yield(poisson_ratio, friction).pressure_ratio;
-  // The fit without friction, as in the paper; its error of 0.15 % must not make the friction strengthen the body.
+  // Without friction C is the fit of the paper. Its error of 0.15 % must not make the value with friction larger.
   const double frictionless = reference::critical_pressure_ratio(poisson_ratio);
   if (friction == 0.0)
     return frictionless;
   return std::min(frictionless, reference::sliding_first_yield(poisson_ratio, friction).pressure_ratio);
 }
 
-/// Of one body; empty if it stays elastic.
+/// C of one body; empty if it stays elastic.
 std::optional<PairYield> yield_of(const Material& material, double factor, YieldsFirst body, double ratio)
 {
   if (!material.is_plastic())
@@ -46,7 +46,7 @@ std::optional<PairYield> weaker(const std::optional<PairYield>& lower, const std
   return weaker;
 }
 
-/// @param factors  on the yield stress, of the lower and the upper body
+/// @param factors  factors on the yield stress of the lower and the upper body
 std::optional<PairYield> yield_of_pair(const Material& lower, const Material& upper,
                                        const std::array<double, 2>& factors, ContactKind kind, double friction)
 {
@@ -54,12 +54,12 @@ std::optional<PairYield> yield_of_pair(const Material& lower, const Material& up
   { return material.is_plastic() ? pressure_ratio(material.elastic.poisson_ratio, kind, friction) : 0.0; };
   const double of_lower = ratio_of(lower);
   const bool are_alike = lower.is_plastic() && lower.elastic.poisson_ratio == upper.elastic.poisson_ratio;
-  const double of_upper = are_alike ? of_lower : ratio_of(upper); // with friction it is a search
+  const double of_upper = are_alike ? of_lower : ratio_of(upper); // avoids a second search with friction
   return weaker(yield_of(lower, factors[0], YieldsFirst::lower, of_lower),
                 yield_of(upper, factors[1], YieldsFirst::upper, of_upper));
 }
 
-/// 1/R of bodies that are round where they touch, or cylinders.
+/// Relative curvature 1/R of a round point contact, or of cylinders [1/m].
 std::optional<double> curvature_of(const Shape& lower, const Shape& upper, ContactKind kind)
 {
   if (kind == ContactKind::line)
@@ -81,8 +81,8 @@ std::optional<FirstYield> first_yield_of(const ShapedBody& lower, const ShapedBo
     return FirstYield{reference::critical_values(radius, modulus, yield->pressure_ratio, yield->yield_stress),
                       yield->body};
   const reference::Line line{domain.y.size, reference_distance(lower.shape, upper.shape, domain)};
-  if (!(line.reference >
-        radius * yield->peak_pressure() / modulus)) // half of the half-width: there the approach is largest
+  if (!(line.reference > radius * yield->peak_pressure() /
+                             modulus)) // half of the half-width; at this reference distance the approach is largest
     return std::nullopt;
   return FirstYield{reference::critical_values(radius, modulus, yield->pressure_ratio, yield->yield_stress, line),
                     yield->body, line};
@@ -134,7 +134,7 @@ std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const Sh
 
 double smallest_yield_factor(const Material& material)
 {
-  // Linear between its points and constant beyond them, a profile is smallest at one of them.
+  // A profile is linear between its points and constant beyond them, so that its minimum is at one of the points.
   const constitutive::DepthProfile& profile = material.yield_factor;
   double smallest = profile.depth().empty() ? 1.0 : profile.at(profile.depth().front(), 1.0);
   for (const double z : profile.depth())

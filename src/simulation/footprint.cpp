@@ -26,14 +26,14 @@ constexpr double pi = std::numbers::pi;
 
 /// Mean pressure of a fully plastic contact over the flow stress (Tabor 1951).
 constexpr double constraint_factor = 2.8;
-/// Strain at which a contact's mean pressure reads the flow stress.
+/// Representative strain at which the flow stress determines the mean pressure of a contact.
 constexpr double representative_strain = 0.02;
 
-/// What both bodies together are made of.
+/// Combined material properties of both bodies.
 struct Pair
 {
   double modulus;        ///< E' [Pa]
-  double yield_pressure; ///< peak pressure at first yield [Pa]; infinite
+  double yield_pressure; ///< peak pressure at first yield [Pa]; infinite if nothing yields
   double yield_stress;   ///< of the weaker body [Pa]
   double flow_stress;    ///< at the representative strain [Pa]
 };
@@ -62,14 +62,15 @@ Pair pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& dom
   return pair;
 }
 
-/// Radius over that of the elastic contact, by the mean pressure that this would have (load imposed).
+/// Ratio of the contact radius to that of the elastic contact, from the mean pressure of the elastic contact, for an imposed
+/// load.
 double growth_under_load(const Pair& pair, double elastic_mean_pressure)
 {
   const double share = elastic_mean_pressure / (constraint_factor * pair.flow_stress);
   return std::pow(1.0 + share * share, 0.25);
 }
 
-/// The same for an imposed approach (area of Jackson and Green 2005 for steels).
+/// The same ratio for an imposed approach (area by Jackson and Green 2005, for steels).
 double growth_under_approach(const Pair& pair, double elastic_peak_pressure)
 {
   const double ratio = std::pow(elastic_peak_pressure / pair.yield_pressure, 2) / 1.9;
@@ -101,22 +102,23 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
   f.elastic_load = e.load;
   f.peak_ratio = e.peak_pressure / pair.yield_pressure;
   const double over_yield = std::max(1.0, f.peak_ratio);
-  f.first_yield_approach = e.approach / (over_yield * over_yield); // peak pressure grows as the root of the approach
+  f.first_yield_approach =
+      e.approach / (over_yield * over_yield); // peak pressure is proportional to the root of the approach
   const double a = std::min(f.half_x, f.half_y);
   f.plastic_reach = plastic_reach(pair, a, a / std::min(radius_x, radius_y));
   return f;
 }
 
-/// What makes one contact in a line differ from another.
+/// Parameters of a line contact.
 struct Line
 {
-  double radius = 0.0, length = 0.0; ///< length: on which the load acts [m]
-  double widest = 0.0;               ///< half-width up to which the approach grows with it [m]
+  double radius = 0.0, length = 0.0; ///< equivalent radius, and length over which the load acts [m]
+  double widest = 0.0;               ///< largest half-width for which the approach still grows with the half-width [m]
   double yield_pressure = 0.0;       ///< peak pressure at first yield [Pa]
 };
 
-/// Half-width of an elastic contact in a line with that approach [m]; `widest` if none has it.
-/// @param approach  by the half-width b: b^2/(4 R) times 1 or more [m].
+/// Half-width of an elastic line contact with a given approach [m]; `widest` if the approach cannot be reached.
+/// @param approach  function of the half-width b [m]: b^2/(4 R) times a factor >= 1.
 template <typename Approach>
 double half_width_at(double wanted, const Line& line, const Approach& approach)
 {
@@ -127,8 +129,8 @@ double half_width_at(double wanted, const Line& line, const Approach& approach)
   return high;
 }
 
-/// Bodies that touch in a line along y. The load of the elastic contact, of half-width b, is pi E' L b^2/(4 R) (Johnson 1985,
-/// section 4.2); its approach has a logarithm that the ends of the line, or what is beside it, make.
+/// Bodies that touch in a line along y. The load of an elastic contact of half-width b is pi E' L b^2/(4 R) (Johnson 1985,
+/// section 4.2); the approach contains a logarithm that depends on the ends of the line, or on the boundary conditions beside it.
 template <typename Approach>
 Footprint of_line(const Pair& pair, const Line& line, const Drive& drive, const Approach& approach)
 {
@@ -140,7 +142,7 @@ Footprint of_line(const Pair& pair, const Line& line, const Drive& drive, const 
   const double growth = growth_under_load(pair, peak * pi / 4.0);
   Footprint f;
   f.elastic_x = elastic;
-  f.half_x = elastic * growth * growth; // only the width grows
+  f.half_x = elastic * growth * growth; // squared, because the area grows only in width
   if (!by_load)
     f.half_x = std::min(f.half_x, 1.2 * std::sqrt(2.0 * R * drive.value)); // geometry, with some pile-up
   f.elastic_y = f.half_y = 0.5 * line.length;
@@ -156,20 +158,20 @@ Footprint of_roller(const Pair& pair, double radius, double length, const Drive&
 {
   const auto approach = [&](double b)
   { return b * b / (4.0 * radius) * (1.0 + std::log(1.0 + std::pow(length / b, 2))); };
-  const double yield_pressure = 1.1 * pair.yield_pressure; // about, over that of a contact in a point
+  const double yield_pressure = 1.1 * pair.yield_pressure; // about 1.1 times that of a point contact
   Footprint f =
       of_line(pair, {radius, length, std::numeric_limits<double>::infinity(), yield_pressure}, drive, approach);
   f.straight_y = true;
   return f;
 }
 
-/// A cylinder without ends, in plane strain (Johnson 1985, sections 4.2 and 5.6). With the displacement counted from the
-/// distance l its approach is b^2/(4 R) (1 + 2 ln(2 l/b)), which grows up to b = 2 l: there its derivative by b, b/R ln(2 l/b),
-/// is zero, and there a strip without load at that distance, of capacity b/2 = l, has no stiffness left.
+/// An infinite cylinder in plane strain (Johnson 1985, sections 4.2 and 5.6). With zero displacement at the distance l the
+/// approach is b^2/(4 R) (1 + 2 ln(2 l/b)). It grows up to b = 2 l, where its derivative by b, b/R ln(2 l/b), vanishes: a strip
+/// of that width, whose logarithmic capacity is b/2 = l, has no stiffness left.
 Footprint of_endless_line(const Pair& pair, double radius, const Shape& lower, const Shape& upper, const Drive& drive,
                           const Domain& domain)
 {
-  // Lines in a period L along x have -ln(2 sin(pi x/L)) instead of -ln(x/l), the same close by.
+  // Lines in a period L along x have -ln(2 sin(pi x/L)) instead of -ln(x/l), which is the same for small x.
   const double reference =
       domain.x.is_periodic() ? domain.x.size / (2.0 * pi) : reference_distance(lower, upper, domain);
   const auto approach = [&](double b) { return b * b / (4.0 * radius) * (1.0 + 2.0 * std::log(2.0 * reference / b)); };
@@ -186,8 +188,8 @@ Footprint of_endless_line(const Pair& pair, double radius, const Shape& lower, c
   return f;
 }
 
-/// A cone or a pyramid of that slope, or the ball at its tip, whichever makes the larger contact.
-/// @param reach  half-width of the contact over the radius of the circle with its area.
+/// A cone or a pyramid with a given slope, or the ball at its tip, whichever has the larger contact.
+/// @param reach  ratio of the contact's half-width to the radius of the circle with the same area.
 Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach, const Drive& drive)
 {
   const double elastic_mean = 0.5 * pair.modulus * slope; // Sneddon
@@ -216,15 +218,16 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
 
 Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, const Drive& drive, const Domain& domain)
 {
-  for (const Shape* shape : {&lower, &upper}) // beside a tip the other surface is flat
+  for (const Shape* shape : {&lower, &upper}) // opposite to a tip the other surface counts as flat
   {
     if (const auto* cone = std::get_if<Cone>(shape))
       return of_tip(pair, 1.0 / std::tan(cone->half_angle), cone->tip_radius, 1.0, drive);
     if (const auto* pyramid = std::get_if<Pyramid>(shape))
     {
       const double n = pyramid->faces;
-      const double corner = std::sqrt(pi / (0.5 * n * std::sin(2.0 * pi / n)));      // of the polygon with the area pi
-      const double reach = pyramid->faces == 4 ? corner * std::cos(pi / n) : corner; // four faces look along x and y
+      const double corner =
+          std::sqrt(pi / (0.5 * n * std::sin(2.0 * pi / n))); // distance of the corners of a polygon with the area pi
+      const double reach = pyramid->faces == 4 ? corner * std::cos(pi / n) : corner; // four faces point along x and y
       return of_tip(pair, 1.0 / std::tan(pyramid->face_angle), pyramid->tip_radius, reach, drive);
     }
   }
@@ -246,7 +249,7 @@ double stressed_depth(double half_x, double half_y)
 namespace
 {
 
-/// Beyond its radius of curvature no body is a half space, nor its surface a paraboloid.
+/// Limits a half-length to the radius of curvature, beyond which neither half space nor paraboloid is valid.
 void require_within_radius(const Footprint& f, const Shape& lower, const Shape& upper)
 {
   const auto curvature = relative_curvature(lower, upper);
@@ -276,7 +279,7 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 namespace
 {
 
-/// @param pair  of those bodies under that friction: to find it takes a search
+/// @param pair  properties of these bodies with this friction, passed because computing them takes a search
 Footprint smooth_footprint_of(const Pair& pair, const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
                               const Domain& domain, double friction)
 {
@@ -296,7 +299,7 @@ Footprint smooth_footprint_of(const Pair& pair, const ShapedBody& lower, const S
   f.over_y = f.half_y;
   f.frictionless_yield_approach =
       friction > 0.0 ? smooth_footprint(lower, upper, drive, domain).first_yield_approach : f.first_yield_approach;
-  if (domain.x.is_periodic() || domain.y.is_periodic()) // the neighbours share the approach
+  if (domain.x.is_periodic() || domain.y.is_periodic()) // neighbouring contacts contribute to the approach
     f.elastic_load = std::numeric_limits<double>::infinity();
   return f;
 }
@@ -350,7 +353,7 @@ bool are_smooth(const ShapedBody& lower, const ShapedBody& upper)
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
 {
   const double scale = numerics.extent;
-  const double width = f.endless_y ? f.half_x : std::min(f.half_x, f.half_y); // of what surrounds the contact
+  const double width = f.endless_y ? f.half_x : std::min(f.half_x, f.half_y); // half-width that determines the depth
   const double plastic = 0.3 * width + 0.85 * f.plastic_reach;
   const double reach_x = std::max(f.over_x + 0.5 * width, plastic);
   const double reach_y = std::max(f.over_y + 0.5 * width, plastic);
@@ -359,7 +362,7 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
            scale * f.depth},
           numerics.domain, plan);
   plan.contact_share = f.contact_share;
-  // Not so small a change of displacement that the tolerance of the contact hides it.
+  // Lower limit: smaller changes of displacement would be lost in the tolerance of the contact.
   const auto resolved = [&](double approach) { return std::clamp(approach, 1e-2 * f.approach, f.approach); };
   plan.scales = {resolved(f.frictionless_yield_approach), f.approach};
   plan.first_yield = resolved(f.first_yield_approach);

@@ -10,7 +10,7 @@ namespace brinell::simulation
 namespace
 {
 
-/// Central difference along one direction: one-sided at the edge of the grid, or round the period.
+/// Central difference along one direction: one-sided at the edges of an open grid, wrapped around a period.
 double slope(std::span<const double> field, std::size_t index, int stride, int position, int count, double spacing,
              bool wraps = false)
 {
@@ -36,7 +36,7 @@ Forces project_forces(const SurfaceGrid& grid, const halfspace::SurfaceLoad& loa
                       const ResidualSurface& lower, const ResidualSurface& upper)
 {
   Forces f;
-  double along = 0.0; // the plane of contact
+  double along = 0.0; // shear along the plane of contact
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {
@@ -48,7 +48,8 @@ Forces project_forces(const SurfaceGrid& grid, const halfspace::SurfaceLoad& loa
       const double upper_x = slope(upper.displacement, n, 1, i, grid.nx, grid.dx);
       const double lower_y = slope(lower.displacement, n, grid.nx, j, grid.ny, grid.dy);
       const double upper_y = slope(upper.displacement, n, grid.nx, j, grid.ny, grid.dy);
-      // The upper body's displacement points the other way, so its slope enters the common plane with a minus.
+      // Displacements of the upper body point in the opposite direction, so that its slope enters the common plane with a minus
+      // sign.
       const double tilt_x = std::atan(lower.share * lower_x - upper.share * upper_x);
       const double tilt_y = std::atan(lower.share * lower_y - upper.share * upper_y);
       f.F_n += p;
@@ -68,7 +69,7 @@ Forces project_forces(const SurfaceGrid& grid, const halfspace::SurfaceLoad& loa
     }
   f.F_X_macro = -f.F_n * std::sin(theta);
   f.F_Z_macro = f.F_n * std::cos(theta);
-  if (along != 0.0) // without friction not even the sign of a zero changes
+  if (along != 0.0) // leaves the signs of zeros unchanged without friction
   {
     f.F_X += f.F_X_friction;
     f.F_Z += f.F_Z_friction;

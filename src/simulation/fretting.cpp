@@ -16,14 +16,14 @@ namespace
 using contact::Drive;
 using contact::TangentialDrive;
 
-/// Pressed together, then to and fro.
+/// Motion of fretting: press, then oscillate.
 class Fretting
 {
 public:
   Fretting(const FrettingCase& fretting, const FrettingPlan& plan)
       : case_(fretting), steps_(plan.steps), cos_(std::cos(fretting.direction)), sin_(std::sin(fretting.direction))
   {
-    // A right angle, but for the rounding of pi.
+    // Makes right angles exact in spite of the rounding of pi.
     for (double* part : {&cos_, &sin_})
       if (std::abs(*part) < 1e-15)
         *part = 0.0;
@@ -45,7 +45,7 @@ public:
     {
       const double touch = stepper.clearance({});
       from_ = by_load() ? 0.0 : std::min(0.0, touch);
-      at_.approach = touch;
+      previous_.approach = touch;
     }
     const auto path = [this](double t) {
       return Target{{}, {case_.press.kind, pressed(done_ + t)}, true, along(share(done_ + t))};
@@ -64,9 +64,9 @@ public:
     r.cycle = cycle();
     r.pass = std::max(1, r.cycle);
     r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance({});
-    r.work += 0.5 * (r.F_n + at_.F_n) * (r.approach - at_.approach);
-    at_.F_n = r.F_n;
-    at_.approach = r.approach;
+    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
+    previous_.F_n = r.F_n;
+    previous_.approach = r.approach;
     if (const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip())
       read(*slip, r);
     if (r.cycle > 0)
@@ -84,7 +84,7 @@ public:
 
   void exchange(Archive& archive)
   {
-    archive("at", at_);
+    archive("at", previous_);
     archive("current", current_);
     archive("begun", begun_);
     archive.list("cycles", cycles_);
@@ -93,10 +93,10 @@ public:
   }
 
 private:
-  /// Where the drive has worked so far.
-  struct WorkedTo
+  /// Values at the end of the last step.
+  struct DriveState
   {
-    double approach = 0.0, F_n = 0.0, along = 0.0; ///< [m], [N], [J]
+    double approach = 0.0, F_n = 0.0, along = 0.0; ///< [m], [N], work of the tangential force [J]
 
     void exchange(Archive& archive)
     {
@@ -105,7 +105,7 @@ private:
       archive("along", along);
     }
   };
-  /// Sums before the present cycle.
+  /// Totals at the beginning of the current cycle.
   struct Begun
   {
     double along = 0.0, friction = 0.0, plastic = 0.0, path = 0.0; ///< [J], [J], [J], [m]
@@ -121,12 +121,13 @@ private:
 
   [[nodiscard]] bool by_load() const { return case_.press.kind == Drive::Kind::load; }
   [[nodiscard]] bool by_force() const { return case_.kind == FrettingCase::Kind::force; }
-  /// Of the step at hand.
+  /// Number of the cycle of the current step; 0 while pressing.
   [[nodiscard]] int cycle() const
   {
     return done_ < case_.press_steps ? 0 : (done_ - case_.press_steps) / case_.steps_per_cycle + 1;
   }
-  /// Load or approach. Loads go by their power 2/3, so that the approach grows evenly.
+  /// Load or approach after a number of steps. For loads, load^(2/3) changes linearly, so that the approach changes about
+  /// linearly.
   [[nodiscard]] double pressed(double steps) const
   {
     const double share = std::min(1.0, steps / case_.press_steps);
@@ -134,7 +135,7 @@ private:
       return from_ + (case_.press.value - from_) * share;
     return share == 1.0 ? case_.press.value : std::pow(std::pow(case_.press.value, 2.0 / 3.0) * share, 1.5);
   }
-  /// Of the amplitude: 0, 1, 0, -1, 0 in the quarters of a cycle, straight in between.
+  /// Factor on the amplitude after a number of steps: 0, 1, 0, -1, 0 at the quarters of a cycle, linear in between.
   [[nodiscard]] double share(double steps) const
   {
     const double quarters = std::max(0.0, steps - case_.press_steps) / (0.25 * case_.steps_per_cycle);
@@ -155,8 +156,8 @@ private:
     r.F_x = F_x;
     r.F_y = F_y;
     r.force = F_x * cos_ + F_y * sin_;
-    r.work += slip.work() - at_.along;
-    at_.along = slip.work();
+    r.work += slip.work() - previous_.along;
+    previous_.along = slip.work();
     r.dissipation_friction = slip.heat();
     r.stick_share = slip.pressed_cells() > 0 ? static_cast<double>(slip.sticking_cells()) / slip.pressed_cells() : 0.0;
     r.stick_area = r.stick_share * r.contact_area;
@@ -165,7 +166,7 @@ private:
 
   void begin_cycle(const FrettingRecord& r)
   {
-    begun_ = {at_.along, r.dissipation_friction, plastic(r), r.slip_path};
+    begun_ = {previous_.along, r.dissipation_friction, plastic(r), r.slip_path};
     current_ = {};
     current_.stick_share = 1.0;
   }
@@ -174,7 +175,7 @@ private:
   {
     FrettingCycle& c = current_;
     c.cycle = r.cycle;
-    c.work = at_.along - begun_.along;
+    c.work = previous_.along - begun_.along;
     c.dissipation_friction = r.dissipation_friction - begun_.friction;
     c.dissipation_plastic = plastic(r) - begun_.plastic;
     c.max_force = std::max(c.max_force, std::abs(r.force));
@@ -187,14 +188,14 @@ private:
   [[nodiscard]] static double plastic(const FrettingRecord& r) { return r.dissipation_lower + r.dissipation_upper; }
 
   const FrettingCase& case_;
-  int steps_; ///< of the run
+  int steps_; ///< number of steps of the run
   double cos_, sin_;
   double from_ = 0.0; ///< load or approach at the start
-  WorkedTo at_;
+  DriveState previous_;
   Begun begun_;
   FrettingCycle current_;
   std::vector<FrettingCycle> cycles_;
-  int done_ = 0; ///< steps
+  int done_ = 0; ///< number of finished steps
 };
 
 } // namespace

@@ -44,8 +44,8 @@ void require_cycles(const FrettingCase& fretting)
     throw KeyError("fretting.direction", fmt::format("fretting.direction = {:g}; allowed: finite", fretting.direction));
 }
 
-/// Load above which no contact of these bodies comes [N]. Under an approach it is that of the elastic bodies, if these are smooth,
-/// and more where they stick: surfaces that do not slip are stiffer, most of all beside a rigid body (Spence 1968).
+/// Upper bound of the load [N]. Under an approach it is the load of the elastic bodies, if these are smooth, increased for
+/// sticking: surfaces that do not slip are stiffer, most of all against a rigid body (Spence 1968).
 double largest_load(const FrettingCase& fretting, const Footprint& footprint)
 {
   if (fretting.press.kind == Drive::Kind::load)
@@ -56,7 +56,7 @@ double largest_load(const FrettingCase& fretting, const Footprint& footprint)
   for (const Elastic& body : {fretting.lower.material.elastic, fretting.upper.material.elastic})
     if (const double nu = body.poisson_ratio; !body.is_rigid() && nu < 0.499) // there the ratio is 1
       stuck = std::max(stuck, (1.0 - nu) * std::log(3.0 - 4.0 * nu) / (1.0 - 2.0 * nu));
-  constexpr double error_of_cells = 0.1; // of coarse ones
+  constexpr double error_of_cells = 0.1; // relative error with coarse cells
   return (1.0 + error_of_cells) * stuck * footprint.elastic_load;
 }
 
@@ -74,8 +74,8 @@ void require_held(const FrettingCase& fretting, const std::string& given, double
                                                given, most, carried));
 }
 
-/// Slip that is not lost in the errors of the approach: what the pressing has left is an error of the size of its tolerance, which
-/// is smaller where there is little friction.
+/// Smallest slip that exceeds the errors of the approach: pressing leaves an error of the size of its tolerance, which is smaller
+/// with little friction.
 void require_above_errors(const FrettingCase& fretting, const std::string& key, const std::string& given,
                           const Footprint& footprint)
 {
@@ -96,7 +96,7 @@ void require_above_errors(const FrettingCase& fretting, const std::string& key, 
                                     given, least, by_force ? "N" : "m", fretting.solver.contact_tolerance));
 }
 
-/// What friction can carry, and the contact that stays where it is.
+/// Checks that friction can carry the imposed force, and that the amplitude is small enough for the contact to stay in place.
 void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
 {
   const bool by_force = fretting.kind == FrettingCase::Kind::force;
@@ -117,7 +117,7 @@ void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
   require_above_errors(fretting, key, given, footprint);
 }
 
-/// Of a round contact (Mindlin 1949): shift over approach at full sliding.
+/// Ratio of shift to approach at full sliding of a round contact (Mindlin 1949).
 double sliding_displacement(const FrettingCase& fretting, double approach)
 {
   double compliance = 0.0;
@@ -127,8 +127,8 @@ double sliding_displacement(const FrettingCase& fretting, double approach)
   return 0.25 * fretting.friction.coefficient * approach * modulus * compliance;
 }
 
-/// Whether the upper body always is the image of the lower one, reversed in x: one of them is moved to the left as the other is
-/// to the right, under a pressure that is even.
+/// Whether the upper body is always the mirror image in x of the lower one: both move in opposite directions along x under a
+/// pressure that is even in x.
 bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
 {
   const bool is_along_x = std::abs(std::sin(fretting.direction)) < 1e-15;
@@ -143,7 +143,7 @@ FrettingPlan plan(const FrettingCase& fretting)
   require_friction(fretting, fretting.lower, fretting.upper, "");
   require_press(fretting.press, fretting.press_steps);
   require_cycles(fretting);
-  // Where nothing moves, there is no shear that would let the bodies yield earlier.
+  // Without motion there is no shear that makes the bodies yield earlier.
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
   require_amplitude(fretting, f);

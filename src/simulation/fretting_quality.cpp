@@ -25,8 +25,8 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   return f;
 }
 
-/// Width of the ring that slips at the turns over the contact radius, of smooth elastic balls: Mindlin (1949), Mindlin and
-/// Deresiewicz (1953). None where these do not hold, or nothing moves, or all of the contact slides.
+/// Ratio of the width of the slip annulus at the reversals to the contact radius, for smooth elastic balls: Mindlin (1949),
+/// Mindlin and Deresiewicz (1953). None if these do not apply, if nothing moves, or if the whole contact slides.
 std::optional<double> slip_ring(const FrettingCase& c, const FrettingPlan& plan)
 {
   const bool is_round = c.lower.texture.is_smooth() && c.upper.texture.is_smooth() && !c.domain.x.is_periodic() &&
@@ -43,7 +43,8 @@ std::optional<double> slip_ring(const FrettingCase& c, const FrettingPlan& plan)
   return 1.0 - std::cbrt(1.0 - c.amplitude / (c.friction.coefficient * c.press.value));
 }
 
-/// The loop is then off by more than its documented error: 13 and 16 % with 0.6 and 0.9 cells, 6 % with 1.2, below 4 % from 1.9 cells on.
+/// Warning about too few cells across the slip annulus. The error of the loop then exceeds the documented one: 13 and 16 % with
+/// 0.6 and 0.9 cells, 6 % with 1.2 cells, below 4 % from 1.9 cells on.
 std::optional<Warning> thin_slip(const FrettingCase& c, const FrettingPlan& plan)
 {
   constexpr double fewest = 2.0;

@@ -8,8 +8,8 @@
 namespace brinell::simulation
 {
 
-/// Friction needs surfaces that slide, and one of them to deform.
-/// @param reason  why nothing slides; empty if something does
+/// Checks that friction is possible: surfaces must slide, and at least one body must deform.
+/// @param reason  why the surfaces do not slide; empty if they do
 /// @throws KeyError
 void require_friction(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                       const std::string& reason);

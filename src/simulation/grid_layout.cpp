@@ -14,7 +14,7 @@ namespace brinell::simulation
 namespace
 {
 
-/// Half-width in whole cells around a central one that covers `length`.
+/// Number of cells on either side of a central cell that cover a half-length.
 int half_cells(double length, double cell)
 {
   return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
@@ -25,14 +25,14 @@ int odd_cells(double half_length, double cell, int margin = 0)
   return 2 * (half_cells(half_length, cell) + margin) + 1;
 }
 
-/// Cells of a period, and what is left over.
+/// Number of cells of a period, and the remainder.
 double periods_cells(const Domain::Axis& axis, double spacing)
 {
   return axis.cells > 0 ? axis.cells : axis.size / spacing;
 }
 
-/// The cell sizes of periodic axes, instead of those that the contact's size makes.
-/// @param spacing_given  then the period must be a whole number of cells
+/// Adapts the cell sizes to the periods of periodic axes.
+/// @param spacing_given  whether the cells are given, so that the period must be a whole number of them
 void fit_periods(const Domain& domain, bool spacing_given, std::array<double, 3>& spacing)
 {
   for (const auto& [name, axis, cell] :
@@ -54,13 +54,13 @@ int cells_in(const Domain::Axis& axis, double cell)
   return static_cast<int>(std::lround(axis.size / cell));
 }
 
-/// Whether the one row of a period has any length, as in plane strain.
+/// Whether the length of the single row of a period is arbitrary, as in plane strain.
 bool is_one_row(const Domain& domain, double dy)
 {
   return domain.y.is_periodic() && cells_in(domain.y, dy) == 1;
 }
 
-/// Thickness of the layers: as given, or half the smaller cell; half of dx where dy means nothing.
+/// Thickness of the layers: as given, or half the smaller cell size; half of dx if dy is arbitrary.
 double layer_thickness(const Domain& domain, double dx, double dy)
 {
   if (domain.layer > 0.0)
@@ -68,8 +68,8 @@ double layer_thickness(const Domain& domain, double dx, double dy)
   return 0.5 * (is_one_row(domain, dy) ? dx : std::min(dx, dy));
 }
 
-/// The ends of a cylinder have to be those of cells: an odd number of them around a row in the middle, an even one around the
-/// middle of a period with an even number of rows.
+/// Adapts dy so that the ends of a cylinder coincide with edges of cells: the cylinder is an odd number of cells long if there is
+/// a row in the middle, and an even number in a period with an even number of rows.
 void require_ends_at_cells(const Domain& domain, double length, double dy)
 {
   const bool is_even = domain.y.is_periodic() && cells_in(domain.y, dy) % 2 == 0;
@@ -94,7 +94,7 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
     throw KeyError("grid.spacing", "grid.spacing must be three lengths > 0");
   const double dx = contact.half_x / numerics.resolution;
   double dy = aspect * dx * std::clamp(contact.half_y / contact.half_x, 0.25, 4.0);
-  if (contact.straight_y) // the length is a whole number of cells, one of them in the middle
+  if (contact.straight_y) // the length is a whole number of cells, with one cell in the middle
     dy = 2.0 * contact.half_y / (2.0 * std::round(contact.half_y / dy - 0.5) + 1.0);
   std::array<double, 3> spacing = numerics.spacing.value_or(std::array{dx, dy, 0.0});
   fit_periods(numerics.domain, numerics.spacing.has_value(), spacing);
@@ -114,8 +114,8 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
 void lay_out(const std::array<double, 3>& cells, const Extents& extents, const Domain& domain, Plan& plan)
 {
   const auto [dx, dy, dz] = cells;
-  constexpr int margin = 4;          // cells: material pushed ahead
-  constexpr double most_cells = 2e9; // beyond it indices would overflow; far beyond any machine
+  constexpr int margin = 4;          // further cells for material that is pushed ahead
+  constexpr double most_cells = 2e9; // with more, indices would overflow; far beyond any machine
   const auto half_length = [](const Domain::Axis& axis, double extent)
   { return axis.is_periodic() ? 0.5 * axis.size : extent; };
   const double longest = half_length(domain.x, std::max({extents.contact_x, extents.lower_x, extents.upper_x}));

@@ -3,23 +3,24 @@
 
 #include "brinell/simulation/scenario.hpp"
 
-/// Cells and grids of a run: the one place that counts them. What they have to cover is each scenario's own estimate.
+/// Cell sizes and grids of a run. The extents that the grids have to cover are estimated by each scenario.
 namespace brinell::simulation
 {
 
-/// What the cells of a contact follow from.
+/// Size of the contact, from which the cell sizes follow.
 struct ContactSize
 {
   double half_x = 0.0, half_y = 0.0; ///< [m]
-  bool straight_y = false;           ///< the contact ends with a roller, and so do its cells
+  bool straight_y = false;           ///< the contact ends at the ends of a roller, where cells have to end too
 };
 
-/// Cells from the contact's size, unless they are given. Along a periodic axis a whole number of them makes the period.
+/// Cell sizes dx, dy, dz [m] from the size of the contact, unless they are given. Along a periodic axis the period is a whole
+/// number of cells.
 /// @param aspect  dy over dx for a round contact.
-/// @throws GridError; KeyError of a period that is no whole number of given cells
+/// @throws GridError; KeyError if a period is not a whole number of given cells
 [[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect);
 
-/// Half-lengths around the middle of each grid, and depth, to be covered [m].
+/// Half-lengths around the middle of each grid, and depth, that the grids have to cover [m].
 struct Extents
 {
   double contact_x = 0.0, contact_y = 0.0;
@@ -27,18 +28,20 @@ struct Extents
   double depth = 0.0;
 };
 
-/// Lays the grids out: an odd number of columns and rows, so that one cell is in the middle. The material grids have the rows
-/// of the contact's, some columns more than asked for, because material is pushed ahead, and never fewer than the contact.
-/// Along a periodic axis all three have the cells of one period.
-/// @throws GridError if they are beyond all measure
+/// Sets the grids of a plan. Numbers of columns and rows are odd, so that one cell is in the middle. The material grids have the
+/// rows of the contact grid; they get some more columns than requested, because material is pushed ahead, and never fewer than
+/// the contact grid. Along a periodic axis all three grids have the cells of one period.
+/// @throws GridError if the grids are absurdly large
 void lay_out(const std::array<double, 3>& cells, const Extents& extents, const Domain& domain, Plan& plan);
 
-/// Columns or rows of a grid that has been outgrown: at least a third more, as many at either end.
+/// Columns or rows of the next larger grid: at least a third more, equally many at either end.
 [[nodiscard]] int grown(int cells);
-/// Rows likewise, of a contact that heat widens by little: at least a sixth more. The grid of the heat has no more than a third.
+/// Rows of the next larger grid with heat: at least a sixth more, because the thermal grid, which does not grow, is only a third
+/// wider.
 [[nodiscard]] int grown_by_heat(int rows);
 
-/// A number of steps as a whole one. @throws KeyError of the key if there are far too many
+/// Converts a number of steps to an integer.
+/// @throws KeyError of the key if the number is far too large
 [[nodiscard]] int step_count(double steps, const std::string& key);
 
 } // namespace brinell::simulation

@@ -17,7 +17,7 @@ void require_share(const char* key, double share)
     throw KeyError(key, fmt::format("{} = {:g}; allowed: from 0 to 1", key, share));
 }
 
-/// A body that is warmer than it melts at has nothing that could be pressed.
+/// Checks that the bulk temperature of a body is below its melting temperature.
 void require_solid(const char* name, const constitutive::Material& material)
 {
   const auto melting = material.softening ? constitutive::melting_temperature(*material.softening) : std::nullopt;
@@ -28,7 +28,7 @@ void require_solid(const char* name, const constitutive::Material& material)
                                name, material.temperature, *melting));
 }
 
-/// Between bodies that are not equally warm heat passes at rest, too: while they are pressed together.
+/// Checks bodies with different bulk temperatures, between which heat passes even at rest, while they are pressed together.
 void require_reference_of_exchange(const Numerics& numerics, const constitutive::Material& lower,
                                    const constitutive::Material& upper)
 {
@@ -46,7 +46,7 @@ void require_reference_of_exchange(const Numerics& numerics, const constitutive:
             lower.temperature, upper.temperature));
 }
 
-/// That there is a steady state, and a displacement in it.
+/// Checks that there is a steady state, and that its displacement is defined.
 void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                     const HeatedMotion& motion)
 {

@@ -9,24 +9,25 @@
 namespace brinell::simulation
 {
 
-/// Whether the heat of friction warms the bodies: there is friction, and one of them at least has thermal constants.
+/// Whether heat is computed: there is friction, and at least one body has thermal constants.
 [[nodiscard]] bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
 
-/// How heated bodies move.
+/// Motion of heated bodies.
 struct HeatedMotion
 {
   std::optional<double> speed; ///< [m/s]
   std::string speed_key;
-  bool upper_rests = false;     ///< under the contact, so that its heat always comes in at one place
-  bool pressed_at_rest = false; ///< before they move
+  bool upper_rests =
+      false; ///< the upper body does not move relative to the contact: its heat always enters at one place
+  bool pressed_at_rest = false; ///< the bodies are pressed together before they move
 };
 
-/// Heat needs a speed, and both bodies that deform their constants.
+/// Checks the input of heat: it needs a speed, and thermal constants of every body that deforms.
 /// @throws KeyError
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                   const HeatedMotion& motion);
 
-/// Whether bodies that are alike also share the heat alike.
+/// Whether equal bodies get equal shares of the heat.
 [[nodiscard]] bool shares_alike(const Numerics& numerics);
 
 } // namespace brinell::simulation

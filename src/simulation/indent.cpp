@@ -29,7 +29,7 @@ IndentReader::IndentReader(double x, int place, int cycle, double touch) : appro
 
 double IndentReader::add(const IndentationRecord& r, double opening)
 {
-  // Without load the curve stays where the surfaces touch: nothing is worked on the way there.
+  // Without load the curve stays at the approach where the surfaces touch, so that no work is counted.
   const bool was_closed = load_.back() > 0.0;
   const bool closed = r.F_n > 0.0;
   const double approach = closed ? r.approach : opening;

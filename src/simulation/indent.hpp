@@ -6,16 +6,16 @@
 namespace brinell::simulation
 {
 
-/// Reads the load-depth curve of one indent while its steps come in.
+/// Evaluates the load-depth curve of one indent step by step.
 class IndentReader
 {
 public:
   IndentReader() = default;
-  /// @param touch  approach at which the surfaces touch: the curve begins there [m]
+  /// @param touch  approach at which the surfaces first touch, where the curve begins [m]
   IndentReader(double x, int place, int cycle, double touch);
 
   /// Adds a step.
-  /// @param opening  approach at which the surfaces touch, if they do not [m]
+  /// @param opening  approach at which the surfaces would touch, for a step without contact [m]
   /// @returns the work of the drive in the step (trapezoidal rule) [J]
   double add(const IndentationRecord& record, double opening);
   [[nodiscard]] Indent result() const;
@@ -28,7 +28,7 @@ private:
 
   Indent indent_;
   std::vector<double> approach_, load_; ///< the curve
-  int peak_ = 0;                        ///< its point of the largest load
+  int peak_ = 0;                        ///< index of the point with the largest load
 };
 
 } // namespace brinell::simulation

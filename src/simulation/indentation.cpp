@@ -31,7 +31,7 @@ using contact::Drive;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Loading and unloading, place after place.
+/// Motion of indentation: loading and unloading, place after place.
 class Indentation
 {
 public:
@@ -58,7 +58,7 @@ public:
       current_ = IndentReader(here.lower, place(), indent() % case_.cycles + 1, touch.smallest);
     if (in_entry == 0)
       begin_entry(in_indent, touch);
-    if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifted: what has yielded on the way counts
+    if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifting off, from the surfaces with their residual displacement
       to_ = std::min(to_, without_contact(kind(), touch));
     const auto path = [this, here, in_entry](double t) {
       return Target{here, {kind(), imposed((in_entry + t) / case_.steps)}};
@@ -110,17 +110,17 @@ public:
 
 private:
   [[nodiscard]] int steps_per_indent() const { return case_.steps * static_cast<int>(case_.sequence.size()); }
-  /// Of the present step.
+  /// Index of the indent of the current step, counted over all places and cycles.
   [[nodiscard]] int indent() const { return done_ / steps_per_indent(); }
-  /// Which one it is of all places, from 1.
+  /// Number of the place of the current step, counts from 1.
   [[nodiscard]] int place() const { return indent() / case_.cycles + 1; }
   [[nodiscard]] double x(int step) const
   {
     return case_.places[static_cast<std::size_t>(step / steps_per_indent() / case_.cycles)];
   }
 
-  /// Load or approach at a share of the present entry. Loads go by their power 2/3, so that the approach grows evenly: the
-  /// first step in load would be the longest by far.
+  /// Value of the drive at a share of the current entry. For loads, load^(2/3) changes linearly, so that the approach changes
+  /// about linearly; with equal steps of load the first step would be by far the longest.
   [[nodiscard]] double imposed(double share) const
   {
     if (kind() != Drive::Kind::load)
@@ -139,12 +139,13 @@ private:
   [[nodiscard]] Drive::Kind kind() const { return case_.sequence.front().kind; }
 
   const IndentationCase& case_;
-  int steps_;           ///< of the run
-  SurfaceGrid contact_; ///< of its beginning; that of a period does not grow
+  int steps_;           ///< number of steps of the run
+  SurfaceGrid contact_; ///< contact grid at the start; used for periods, whose grid does not grow
   IndentReader current_;
   std::vector<Indent> indents_;
-  double from_ = 0.0, to_ = 0.0; ///< load, approach or mean gap at the ends of the present entry of the sequence
-  int done_ = 0;                 ///< steps
+  double from_ = 0.0,
+         to_ = 0.0; ///< load, approach or mean gap at beginning and end of the current entry of the sequence
+  int done_ = 0;    ///< number of finished steps
 };
 
 /// Whether both bodies always have the same history.
@@ -154,7 +155,8 @@ bool are_twins(const IndentationCase& indentation, const IndentationPlan& plan)
          alike(indentation.lower, indentation.upper);
 }
 
-/// Mean gaps that are all larger than that of the first touch press nothing, and a cycle must end without contact.
+/// Checks mean gaps: they must press the bodies together (be smaller than the mean gap at first touch), and a cycle must end
+/// without contact.
 void require_contact(const IndentationCase& indentation, double touching_gap)
 {
   if (indentation.sequence.front().kind != Drive::Kind::mean_gap)
@@ -168,8 +170,8 @@ void require_contact(const IndentationCase& indentation, double touching_gap)
                                  touching_gap));
 }
 
-/// Where an approach is imposed, the largest one must not press all of a period together.
-/// Those of the case file are checked there, too; these are of a program.
+/// Checks that the largest imposed approach does not bring the whole period into contact. The reader of case files checks this
+/// too; here it is for cases made by a program.
 void require_drives(const IndentationCase& indentation)
 {
   if (indentation.sequence.empty() || indentation.places.empty())

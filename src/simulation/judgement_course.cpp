@@ -5,20 +5,21 @@
 #include <cmath>
 #include <fmt/format.h>
 
-/// What a run has shown.
+/// Warnings about the course of a run.
 namespace brinell::simulation
 {
 
 namespace
 {
 
-constexpr double largest_strain = 0.05;    ///< products of strains are neglected: an error of that share of the strain
-constexpr double largest_imbalance = 0.02; ///< of the energies, over the largest work
+constexpr double largest_strain = 0.05;    ///< products of strains are neglected, an error of 5 % of the strain
+constexpr double largest_imbalance = 0.02; ///< error of the energy balance over the largest work
 constexpr double largest_wear_step =
-    0.05; ///< in one increment, of the approach: the pressure there changes by that share
-constexpr double largest_worn_share_of_layer = 0.25; ///< of the layer of cells under the surface, whose strain stays
-/// Over the bulk, for whose temperature the constants are [K]. Carbon steel at 520 instead of 20 deg C has 0.54 of its elastic
-/// modulus, 0.72 of its yield stress, 0.69 of its conductivity and 1.55 times its specific heat (EN 1993-1-2:2005, 3.2.1 and 3.4.1).
+    0.05; ///< wear in one increment over the approach, which is about the relative change of the pressure
+constexpr double largest_worn_share_of_layer = 0.25; ///< worn depth over the thickness of a layer of cells
+/// Largest rise above the bulk temperature, for which the constants are given [K]. Carbon steel at 520 instead of 20 deg C has
+/// 0.54 of its elastic modulus, 0.72 of its yield stress, 0.69 of its conductivity and 1.55 times its specific heat (EN
+/// 1993-1-2:2005, 3.2.1 and 3.4.1).
 constexpr double largest_warming = 500.0;
 
 } // namespace
@@ -59,7 +60,7 @@ void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<War
 namespace
 {
 
-/// Of a body so much warmer than its bulk that its constants are others.
+/// Text of the warning about a body so hot that its constants no longer hold.
 std::string hot_surface_text(const char* name, const constitutive::Material& material, double hottest)
 {
   const bool lacks_softening = material.is_plastic() && !material.softening;
@@ -78,7 +79,7 @@ void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warni
   {
     const constitutive::Material& material = *facts.materials[side];
     const double hottest = totals.max_temperature[side];
-    if (!(hottest > material.temperature)) // nothing has heated it
+    if (!(hottest > material.temperature)) // not heated
       continue;
     const char* name = side == 0 ? "lower" : "upper";
     if (hottest - material.temperature > largest_warming)

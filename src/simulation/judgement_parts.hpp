@@ -6,24 +6,25 @@
 #include <string>
 #include <vector>
 
-/// Parts of the judgement: what each has to tell is added to the warnings.
+/// Groups of rules for warnings; each function appends to `warnings`.
 namespace brinell::simulation
 {
 
 /// "1.23 nm"
 [[nodiscard]] std::string length_text(double metres);
 
-/// Textures that the cells do not resolve.
+/// Warns of textures that the cells do not resolve.
 void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 
-/// Yield that is missing, strains that are no longer small or those of the cells, energies that do not balance, increments that were
-/// split.
+/// Warns of expected yield that did not occur, of strains that are not small or depend on the cell size, of errors of the energy
+/// balance and of split increments.
 void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
 
-/// A body that has become hotter than its softening is known for, or than its constants are.
+/// Warns of temperatures beyond the range of the softening law or of the thermal constants.
 void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
 
-/// Wear is found with the pressure at the end of an increment, and moves no plastic strain.
+/// Warns of wear that is too large: in one increment, because it is computed with the pressure at the end, or in total, because
+/// plastic strain does not move with the worn surface.
 void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
 
 } // namespace brinell::simulation

@@ -12,8 +12,8 @@ namespace brinell::simulation
 namespace
 {
 
-constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, whose hollow is a quarter of it
-constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength: peaks of pressure and the area they bear on
+constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, which is four times the radius of its hollow
+constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength, to resolve peaks of pressure and their area
 
 class OfTextures
 {
@@ -69,7 +69,7 @@ private:
     of_waves(name, "roughness with waves down to", surface.parameters().cutoff, surface.parameters().cutoff);
   }
 
-  /// Tells of the axis with fewer cells per wave.
+  /// Warns for the axis with fewer cells per wave.
   void of_waves(const std::string& name, const char* what, double wavelength_x, double wavelength_y)
   {
     const double cells_x = wavelength_x / f_.cell[0], cells_y = wavelength_y / f_.cell[1];

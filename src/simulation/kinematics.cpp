@@ -14,7 +14,7 @@ Passing::Passing(double radius_lower, double radius_upper, double interference, 
 {
   if (kinematics_ == Kinematics::exact)
   {
-    // The tiny reduction keeps a step that lands on first touch by rounding from being doubled.
+    // The tiny reduction prevents a further step when a step lands exactly on first touch up to rounding.
     first_ = -static_cast<int>(std::ceil((1.0 - 1e-12) * theta0_ * (r1_ + r2_) / (cells_ * dx_)));
     count_ = -2 * first_;
     return;
@@ -65,7 +65,7 @@ Position Passing::next(const Position& p) const
 
 Position Passing::within_step(const Position& p, double columns) const
 {
-  // Eq. 9 with 2 Delta the arc moved on both bodies together.
+  // Eq. 9, where 2 Delta is the sum of the arcs on both bodies.
   const double X = p.X + omega_ * std::atan(columns * dx_ / std::hypot(omega_, p.X));
   return at(columns == cells_ ? p.index + 1 : p.index, p.columns + columns, X);
 }

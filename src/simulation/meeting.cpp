@@ -16,7 +16,7 @@ namespace
 
 using contact::Drive;
 
-/// Depths of the lower surface in all columns that come under the contact: those of the period, or the whole track.
+/// Depths of the lower surface in all columns that come under the contact: one period, or the whole track.
 struct Track
 {
   SurfaceGrid grid;
@@ -32,18 +32,19 @@ struct Track
   [[nodiscard]] double at(int i, int j) const { return depth[grid.index(i % grid.nx, j)]; }
 };
 
-/// Adds what one place on the way shows.
-/// @param upper  depths of the upper surface and of the shapes together
-/// @param on     columns by which the contact has moved over the track
-void look(const Track& track, const SurfaceGrid& grid, const CellPlaces& at, const std::vector<double>& upper, int on,
-          double approach, double& most, Meeting& met)
+/// Evaluates the overlap at one place on the way.
+/// @param upper    depths of the upper surface and of the shapes together
+/// @param shift    columns by which the contact has moved over the track
+/// @param deepest  deepest overlap so far [m]
+void add_place(const Track& track, const SurfaceGrid& grid, const CellPlaces& at, const std::vector<double>& upper,
+               int shift, double approach, double& deepest, Meeting& met)
 {
   double smallest = std::numeric_limits<double>::infinity();
   int overlapping = 0;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
     {
-      const double distance = upper[grid.index(i, j)] + track.at(i + on, j);
+      const double distance = upper[grid.index(i, j)] + track.at(i + shift, j);
       smallest = std::min(smallest, distance);
       if (distance >= approach)
         continue;
@@ -52,9 +53,9 @@ void look(const Track& track, const SurfaceGrid& grid, const CellPlaces& at, con
       met.reach_y = std::max(met.reach_y, std::abs(at.y + j * grid.dy) + 0.5 * grid.dy);
     }
   met.touch = std::min(met.touch, smallest);
-  if (approach - smallest > most)
+  if (approach - smallest > deepest)
   {
-    most = approach - smallest;
+    deepest = approach - smallest;
     met.area = overlapping * grid.cell_area();
   }
 }
@@ -64,7 +65,7 @@ void look(const Track& track, const SurfaceGrid& grid, const CellPlaces& at, con
 Meeting meeting(const ShapedBody& lower, const ShapedBody& upper, const SurfaceGrid& grid, const Way& way,
                 double approach, ReadTexture* read)
 {
-  constexpr double most_looks = 1e8; // at cells: beyond, places are left out
+  constexpr double max_evaluations = 1e8; // of cells: with more, places are skipped
   const int columns = static_cast<int>(std::ceil((way.to - way.from) / grid.dx - 1e-9));
   const int on_way = grid.is_periodic_x() ? std::min(columns, grid.nx - 1) : columns;
   const CellPlaces at = places_in_run(grid, way.from);
@@ -73,10 +74,10 @@ Meeting meeting(const ShapedBody& lower, const ShapedBody& upper, const SurfaceG
   const std::vector<double> upper_depth = surface_distance(smooth, upper, grid, at, read);
   Meeting met;
   met.touch = std::numeric_limits<double>::infinity();
-  double most = -met.touch;
-  const int stride = std::max(1, static_cast<int>(static_cast<double>(grid.size()) * (on_way + 1) / most_looks));
-  for (int on = 0; on <= on_way; on += stride)
-    look(track, grid, at, upper_depth, on, approach, most, met);
+  double deepest = -met.touch;
+  const int stride = std::max(1, static_cast<int>(static_cast<double>(grid.size()) * (on_way + 1) / max_evaluations));
+  for (int shift = 0; shift <= on_way; shift += stride)
+    add_place(track, grid, at, upper_depth, shift, approach, deepest, met);
   double sum = std::accumulate(upper_depth.begin(), upper_depth.end(), 0.0);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
@@ -88,17 +89,17 @@ Meeting meeting(const ShapedBody& lower, const ShapedBody& upper, const SurfaceG
 namespace
 {
 
-/// How far from its middle a shape is lower than that, along x or y [m].
-double half_below(const Shape& shape, double height_there, bool along_y)
+/// Distance from the middle, along x or y, up to which a shape is lower than a height [m].
+double half_below(const Shape& shape, double limit, bool along_y)
 {
   constexpr double shortest = 1e-12, longest = 1e6, ratio = 1.05; // [m]: no body is smaller, or larger
   double half = shortest;
-  while (half < longest && height(shape, along_y ? 0.0 : half, along_y ? half : 0.0) < height_there)
+  while (half < longest && height(shape, along_y ? 0.0 : half, along_y ? half : 0.0) < limit)
     half *= ratio;
   return half;
 }
 
-/// Cells along one axis, for an estimate.
+/// Cells along one axis of a grid for estimates.
 struct EstimateAxis
 {
   int cells = 0;
@@ -114,7 +115,8 @@ EstimateAxis periodic_axis(const Domain::Axis& axis, double spacing)
   return {cells, axis.size / cells, Boundary::periodic};
 }
 
-/// @param half  of the axis, track of the contact along it [m]
+/// @param half   half-length of the axis [m]
+/// @param track  length of the contact's track along the axis [m]
 EstimateAxis open_axis(double half, double track, double spacing)
 {
   constexpr double coarsest = 128.0, finest = 512.0, longest_track = 2e4; // cells
@@ -129,7 +131,7 @@ EstimateAxis open_axis(double half, double track, double spacing)
 Meeting estimated_meeting(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics, const Way& way,
                           double approach)
 {
-  // Where the shapes are lower than this the surfaces may touch; if they cannot at all, just below their tops.
+  // Where the shapes are lower than this height the surfaces may touch. The minimum keeps some cells if they cannot touch at all.
   const double tops = reach(lower.texture).height + reach(upper.texture).height;
   constexpr double least = 1e-12; // [m]
   const double highest = std::max({approach + tops, 0.01 * tops, least});
@@ -142,13 +144,14 @@ Meeting estimated_meeting(const ShapedBody& lower, const ShapedBody& upper, cons
   };
   const EstimateAxis x = axis(numerics.domain.x, false), y = axis(numerics.domain.y, true);
   const SurfaceGrid grid{x.cells, y.cells, x.size, y.size, x.boundary, y.boundary};
-  return meeting(lower, upper, grid, way, approach, depths); // heights at points: roughness bears where it is high
+  return meeting(lower, upper, grid, way, approach,
+                 depths); // heights at points, as means would hide the peaks that touch
 }
 
 namespace
 {
 
-/// A ball that would overlap a flat by as much, on the same area, which for paraboloids is 2 pi R times the overlap.
+/// Footprint of a ball on a flat with the same overlap and area of overlap, which is 2 pi R times the overlap for paraboloids.
 Footprint of_peaks(const ShapedBody& lower, const ShapedBody& upper, double overlap, double area, double friction)
 {
   const double radius = area / (2.0 * std::numbers::pi * overlap);
@@ -162,7 +165,7 @@ Footprint of_peaks(const ShapedBody& lower, const ShapedBody& upper, double over
 Footprint footprint_on_the_way(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
                                const Meeting& met, double approach)
 {
-  constexpr double extent = 1.5; // by which grids are wider than the footprint, at least: lay_out
+  constexpr double extent = 1.5; // smallest ratio of grids to footprint in lay_out
   const double overlap = approach - met.touch;
   const double friction = numerics.friction.coefficient;
   Footprint f = approach >= 0.5 * overlap

@@ -18,7 +18,7 @@ double field_bytes(const VolumeGrid& grid, double fields)
   return fields * sizeof(double) * static_cast<double>(grid.size());
 }
 
-/// The fields that a checkpoint holds: plastic strain, its equivalent, stress and the guess of the next step; back stresses.
+/// Values per cell in a checkpoint: plastic strain, its equivalent, stress, the guess of the next step, and back stresses.
 double fields_of_state(const constitutive::Material& material)
 {
   return 5.0 + 1.0 + 5.0 + 5.0 + 5.0 * static_cast<double>(material.kinematic.size());
@@ -30,21 +30,21 @@ double operator_bytes(const VolumeGrid& grid, const constitutive::Material& mate
   return material.elastic.is_rigid() ? 0.0 : halfspace::memory_of_half_space(grid, shears).operators;
 }
 
-/// One body that is computed, while nothing happens to it.
+/// A body that is solved, between increments.
 double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
-  constexpr double of_elastic = 6.0; // plastic strain, which is zero
+  constexpr double fields_of_elastic_body = 6.0; // plastic strain and its equivalent, which are zero
   if (!material.is_plastic())
-    return field_bytes(grid, of_elastic);
+    return field_bytes(grid, fields_of_elastic_body);
   constexpr double flags = 0.125;
   return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
 }
 
-/// Of a body much longer than the contact, the columns of it that are computed within an increment: operators of two lengths, strain
-/// and stress of the longer one, now and before.
+/// Windows of a body much longer than the contact: operators of two lengths, and strain and stress of the longer one with their
+/// changes.
 double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
-  constexpr int few_steps = 100; // before a window pays it must have been asked for many times
+  constexpr int few_steps = 100; // with fewer steps a window is hardly requested often enough to be used
   if (!material.is_plastic() || grid.surface.is_periodic_x() || 2 * plan.contact.nx > grid.surface.nx ||
       plan.steps < few_steps)
     return 0.0;
@@ -58,30 +58,30 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
   return bytes + field_bytes(part, 20.0);
 }
 
-/// What the cells in the fixed point take in an increment, with the history of the accelerator. Their number is not known
-/// before: a plastic zone fills less of a box than of its section, and of a period little more than what lies under peaks.
-/// Without short cuts they are all that is computed.
+/// Active cells in an increment, with the history of the acceleration. Their number is estimated: a plastic zone fills a smaller
+/// share of a volume than of a plane section, and in a period little more than the material under peaks. Without short cuts all
+/// cells are active.
 double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
                    const elastoplastic::Settings& solver, const Plan& plan)
 {
   const double computed = plan.symmetry == Symmetry::none ? 1.0 : 0.5;
   const double near_yield = is_plane(grid.surface) ? 0.5 : std::min(0.15, 0.75 * plan.contact_share);
   const double active_share = solver.shortcuts ? near_yield : computed;
-  const double of_unknowns = 5.0 * (3.0 * solver.anderson_depth + 11.0);
-  return material.is_plastic() ? field_bytes(grid, active_share * of_unknowns) : 0.0;
+  const double values_per_cell = 5.0 * (3.0 * solver.anderson_depth + 11.0);
+  return material.is_plastic() ? field_bytes(grid, active_share * values_per_cell) : 0.0;
 }
 
-/// The fields within a body are computed and written one after the other: the stress takes most.
+/// Output of a body. Its fields are computed and written one after the other; the stress needs the most memory.
 double output_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
   if (material.elastic.is_rigid())
     return 0.0;
   const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears);
-  const double work = material.is_plastic() ? 0.0 : half_space.work; // for the time being
+  const double work = material.is_plastic() ? 0.0 : half_space.work; // allocated only for the output
   return std::max(field_bytes(grid, 6.0) + work + half_space.trace, field_bytes(grid, 12.0));
 }
 
-/// The checkpoint from which a run is taken up, before there is any work. It is written without a copy in memory.
+/// The checkpoint from which a run resumes, read before the buffers of the operators exist. Writing needs no copy in memory.
 double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
   if (!material.is_plastic())
@@ -90,9 +90,8 @@ double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& ma
   return std::max(0.0, state - halfspace::memory_of_half_space(grid, shears).work);
 }
 
-/// Waves of a flux that has always moved: temperature and stress in each layer, as spectra and as the tables of which they are
-/// made, and as much again, by measurement, in lattices of which those are summed. With two threads the most that is held at a time
-/// differs by a quarter from run to run.
+/// Heat in the steady regime: temperature and stress in each layer, as spectra, as the tables from which they are made, and
+/// (measured) as much again in lattices that are summed. With two threads the peak varies by a quarter from run to run.
 double steady_heat_bytes(const VolumeGrid& grid)
 {
   constexpr double parts = 7.0, copies = 3.0;
@@ -100,7 +99,7 @@ double steady_heat_bytes(const VolumeGrid& grid)
   return parts * copies * grid.nz * padded.x * padded.y * sizeof(double);
 }
 
-/// A third longer and wider than the body, but along periods.
+/// The thermal grid: a third longer and wider than the material grid, except along periods.
 SurfaceGrid grid_of_heat(const SurfaceGrid& body)
 {
   constexpr double wider = 4.0 / 3.0;
@@ -110,21 +109,22 @@ SurfaceGrid grid_of_heat(const SurfaceGrid& body)
   return grid;
 }
 
-/// All spectra of heat over those of its first lattice. Images are taken off on some three pairs of lattices of the slower waves, one
-/// of a pair as large as the first one and one a quarter; with short cuts, half as long along an open axis of many cells.
+/// Ratio of all spectra of heat to those of the first lattice. Images are subtracted on about three pairs of lattices of the
+/// slower waves; of each pair one is as large as the first lattice and one a quarter of it. With short cuts they are half as long
+/// along an open axis of many cells.
 double lattices_of_heat(const SurfaceGrid& grid, bool shortcuts)
 {
-  constexpr double pairs = 2.0; // of as many waves as the first lattice has
+  constexpr double pairs = 2.0; // equivalent number of pairs with as many waves as the first lattice
   double share = grid.is_periodic() ? 0.0 : 1.0;
   for (const auto& [cells, is_periodic] : {std::pair{grid.nx, grid.is_periodic_x()}, {grid.ny, grid.is_periodic_y()}})
     share *= shortcuts && !is_periodic && halfspace::is_long(cells) ? 0.5 : 1.0;
   return 1.0 + 1.25 * pairs * share;
 }
 
-/// All heat since the start, some sixty waves in depth, as it is and as it was for when an increment fails; and the waves of fields
-/// while they are read, of a body that may yield. With symmetry half of the waves are kept. The heat of plastic work adds the layers of the body
-/// and some fifteen beneath: how warm they are, and what makes them so, now and before; on lattices that take off images at least
-/// two layers are one, with short cuts.
+/// Heat in the transient regime: about sixty waves in depth, now and before the increment (for `restore`); and, for a body that
+/// may yield, the waves of fields while they are evaluated. With symmetry half of the waves are kept. The heat of plastic work
+/// adds the layers of the body and about fifteen below: temperature now and before the increment, and source. With short cuts,
+/// lattices that subtract images merge at least two layers.
 double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Material& material, bool of_plastic_work,
                             bool shortcuts, Symmetry symmetry)
 {
@@ -141,7 +141,7 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
   return kept * field + read + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
 }
 
-/// The heat of a body; and, if it may yield, its stress, now and before, and softening.
+/// Heat of a body and, if it may yield, thermal stress now and before the increment, and softening.
 double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, const elastoplastic::Settings& solver,
                   Symmetry symmetry, const elastoplastic::HeatSettings& heat)
 {
@@ -154,7 +154,7 @@ double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material
   return transient_heat_bytes(grid, material, of_plastic_work, solver.shortcuts, symmetry) + fields;
 }
 
-/// Fields of the contact's solver and of what is read from it, and its transforms.
+/// Fields and transforms of the contact solver, and fields of its results.
 double contact_bytes(const SurfaceGrid& grid, int shears)
 {
   constexpr double fields = 30.0, spectra = 4.0;
@@ -168,7 +168,7 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
                     const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
 {
-  constexpr double program = 22e6;                              // with its libraries, and what writes the files
+  constexpr double program = 22e6;                              // with its libraries and the writers of files
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
   const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
   double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
@@ -185,8 +185,9 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
     bodies += window_bytes(plan, *grid, *material, shears);
     checkpoint += checkpoint_bytes(*grid, *material, shears);
   }
-  constexpr double holes = 1.05; // between the fields
-  return program + holes * (contact_bytes(plan.contact, shears) + bodies + std::max({trials, output, checkpoint}));
+  constexpr double fragmentation = 1.05; // unused memory between the fields
+  return program +
+         fragmentation * (contact_bytes(plan.contact, shears) + bodies + std::max({trials, output, checkpoint}));
 }
 
 } // namespace brinell::simulation

@@ -7,11 +7,11 @@
 namespace brinell::simulation
 {
 
-/// What a run takes at its peak, the program itself included [bytes].
+/// Peak memory of a run, including the program itself [bytes].
 /// @param lower, upper  materials of the bodies
 /// @param solver        of the increments
-/// @param shears        components of the shear that acts on both bodies
-/// @param heat          of friction, in bodies that have thermal constants; nullptr: none is kept
+/// @param shears        number of components of the shear between the bodies, 0 to 2
+/// @param heat          settings of heat, in bodies that have thermal constants; nullptr: heat is not computed
 [[nodiscard]] double memory_bytes(const Plan& plan, const constitutive::Material& lower,
                                   const constitutive::Material& upper, const elastoplastic::Settings& solver,
                                   int shears, const elastoplastic::HeatSettings* heat);

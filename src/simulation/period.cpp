@@ -20,7 +20,7 @@ namespace
 using contact::Drive;
 using Field = std::vector<double>;
 
-/// Depths of both textures together in the centres of the cells, moved by (dx, dy).
+/// Sum of the depths of both textures at the centres of the cells, moved by (dx, dy).
 Field of_both(const IndentationCase& c, const SurfaceGrid& grid, double dx = 0.0, double dy = 0.0)
 {
   CellPlaces at = places_in_run(grid, c.places.front());
@@ -47,7 +47,7 @@ Roughness roughness(const IndentationCase& c, const SurfaceGrid& grid)
   const auto mean_square = [](const Field& field)
   { return std::inner_product(field.begin(), field.end(), field.begin(), 0.0) / static_cast<double>(field.size()); };
   Roughness result = roughness_of(of_both(c, grid), grid);
-  // Textures are functions of the place: differences over a hair of a cell are their slopes.
+  // Slopes by differences over a tiny part of a cell, since textures are functions of continuous coordinates.
   constexpr double hair = 1e-4;
   const auto mean_square_slope = [&](double dx, double dy)
   {

@@ -7,15 +7,15 @@
 #include <limits>
 #include <numeric>
 
-/// What scenarios share in which one body is pressed on the other.
+/// Common parts of scenarios in which one body is pressed on the other.
 namespace brinell::simulation
 {
 
-/// A drive that presses nothing, dents and bumps included: no load, the approach of the first touch, if that is below zero, or the mean
-/// gap where the surfaces first touch.
+/// Value of a drive at which the surfaces, with dents and bumps, just do not press: load 0; the approach of first touch, if this
+/// is negative, else 0; or the mean gap at first touch.
 [[nodiscard]] double without_contact(contact::Drive::Kind kind, const Stepper::Distances& touch);
 
-/// What a row tells of bodies that are periodic along both axes; NaN of others.
+/// Fills the columns for bodies that are periodic along both axes; NaN for others.
 template <typename Record>
 void read_period(const elastoplastic::CoupledContact& pair, Record& r)
 {

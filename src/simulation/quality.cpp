@@ -18,15 +18,16 @@ namespace brinell::simulation
 namespace
 {
 
-// Limits. Those of the cells are where the tables of docs/verification.md leave some percent of error.
+// Limits of the warnings. Limits on cells correspond to an error of some percent in the tables of docs/verification.md.
 constexpr double fewest_cells = 6.0; ///< per contact radius
 constexpr double fewest_cells_across =
-    3.0;                               ///< the motion: cells twice as long there cost half a percent of the net energy
-constexpr double hopeless_cells = 2.0; ///< below, a third of the energy is missing
-constexpr int fewest_layers = 4;       ///< of the plastic zone
-constexpr double smallest_approach = 1e-9;       ///< [m], some atoms: no continuum
-constexpr double longest_share_of_radius = 0.25; ///< of a step: 6 % of the net energy of a tugging
-constexpr double lost_share = 0.1; ///< of the yield stress, in layers of the material that no layer of cells tells
+    3.0; ///< across the motion, where cells twice as long cost only half a percent of the net energy
+constexpr double hopeless_cells = 2.0;     ///< with fewer, a third of the energy is missing
+constexpr int fewest_layers = 4;           ///< through the plastic zone
+constexpr double smallest_approach = 1e-9; ///< [m], a few atoms, below which materials are no continuum
+constexpr double longest_share_of_radius =
+    0.25;                          ///< step over contact radius, with an error of 6 % of the net energy of tugging
+constexpr double lost_share = 0.1; ///< largest part of a profile, over the yield stress, that layers of cells may miss
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
 
 std::string errors_text(const std::vector<ExpectedError>& errors)
@@ -37,7 +38,7 @@ std::string errors_text(const std::vector<ExpectedError>& errors)
   return text;
 }
 
-/// The tables are of cells that are up to twice as long across the motion as along it.
+/// Cells per radius to compare with the tables, whose cells are up to twice as long across the motion as along it.
 double deciding_cells(const Facts& f, const Resolution& r)
 {
   return f.moves ? std::min(r.cells_x, r.cells_y * fewest_cells / fewest_cells_across) : r.cells;
@@ -49,7 +50,7 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
     cells_y = cells_x;
   if (f.cells_per_wave && !std::isnan(cells_x))
   {
-    Resolution of_patches; // the tables are of one indent
+    Resolution of_patches; // without expected errors, as the tables are for single indents
     of_patches.plastic_layers = layers;
     of_patches.cells_per_wave = f.cells_per_wave;
     return of_patches;
@@ -65,13 +66,14 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
   return r;
 }
 
-/// Whether the yield stress of a body stays what it is.
+/// Whether a body is perfectly plastic: its yield stress is constant.
 bool never_hardens(const constitutive::Material& material)
 {
   return material.kinematic.empty() && material.hardening &&
          std::visit([](const auto& law) { return law.modulus_at(0.0) == 0.0; }, *material.hardening);
 }
 
+/// Collects the warnings about a run.
 class Judge
 {
 public:
@@ -107,7 +109,7 @@ public:
                       *layers, *layers == 1 ? "" : "s", fewest_layers));
   }
 
-  /// Layers of the material in which no middle of a cell lies count as nothing.
+  /// Warns of layers of the material that contain no centre of a cell and therefore have no effect.
   void of_profiles()
   {
     for (std::size_t side = 0; side < 2; ++side)
@@ -130,7 +132,7 @@ public:
   {
     if (!f_.shift || !(*f_.shift > longest_share_of_radius * f_.half_x) || !(*f_.shift > 1.01 * f_.cell[0]))
       return;
-    // The step's own error: 1.4 % of the net energy at an eighth of the contact radius, docs/verification.md (shift step).
+    // Error due to the step: 1.4 % of the net energy for an eighth of the contact radius, docs/verification.md (shift step).
     const double share = *f_.shift / f_.half_x;
     add("long_step",
         fmt::format("the contact moves by {} per step, {:.2g} contact radii; more than {:g} leave gaps in the "
@@ -170,7 +172,7 @@ public:
                       length_text(f_.approach)));
   }
 
-  /// A bulk that is so warm that it yields earlier.
+  /// Warns of a bulk temperature at which the yield stress is already reduced.
   void of_warm_bulk()
   {
     for (std::size_t side = 0; side < 2; ++side)
@@ -198,7 +200,7 @@ public:
 private:
   void add(const char* key, std::string text) { add({key, std::move(text)}); }
 
-  /// Whether the largest or smallest value of a profile is beyond those in the middle of all layers, by more than `most`.
+  /// Whether the extreme values of a profile exceed those at the centres of all layers of cells by more than `most`.
   [[nodiscard]] bool is_lost_in_layers(const constitutive::DepthProfile& profile, double without, double most) const
   {
     if (profile.empty())

@@ -18,7 +18,7 @@ namespace
 
 constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-9;
-constexpr double longest_in_cutoffs = 4096.0; ///< of the size: some 26 million waves, 0.5 GB
+constexpr double longest_in_cutoffs = 4096.0; ///< largest ratio of size to cutoff: some 26 million waves, 0.5 GB
 
 InputError out_of_range(const char* name, double value, const char* allowed)
 {
@@ -46,8 +46,8 @@ void require_valid(const SelfAffine& p)
     throw out_of_range("rolloff", p.rolloff, "not shorter than the cutoff");
 }
 
-/// Normal random numbers in pairs (Box and Muller 1958). The standard says which integers its generator gives, but not what its
-/// distributions make of them.
+/// Pairs of normal random numbers (Box and Muller 1958). The C++ standard fixes the integers of its generators but not the
+/// results of its distributions, which therefore are not used.
 class NormalPairs
 {
 public:
@@ -61,14 +61,14 @@ public:
   }
 
 private:
-  /// In (0, 1], of the upper 53 bits.
+  /// Uniform in (0, 1], from the upper 53 bits.
   double uniform() { return (static_cast<double>(generator_() >> 11) + 1.0) * 0x1p-53; }
 
   std::mt19937_64 generator_;
 };
 
-/// Calls visit(i, j) once for each pair of opposite wavevectors, ring after ring of max(|i|, |j|) = 1, 2, ...: more rings only
-/// add to the end of the sequence.
+/// Calls visit(i, j) once for each pair of opposite wavevectors, ring by ring of max(|i|, |j|) = 1, 2, ..., so that further rings
+/// only extend the sequence.
 template <typename Visit>
 void in_rings(int rings, const Visit& visit)
 {
@@ -83,13 +83,13 @@ void in_rings(int rings, const Visit& visit)
   }
 }
 
-/// Whole number of waves of the cutoff, or longer, that go into a size.
+/// Largest number of waves in a size whose wavelength is not below the cutoff.
 int most_waves(double size, double cutoff)
 {
   return static_cast<int>(std::floor(size / cutoff * (1.0 + rounding)));
 }
 
-/// Amplitudes before they are scaled, and the mean squares of height and slope that they have.
+/// Amplitudes before scaling, with their mean squares of height and slope.
 struct Unscaled
 {
   RandomSurface::Waves waves;
@@ -100,18 +100,19 @@ Unscaled unscaled(const SelfAffine& p)
 {
   Unscaled u;
   RandomSurface::Waves& w = u.waves;
-  w.most_x = most_waves(p.size_x, p.cutoff);
-  w.most_y = most_waves(p.size_y, p.cutoff);
-  w.amplitudes.assign((static_cast<std::size_t>(w.most_x) + 1) * w.rows(), Complex{});
+  w.max_x = most_waves(p.size_x, p.cutoff);
+  w.max_y = most_waves(p.size_y, p.cutoff);
+  w.amplitudes.assign((static_cast<std::size_t>(w.max_x) + 1) * w.rows(), Complex{});
   NormalPairs random(p.seed);
-  in_rings(std::max(w.most_x, w.most_y),
+  in_rings(std::max(w.max_x, w.max_y),
            [&](int i, int j)
            {
-             const Complex drawn = random.next(); // also beyond the cutoff, so that it changes no other wave
+             const Complex drawn =
+                 random.next(); // also beyond the cutoff, so that other waves do not depend on the cutoff
              const double frequency = std::hypot(i / p.size_x, j / p.size_y);
              if (frequency * p.cutoff > 1.0 + rounding)
                return;
-             // The amplitude is the root of the density C(q), q^(-2 (1 + H)) beyond the roll-off.
+             // The amplitude is the root of the spectral density C(q), which is q^(-2 (1 + H)) beyond the roll-off.
              const double bent = std::max(frequency, 1.0 / p.rolloff) * p.cutoff;
              const Complex amplitude = std::pow(bent, -1.0 - p.hurst) * drawn;
              w.amplitudes[w.index(i, j)] = amplitude;
@@ -122,7 +123,8 @@ Unscaled unscaled(const SelfAffine& p)
   return u;
 }
 
-/// exp(2 pi I n x/size) for n = first to last. The whole periods are taken off before the cosine, which would lose digits.
+/// exp(2 pi I n x/size) for n = first to last. Whole periods are removed before taking the cosine, which would lose digits
+/// otherwise.
 std::vector<Complex> waves_at(double x, double size, int first, int last)
 {
   std::vector<Complex> values;
@@ -136,7 +138,7 @@ std::vector<Complex> waves_at(double x, double size, int first, int last)
   return values;
 }
 
-/// Factors by which waves n = first to last count with their mean over a cell.
+/// Ratios `mean_over_cell` for the waves n = first to last.
 std::vector<double> means_over_cell(double cell, double size, int first, int last)
 {
   std::vector<double> factors;
@@ -145,14 +147,14 @@ std::vector<double> means_over_cell(double cell, double size, int first, int las
   return factors;
 }
 
-/// The amplitudes for an origin at (x0, y0), averaged over cells.
+/// Amplitudes with respect to an origin at (x0, y0), averaged over cells.
 std::vector<Complex> placed(const RandomSurface& surface, double x0, double y0, const Averaged& over)
 {
   const SelfAffine& p = surface.parameters();
   const RandomSurface::Waves& w = surface.waves();
-  const auto along_x = waves_at(x0, p.size_x, 0, w.most_x), along_y = waves_at(y0, p.size_y, -w.most_y, w.most_y);
-  const auto mean_x = means_over_cell(over[0], p.size_x, 0, w.most_x),
-             mean_y = means_over_cell(over[1], p.size_y, -w.most_y, w.most_y);
+  const auto along_x = waves_at(x0, p.size_x, 0, w.max_x), along_y = waves_at(y0, p.size_y, -w.max_y, w.max_y);
+  const auto mean_x = means_over_cell(over[0], p.size_x, 0, w.max_x),
+             mean_y = means_over_cell(over[1], p.size_y, -w.max_y, w.max_y);
   std::vector<Complex> c = w.amplitudes;
   const std::size_t rows = w.rows();
   for (std::size_t i = 0; i < along_x.size(); ++i)
@@ -161,7 +163,7 @@ std::vector<Complex> placed(const RandomSurface& surface, double x0, double y0, 
   return c;
 }
 
-/// Cells of a period, if the transform can take it: an even number.
+/// Number of cells of a period, if the transform is possible: it must be even.
 std::optional<int> even_cells(double size, double cell)
 {
   constexpr double most = 1 << 20;
@@ -178,7 +180,8 @@ int wrapped(int index, int count)
   return rest < 0 ? rest + count : rest;
 }
 
-/// By one inverse transform of the period. Waves beyond what its cells tell apart fall onto others, as their values do.
+/// Heights by one inverse transform of the period. Waves beyond the Nyquist limit of the cells are added to their aliases, which
+/// have the same values at the cells.
 void add_by_transform(const RandomSurface::Waves& w, const std::vector<Complex>& c, const SurfaceGrid& period,
                       const SurfaceGrid& grid, double factor, std::vector<double>& heights)
 {
@@ -192,8 +195,8 @@ void add_by_transform(const RandomSurface::Waves& w, const std::vector<Complex>&
                static_cast<std::size_t>(fft.kx()) * static_cast<std::size_t>(wrapped(j, period.ny))] += half;
   };
   const double scale = 0.5 * factor * static_cast<double>(period.size()); // the transform divides by the size
-  for (int i = 0; i <= w.most_x; ++i)
-    for (int j = -w.most_y; j <= w.most_y; ++j)
+  for (int i = 0; i <= w.max_x; ++i)
+    for (int j = -w.max_y; j <= w.max_y; ++j)
     {
       const Complex half = scale * c[w.index(i, j)];
       add(i, j, half);
@@ -207,7 +210,7 @@ void add_by_transform(const RandomSurface::Waves& w, const std::vector<Complex>&
       heights[grid.index(i, j)] += plane[period.index(i % period.nx, j % period.ny)];
 }
 
-/// Real and imaginary parts apart: a sum over them is one over vectors.
+/// Real and imaginary parts in separate arrays, so that sums vectorise.
 struct Planar
 {
   std::vector<double> real, imaginary;
@@ -215,11 +218,11 @@ struct Planar
   explicit Planar(std::size_t size) : real(size, 0.0), imaginary(size, 0.0) {}
 };
 
-/// Along y: for each row of the grid the amplitudes of the waves along x, [row][wave].
+/// Sum along y: for each row of the grid the amplitudes of the waves along x, [row][wave].
 Planar summed_along_y(const RandomSurface& surface, const std::vector<Complex>& c, const SurfaceGrid& grid)
 {
   const RandomSurface::Waves& w = surface.waves();
-  const std::size_t rows = w.rows(), waves = static_cast<std::size_t>(w.most_x) + 1;
+  const std::size_t rows = w.rows(), waves = static_cast<std::size_t>(w.max_x) + 1;
   Planar turned(c.size()); // [wave along y][wave along x]
   for (std::size_t m = 0; m < waves; ++m)
     for (std::size_t n = 0; n < rows; ++n)
@@ -230,7 +233,7 @@ Planar summed_along_y(const RandomSurface& surface, const std::vector<Complex>& 
   Planar sums(waves * static_cast<std::size_t>(grid.ny));
   for (int j = 0; j < grid.ny; ++j)
   {
-    const std::vector<Complex> along_y = waves_at(j * grid.dy, surface.parameters().size_y, -w.most_y, w.most_y);
+    const std::vector<Complex> along_y = waves_at(j * grid.dy, surface.parameters().size_y, -w.max_y, w.max_y);
     double* real = sums.real.data() + static_cast<std::size_t>(j) * waves;
     double* imaginary = sums.imaginary.data() + static_cast<std::size_t>(j) * waves;
     for (std::size_t n = 0; n < rows; ++n)
@@ -247,12 +250,12 @@ Planar summed_along_y(const RandomSurface& surface, const std::vector<Complex>& 
   return sums;
 }
 
-/// The sum over the waves for any cells: along y, then along x.
+/// Heights by sums over the waves, for any cells: along y, then along x.
 void add_by_rows(const RandomSurface& surface, const std::vector<Complex>& c, const SurfaceGrid& grid, double factor,
                  std::vector<double>& heights)
 {
   const Planar of_rows = summed_along_y(surface, c, grid);
-  const std::size_t waves = static_cast<std::size_t>(surface.waves().most_x) + 1;
+  const std::size_t waves = static_cast<std::size_t>(surface.waves().max_x) + 1;
   constexpr int block = 64; // columns whose tables stay in the cache
   for (int first = 0; first < grid.nx; first += block)
   {
@@ -261,7 +264,7 @@ void add_by_rows(const RandomSurface& surface, const std::vector<Complex>& c, co
     for (std::size_t i = 0; i < columns; ++i)
     {
       const auto along_x =
-          waves_at((first + static_cast<int>(i)) * grid.dx, surface.parameters().size_x, 0, surface.waves().most_x);
+          waves_at((first + static_cast<int>(i)) * grid.dx, surface.parameters().size_x, 0, surface.waves().max_x);
       for (std::size_t m = 0; m < waves; ++m)
       {
         table.real[m * columns + i] = factor * along_x[m].real();
@@ -283,10 +286,10 @@ void add_by_rows(const RandomSurface& surface, const std::vector<Complex>& c, co
   }
 }
 
-/// Whether a transform of the period is faster than the sums: by the operations, which take twice as long in a transform.
+/// Whether a transform of the period is faster than the sums, by numbers of operations, which take twice as long in a transform.
 bool is_cheaper_by_transform(const RandomSurface::Waves& w, const SurfaceGrid& period, const SurfaceGrid& grid)
 {
-  const double waves = w.most_x + 1.0;
+  const double waves = w.max_x + 1.0;
   const double sums = waves * grid.ny * (static_cast<double>(w.rows()) + grid.nx);
   const auto cells = static_cast<double>(period.size());
   return cells * (4.0 * std::log2(cells) + 20.0) < sums;

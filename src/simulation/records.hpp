@@ -10,11 +10,11 @@
 namespace brinell::simulation
 {
 
-/// Puts the state of the last step into a summary; what was worked but neither dissipated nor is stored is an error.
-/// @param largest_work  reached in the run [J]
+/// Copies the totals of the last step into a summary and computes the error of the energy balance.
+/// @param largest_work  largest magnitude of the work in the run [J]
 void take_totals(const StepRecord& last, double largest_work, RunTotals& totals);
 
-/// Whole numbers of a record count something, from 0; one more must be possible.
+/// Stores or restores the columns of a record. Integers are counters, which must be >= 0 and small enough to be incremented.
 template <typename Record>
 void exchange_columns(Record& record, Archive& archive)
 {
@@ -25,7 +25,7 @@ void exchange_columns(Record& record, Archive& archive)
       archive(std::string(column.name), record.*std::get<double Record::*>(column.member));
 }
 
-/// Everything of a row.
+/// Stores or restores a complete row.
 template <typename Record>
 void exchange_row(Record& record, Archive& archive)
 {

@@ -20,14 +20,14 @@ namespace
 using contact::Drive;
 using contact::TangentialDrive;
 
-/// Press, roll, lift, pass after pass.
+/// Motion of rolling: press, roll and lift in each pass.
 class Rolling
 {
 public:
   Rolling(const RollingCase& rolling, const RollingPlan& plan)
       : case_(rolling), plan_(plan), share_(upper_share(rolling)), track_(rolling.distance, plan.shift)
   {
-    at_.x = moment(0.0).x;
+    previous_.x = moment(0.0).x;
   }
 
   [[nodiscard]] Stepper::Setup setup() const
@@ -41,7 +41,7 @@ public:
       setup.sliding.heat = {case_.heat, heat_times()};
     return setup;
   }
-  [[nodiscard]] Centre centre() const { return centre(at_.x); }
+  [[nodiscard]] Centre centre() const { return centre(previous_.x); }
   [[nodiscard]] bool is_done() const { return pass_ == case_.passes; }
   [[nodiscard]] int step_count() const { return plan_.steps; }
 
@@ -51,12 +51,12 @@ public:
     if (step_in_pass_ == 0)
     {
       track_.begin_pass(stepper.pair().lower().solved(), dissipation(stepper));
-      at_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0, 0.0, at_.along};
+      previous_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0, 0.0, previous_.along};
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
       touch_ = by_load() ? 0.0 : std::min(stepper.clearance(from), case_.drive.value);
     const double to = moment(step_in_pass_ + 1).x;
-    if (step_in_pass_ + 1 == steps_per_pass()) // lifted: what has yielded on the way counts
+    if (step_in_pass_ + 1 == steps_per_pass()) // lifting off, from the surfaces with their residual displacement
       touch_ = by_load() ? 0.0 : std::min(touch_, stepper.clearance(centre(to)));
     const bool moves = is_rolling();
     const auto path = [this, moves](double t)
@@ -83,9 +83,11 @@ public:
     r.F_X = rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
     const double sliding_force = (1.0 - share_) * (share_ < 1.0 ? r.F_friction : -r.F_friction);
     r.F_X += sliding_force;
-    r.work += 0.5 * (r.F_n + at_.F_n) * (r.approach - at_.approach) + 0.5 * (r.F_X + at_.F_X) * (r.x - at_.x);
-    r.dissipation_friction += 0.5 * (sliding_force + at_.sliding_force) * (r.x - at_.x) - stepper.shear_work();
-    at_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force, at_.along};
+    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach) +
+              0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
+    r.dissipation_friction +=
+        0.5 * (sliding_force + previous_.sliding_force) * (r.x - previous_.x) - stepper.shear_work();
+    previous_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force, previous_.along};
     read_shear(stepper, r);
     r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
     track_.add(r);
@@ -104,23 +106,24 @@ public:
 
   void exchange(Archive& archive)
   {
-    archive("at", at_);
+    archive("at", previous_);
     archive("track", track_);
     archive.list("passes", passes_);
     archive("touch", touch_);
     archive("pass", pass_, 0, case_.passes);
     archive("step_in_pass", step_in_pass_, 0, steps_per_pass() - 1);
-    if (archive.gives() && !(std::abs(at_.x) <= case_.distance))
+    if (archive.gives() && !(std::abs(previous_.x) <= case_.distance))
       throw InputError("the stored state has a place that is not on the track");
   }
 
 private:
-  /// Contact's centre on the lower body and share of the drive after some steps of a pass: press, roll, lift.
+  /// Position of the contact's centre on the lower body [m], and factor on the drive.
   struct Moment
   {
     double x;
     double drive;
   };
+  /// Moment after a number of steps of a pass, which may be fractional.
   [[nodiscard]] Moment moment(double steps) const
   {
     const double press = case_.load_steps;
@@ -130,8 +133,8 @@ private:
     return {(rolled - 0.5 * roll) * plan_.shift, // exactly 0 in the middle
             std::min(steps / press, 1.0) - lifted};
   }
-  /// By which the upper body has crept over the lower one when the contact is at x in this pass: nothing while it is pressed
-  /// on or lifted off.
+  /// Accumulated creep displacement of the upper body over the lower one when the contact is at x in this pass; it does not
+  /// change while the body is pressed on or lifted off.
   [[nodiscard]] TangentialDrive along(double x) const
   {
     const Creepage creepage = case_.creepage.value_or(Creepage{});
@@ -141,12 +144,12 @@ private:
             {TangentialDrive::Kind::shift, creepage.lateral * rolled},
             creepage.spin * rolled};
   }
-  /// Whether the contact moves in the step at hand.
+  /// Whether the contact moves in the current step.
   [[nodiscard]] bool is_rolling() const
   {
     return step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
   }
-  /// What acts between the surfaces along them, and the work of the creepage.
+  /// Fills the tangential forces and, with partial slip, work, heat and stick of the creepage.
   void read_shear(const Stepper& stepper, RollingRecord& r)
   {
     const SurfaceGrid& grid = stepper.pair().grid();
@@ -166,16 +169,16 @@ private:
       return;
     if (case_.creepage && is_rolling())
       r.F_X += case_.creepage->longitudinal * r.F_x + case_.creepage->lateral * r.F_y + case_.creepage->spin * r.M_z;
-    r.work += slip->work() - at_.along;
-    at_.along = slip->work();
+    r.work += slip->work() - previous_.along;
+    previous_.along = slip->work();
     r.dissipation_friction = slip->heat();
     r.stick_share =
         slip->pressed_cells() > 0 ? static_cast<double>(slip->sticking_cells()) / slip->pressed_cells() : 0.0;
     r.stick_area = r.stick_share * r.contact_area;
     r.slip_path = *std::max_element(slip->path().begin(), slip->path().end());
   }
-  /// After some steps of a pass, since the start [s]; without a speed it stands still. The way back belongs to the last step,
-  /// in which the surfaces part.
+  /// Time since the start after a number of steps of a pass [s]; 0 without a speed. The way back belongs to the last step, in
+  /// which the surfaces part.
   [[nodiscard]] double time(double steps) const
   {
     if (!case_.speed)
@@ -184,7 +187,7 @@ private:
     return (pass_ * (steps_per_pass() + plan_.rolling_steps) + steps + last * plan_.rolling_steps) * plan_.shift /
            *case_.speed;
   }
-  /// Likewise the length by which the undeformed surfaces have slid on each other [m].
+  /// Sliding distance of the undeformed surfaces since the start after a number of steps of a pass [m].
   [[nodiscard]] double slid(double steps) const
   {
     const double rolled = std::clamp(steps - case_.load_steps, 0.0, static_cast<double>(plan_.rolling_steps));
@@ -193,14 +196,15 @@ private:
   [[nodiscard]] halfspace::HeatTimes heat_times() const
   {
     const double step = plan_.shift / *case_.speed, passes = case_.passes;
-    constexpr double finest = 1.0 / 128; // of a step: half the shortest piece, while pressing
+    constexpr double finest = 1.0 / 128; // share of a step: half the shortest piece while pressing
     return {step * std::min(finest, 0.25 * plan_.contact.dx / plan_.shift),
             step * passes * (steps_per_pass() + plan_.rolling_steps + 1.0)};
   }
   [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
   [[nodiscard]] Centre centre(double x) const { return {x, share_ * x}; }
   [[nodiscard]] bool by_load() const { return case_.drive.kind == Drive::Kind::load; }
-  /// An imposed approach begins and ends where the surfaces touch, dents and bumps included.
+  /// Drive at a share of its full value. An imposed approach begins and ends where the surfaces, with dents and bumps, just
+  /// touch.
   [[nodiscard]] Drive drive(double share) const
   {
     return {case_.drive.kind, touch_ + (case_.drive.value - touch_) * share};
@@ -211,8 +215,8 @@ private:
     return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
   }
 
-  /// Where the drive has worked so far.
-  struct WorkedTo
+  /// Values at the end of the last step, for the trapezoidal rule of the work.
+  struct DriveState
   {
     double x = 0.0, approach = 0.0, F_n = 0.0, F_X = 0.0;
     double sliding_force = 0.0; ///< share of the shear in F_X, of surfaces that slide everywhere [N]
@@ -233,9 +237,9 @@ private:
   const RollingPlan& plan_;
   double share_; ///< distance on the upper body per distance on the lower one
   TrackReader track_;
-  WorkedTo at_;
+  DriveState previous_;
   std::vector<RollingPass> passes_;
-  double touch_ = 0.0; ///< where an imposed approach comes from and goes back to: the surfaces touch [m]
+  double touch_ = 0.0; ///< approach at which the surfaces just touch, where an imposed approach begins and ends [m]
   int pass_ = 0, step_in_pass_ = 0;
 };
 

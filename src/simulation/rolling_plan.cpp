@@ -15,22 +15,22 @@
 #include <cmath>
 #include <fmt/format.h>
 
-/// The grids and steps of rolling, and what cannot be computed.
+/// Grids and steps of rolling, and checks of what cannot be computed.
 namespace brinell::simulation
 {
 
 namespace
 {
 
-/// Whether both bodies always have the same history: then one is solved and its residual displacement counts twice.
+/// Whether both bodies always have the same history, so that only one is solved and its residual displacement counts twice.
 bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
 {
   return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && !rolling.creepage && plan.lower == plan.upper &&
          alike(rolling.lower, rolling.upper);
 }
 
-/// Creepage that does not go with the rest of the case.
-/// @param half  half-length of the contact, the larger one [m]
+/// Checks that the creepage is allowed with the rest of the case.
+/// @param half  larger half-length of the contact [m]
 void require_creepage(const RollingCase& rolling, double half)
 {
   if (!rolling.creepage)
@@ -65,7 +65,7 @@ void require_creepage(const RollingCase& rolling, double half)
                     spin));
 }
 
-/// The history of stick and slip is carried along by whole cells.
+/// Checks that steps with creepage are whole cells, because the history of stick and slip is moved by whole cells.
 void require_whole_cells(const RollingCase& rolling, const RollingPlan& plan)
 {
   const double cells = plan.shift / plan.contact.dx;
@@ -90,7 +90,8 @@ RollingPlan plan(const RollingCase& rolling)
           ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
           : "";
   require_friction(rolling, rolling.lower, rolling.upper, why_not.empty() ? "" : why_not + ", or rolling.creepage");
-  // What slips there does so where the pressure falls to nothing within a step: a law by the pressure at its end would be far off.
+  // With creepage, slip occurs where the pressure falls to zero within a step, and wear from the pressure at its end would be far
+  // off.
   require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
                                            "rolling.slide_to_roll in place of rolling.creepage and spin"
                                          : why_not);
@@ -111,7 +112,7 @@ RollingPlan plan(const RollingCase& rolling)
   if (!(plan.shift <= 0.5 * rolling.distance))
     throw InputError(
         fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
-  // An even number, so that the middle of the track is reached.
+  // An even number, so that a step ends at the middle of the track.
   plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "rolling.distance"));
   const double track = 0.5 * plan.rolling_steps * plan.shift;
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-/// How good a result of rolling is to be, and how good it has become.
+/// Quality of results of rolling, before and after a run.
 namespace brinell::simulation
 {
 
@@ -28,17 +28,17 @@ Facts facts(const RollingCase& c, const RollingPlan& plan)
   if (c.creepage)
     f.documented = documented_with_creepage;
   f.moves = true;
-  // Of the faster surface: with much sliding it moves many cells where the other one moves one.
+  // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
     f.shift = faster;
   return f;
 }
 
-/// Tells of the worst pass.
+/// Warning about the pass with the largest unsteadiness.
 std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
 {
-  // Relative difference of the two quarters: each is then as far from their mean as resistance and dissipation usually are from
-  // the limit of fine cells, 8 %, twice over.
+  // Limit for the relative difference of both quarters. Each then differs from their mean by about 16 %, which is twice the usual
+  // discretization error of resistance and dissipation, 8 %.
   constexpr double largest_unsteadiness = 0.3;
   const auto worst = std::max_element(passes.begin(), passes.end(),
                                       [](const RollingPass& a, const RollingPass& b)
@@ -55,7 +55,7 @@ std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vecto
                   is_rough ? ", of many lengths of the texture" : "")};
 }
 
-/// Tells of the last pass, unless it has become steady.
+/// Warning about the last pass, if stick and slip have not become steady.
 std::optional<Warning> creep_unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
 {
   if (!rolling.creepage || passes.empty() || passes.back().creeps_steadily())

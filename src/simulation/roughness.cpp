@@ -40,7 +40,7 @@ Roughness roughness_of(std::span<const double> heights, const SurfaceGrid& grid)
   double mean = 0.0;
   for (const double h : heights)
     mean += h / static_cast<double>(heights.size());
-  // Points that have a next one, around the period if there is one.
+  // Only points that have a next neighbour, which wraps around a period.
   const int last_x = grid.is_periodic_x() ? grid.nx : grid.nx - 1;
   const int last_y = grid.is_periodic_y() ? grid.ny : grid.ny - 1;
   double squares = 0.0;

@@ -26,7 +26,7 @@ struct Move
   std::string where; ///< for messages
 };
 
-/// The motion of a scenario and what its steps show: all that distinguishes one scenario from another.
+/// The motion of a scenario and the evaluation of its steps: everything that distinguishes one scenario from another.
 template <typename Case>
 struct MotionOf;
 
@@ -36,35 +36,36 @@ concept Motion = requires(M m, const M& fixed, Stepper& stepper, const typename 
                           Archive& archive)
 {
   requires std::constructible_from<M, const Case&, const typename Case::Plan&>;
-  /// Materials, shapes and the place at which the run starts.
+  /// Materials, shapes, and the place at which the run starts.
   {
     fixed.setup()
     } -> std::same_as<Stepper::Setup>;
-  /// Of the contact after the last step.
+  /// Centre of the contact after the last step.
   {
     fixed.centre()
     } -> std::same_as<Centre>;
   {
     fixed.is_done()
     } -> std::same_as<bool>;
-  /// Of the whole run, an estimate.
+  /// Estimated number of steps of the whole run.
   {
     fixed.step_count()
     } -> std::same_as<int>;
-  /// Where the contact goes next and what presses it.
+  /// The next step: path of the contact and of its drive.
   {
     m.next(stepper)
     } -> std::same_as<Move>;
-  /// The step is solved: its own columns go into `record`, which has the common ones, and the work of the step is added to that
-  /// of `before`.
+  /// Called after a step is solved: fills the scenario's own columns of `record`, whose common columns are filled already, and
+  /// adds the work of the step to that of `before`.
   m.read(stepper, before, record);
-  /// Adds its own numbers to a summary that has the common ones. Last, the fields at the end.
+  /// Fills the scenario's own numbers of a summary, whose common numbers are filled already.
+  /// `fields`: at the end of the run so far.
   fixed.summarise(summary, fields);
   /// Everything that the rest of the run depends on.
   m.exchange(archive);
 };
 
-/// Owns once what every scenario needs: case, plan, bodies, counters, sums.
+/// Owns what every scenario needs: case, plan, motion, bodies, counters, totals.
 template <typename Case>
 class Run<Case>::State
 {
@@ -73,7 +74,7 @@ public:
       : case_(std::move(scenario)), plan_(plan(case_)), motion_(case_, plan_), stepper_(plan_, setup(std::move(watch)))
   {
     if (checkpoint != nullptr)
-      take_up(*checkpoint);
+      restore(*checkpoint);
   }
   State(const State&) = delete; // its parts refer to the case and the plan
   State& operator=(const State&) = delete;
@@ -87,7 +88,7 @@ public:
     if (is_done())
       throw InternalError("Run::step: the run is done");
     require_sound();
-    has_failed_ = true; // until the step is read: a motion that was left halfway must not go on
+    has_failed_ = true; // until the step is complete: a step that was interrupted by an exception must not be continued
     const Move move = motion_.next(stepper_);
     Record record;
     record.evaluations = stepper_.advance(move.path, move.finest, move.where);
@@ -152,7 +153,7 @@ private:
     result.watch = std::move(watch);
     return result;
   }
-  void take_up(const Archive::Fields& checkpoint)
+  void restore(const Archive::Fields& checkpoint)
   {
     Archive archive(checkpoint);
     try
@@ -175,7 +176,7 @@ private:
   Record last_;
   double largest_work_ = 0.0; ///< [J]
   double largest_limited_share_ = 0.0;
-  std::array<double, 2> hottest_{-273.15, -273.15}; ///< of the surfaces [deg C]; nothing is colder
+  std::array<double, 2> hottest_{-273.15, -273.15}; ///< largest temperature of each surface [deg C], from absolute zero
   long evaluations_ = 0;
   int steps_ = 0;
   bool has_failed_ = false;

@@ -17,8 +17,8 @@ struct Vector
   double x = 0.0, y = 0.0;
 };
 
-/// The point nearest to p of the regular polygon whose corners have the distance `radius` from the origin, the first one on
-/// the x axis.
+/// The point nearest to p in the regular polygon whose corners are at the distance `radius` from the origin, the first one on the
+/// x axis.
 Vector nearest_in_polygon(Vector p, int corners, double radius)
 {
   const double sector = 2.0 * std::numbers::pi / corners;
@@ -40,8 +40,8 @@ Vector nearest_in_disc(Vector p, double radius)
   return {p.x * scale, p.y * scale};
 }
 
-/// Height of a convex surface whose slopes fill the set G, rounded by a ball (a paraboloid) of radius R: the largest of
-/// g.x - R |g|^2/2 over g in G, taken at the point of G nearest to x/R; for R = 0 that is far away.
+/// Height of a convex surface whose slopes fill the set G, rounded by a ball (a paraboloid) of radius R: the maximum of
+/// g.x - R |g|^2/2 over g in G, which is attained at the point of G nearest to x/R; for R = 0 the point x/R is at infinity.
 template <typename Nearest>
 double rounded_height(double x, double y, double R, double far, const Nearest& nearest)
 {
@@ -78,7 +78,7 @@ double height_of(const Cone& c, double x, double y)
 double height_of(const Pyramid& p, double x, double y)
 {
   const double slope = 1.0 / std::tan(p.face_angle);
-  // The slopes of its faces are the corners. Without rounding: so far out that a corner is nearest.
+  // The slopes of the faces are the corners of G. Without rounding, a point so far out is used that a corner is nearest.
   return rounded_height(x, y, p.tip_radius, 1e9 * slope,
                         [&](Vector v) { return nearest_in_polygon(v, p.faces, slope); });
 }

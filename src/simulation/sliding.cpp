@@ -27,7 +27,7 @@ using contact::Drive;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Press, slide stroke after stroke, lift. The contact stays where it is on the upper body.
+/// Motion of sliding: press, slide stroke after stroke, lift. The contact stays at the same place on the upper body.
 class Sliding
 {
 public:
@@ -47,12 +47,12 @@ public:
 
   [[nodiscard]] Move next(Stepper& stepper)
   {
-    if (done_ == 0 || done_ == last() || done_ + 1 == plan_.steps) // what has yielded on the way counts
+    if (done_ == 0 || done_ == last() || done_ + 1 == plan_.steps) // from the surfaces with their residual displacement
     {
       const Stepper::Distances touch = stepper.distances(centre());
       lifted_ = lifted(touch);
       if (done_ == 0)
-        at_.approach = touch.smallest;
+        previous_.approach = touch.smallest;
     }
     if (slides(done_) && in_stroke(done_) == 0)
       reader_.begin_stroke(stepper);
@@ -60,7 +60,7 @@ public:
     const auto path = [this, moves](double t)
     {
       contact::TangentialDrive along;
-      along.x.value = moves ? way(done_) : 0.0; // the direction
+      along.x.value = moves ? way(done_) : 0.0; // only the sign is used
       Target target{centre(slid(done_ + t)), {case_.press.kind, pressed(done_ + t)}, moves, along};
       target.time = time(done_ + t);
       target.slid = way_slid(done_ + t);
@@ -80,23 +80,24 @@ public:
     r.slid = slid(done_ + 1.0);
     r.way = before.way + (moves ? plan_.shift : 0.0);
     const Centre here = centre(r.slid);
-    // Parted, they count as just apart; before that peaks may be on their way to each other.
+    // After parting the approach is that of surfaces that just touch. Before, peaks may still be approaching each other.
     r.approach = r.F_n > 0.0 || done_ < last() ? stepper.pair().approach() : stepper.clearance(here);
     read_period(stepper.pair(), r);
     read_patches(stepper.pair(), r);
     r.F_ploughing = sign * ploughing(stepper, here);
     r.F_X = r.F_ploughing + r.F_friction;
     r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
-    const WorkedTo now{r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction};
-    if (sign * at_.shear < 0.0) // to and fro: the shear turns before the body moves
+    const DriveState now{r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction};
+    if (sign * previous_.shear < 0.0) // at a reversal the shear changes its sign before the body moves
     {
-      at_.F_x -= 2.0 * at_.shear;
-      at_.shear = -at_.shear;
+      previous_.F_x -= 2.0 * previous_.shear;
+      previous_.shear = -previous_.shear;
     }
-    const double moved = now.slid - at_.slid;
-    r.work += 0.5 * (now.F_n + at_.F_n) * (now.approach - at_.approach) + 0.5 * (now.F_x + at_.F_x) * moved;
-    r.dissipation_friction += 0.5 * (now.shear + at_.shear) * moved - stepper.shear_work();
-    at_ = now;
+    const double moved = now.slid - previous_.slid;
+    r.work +=
+        0.5 * (now.F_n + previous_.F_n) * (now.approach - previous_.approach) + 0.5 * (now.F_x + previous_.F_x) * moved;
+    r.dissipation_friction += 0.5 * (now.shear + previous_.shear) * moved - stepper.shear_work();
+    previous_ = now;
     if (moves)
       reader_.add(r);
     ++done_;
@@ -114,7 +115,7 @@ public:
 
   void exchange(Archive& archive)
   {
-    archive("at", at_);
+    archive("at", previous_);
     archive("reader", reader_);
     archive.list("strokes", strokes_);
     archive("lifted", lifted_);
@@ -122,8 +123,8 @@ public:
   }
 
 private:
-  /// Where the drive has worked so far; forces along x, with their sign.
-  struct WorkedTo
+  /// Values at the end of the last step, for the trapezoidal rule of the work; forces along x are signed.
+  struct DriveState
   {
     double slid = 0.0, approach = 0.0, F_n = 0.0, F_x = 0.0;
     double shear = 0.0; ///< share of the shear in F_x [N]
@@ -138,16 +139,16 @@ private:
     }
   };
 
-  static constexpr double finest_press = 1.0 / 64; ///< piece of a step that does not slide
-  /// After some steps, since the start [s]; without a speed it stands still.
+  static constexpr double finest_press = 1.0 / 64; ///< shortest piece of a step that does not slide
+  /// Time since the start after a number of steps [s]; 0 without a speed.
   [[nodiscard]] double time(double steps) const { return case_.speed ? steps * plan_.shift / *case_.speed : 0.0; }
   [[nodiscard]] halfspace::HeatTimes heat_times() const
   {
     const double finest = std::min(finest_press, 0.5 * plan_.contact.dx / plan_.shift);
-    constexpr double half = 0.5; // of the finest piece: steps are halved until they are below one and a half
+    constexpr double half = 0.5; // steps are halved until they are below 1.5 times the finest piece
     return {half * finest * time(1.0), time(plan_.steps)};
   }
-  /// The steps that slide are those from the first to before the last.
+  /// The steps [first(), last()) slide.
   [[nodiscard]] int first() const { return case_.press_steps; }
   [[nodiscard]] int last() const { return first() + case_.strokes * plan_.sliding_steps; }
   [[nodiscard]] bool slides(int step) const { return step >= first() && step < last(); }
@@ -156,27 +157,27 @@ private:
   {
     return (std::clamp(step, first(), last() - 1) - first()) / plan_.sliding_steps;
   }
-  /// Along x: 1 or -1.
+  /// Direction of sliding along x in a step: 1 or -1.
   [[nodiscard]] double way(int step) const { return case_.to_and_fro && stroke(step) % 2 == 1 ? -1.0 : 1.0; }
-  /// After some steps [m].
+  /// Displacement of the upper body along x after a number of steps [m].
   [[nodiscard]] double slid(double steps) const
   {
     const double n = plan_.sliding_steps;
-    const double all = std::clamp(steps - first(), 0.0, case_.strokes * n);
+    const double sliding_steps = std::clamp(steps - first(), 0.0, case_.strokes * n);
     if (!case_.to_and_fro)
-      return all * plan_.shift;
-    const double in_cycle = all - 2.0 * n * std::floor(all / (2.0 * n));
+      return sliding_steps * plan_.shift;
+    const double in_cycle = sliding_steps - 2.0 * n * std::floor(sliding_steps / (2.0 * n));
     return std::min(in_cycle, 2.0 * n - in_cycle) * plan_.shift;
   }
-  /// Length of the way slid after some steps [m].
+  /// Accumulated sliding distance after a number of steps [m].
   [[nodiscard]] double way_slid(double steps) const
   {
     return std::clamp(steps - first(), 0.0, static_cast<double>(last() - first())) * plan_.shift;
   }
-  /// The middle of the track is that of the lower grid. A period has no middle.
+  /// The track is centred on the lower grid; along a period it starts at 0.
   [[nodiscard]] Centre centre(double slid) const
   {
-    const int half = plan_.sliding_steps / 2; // whole cells, if the shift is
+    const int half = plan_.sliding_steps / 2; // integer, so that the start lies on a cell if the shift is whole cells
     const double start = case_.domain.x.is_periodic() ? 0.0 : -half * plan_.shift;
     return {start + slid, 0.0};
   }
@@ -190,7 +191,7 @@ private:
     r.largest_patch = found.area.empty() ? 0.0 : *std::max_element(found.area.begin(), found.area.end());
   }
 
-  /// The drive without contact: where peaks only meet on the way, that which is kept.
+  /// Value of the drive without contact; if the surfaces are still apart under the full drive, the full value.
   [[nodiscard]] double lifted(const Stepper::Distances& touch) const
   {
     const double apart = without_contact(case_.press.kind, touch);
@@ -198,7 +199,8 @@ private:
                                                      : std::min(apart, case_.press.value);
   }
 
-  /// The drive after some steps. Loads go by their power 2/3, so that the approach grows evenly.
+  /// Value of the drive after a number of steps. For loads, load^(2/3) changes linearly, so that the approach changes about
+  /// linearly.
   [[nodiscard]] double pressed(double steps) const
   {
     const double up = std::min(1.0, steps / case_.press_steps);
@@ -210,8 +212,8 @@ private:
     return lifted_ + (case_.press.value - lifted_) * share;
   }
 
-  /// Of the pressure along x: the mean of what the slopes of both surfaces say, which are the same but for the edges of the
-  /// contact, so that nothing tells one body from the other.
+  /// Force of the pressure along x [N]: mean of the forces from the slopes of both surfaces. Within the contact both slopes are
+  /// equal, except at its edges; the mean treats both bodies alike.
   [[nodiscard]] double ploughing(Stepper& stepper, const Centre& here) const
   {
     const Stepper::Depths& depths = stepper.loaded_depths(here);
@@ -226,11 +228,11 @@ private:
 
   const SlidingCase& case_;
   const SlidingPlan& plan_;
-  WorkedTo at_;
+  DriveState previous_;
   StrokeReader reader_;
   std::vector<SlidingStroke> strokes_;
-  double lifted_ = 0.0; ///< drive without contact
-  int done_ = 0;        ///< steps
+  double lifted_ = 0.0; ///< value of the drive without contact
+  int done_ = 0;        ///< number of finished steps
 };
 
 // docs/verification.md (expected error)

@@ -41,8 +41,8 @@ void require_press(const SlidingCase& sliding)
   const auto& [kind, value] = sliding.press;
   if (sliding.press_steps < 1)
     throw KeyError("sliding.press_steps", fmt::format("sliding.press_steps = {}; allowed: >= 1", sliding.press_steps));
-  const bool counts = kind == Drive::Kind::approach || value > 0.0; // peaks meet below an approach of zero, too
-  if (!(counts && std::isfinite(value)))
+  const bool is_allowed = kind == Drive::Kind::approach || value > 0.0; // peaks may meet even at a negative approach
+  if (!(is_allowed && std::isfinite(value)))
     throw InputError(fmt::format("sliding needs a load or a mean gap > 0, or a finite approach, not {:g}", value));
   if (kind == Drive::Kind::approach)
     if (const auto reason = reason_against_approach(sliding.lower, sliding.upper, value, sliding.domain, "sliding"))
@@ -68,7 +68,7 @@ void require_motion(const SlidingCase& sliding)
                     sliding.strokes));
 }
 
-/// Length of the way over the lower body, to and fro counted once [m].
+/// Length of the track on the lower body [m].
 double track_length(const SlidingCase& sliding)
 {
   return (sliding.to_and_fro ? 1.0 : sliding.strokes) * sliding.distance;
@@ -107,7 +107,7 @@ Footprint footprint_of(const SlidingCase& sliding)
   return footprint_on_the_way(lower, upper, sliding, met, approach);
 }
 
-/// Of bodies without ends: that they touch when they are pressed, or further on the way.
+/// Checks that periodic bodies touch when they are pressed, or further on the way.
 void require_meeting(const SlidingCase& sliding, const SlidingPlan& plan)
 {
   const auto& [kind, value] = sliding.press;

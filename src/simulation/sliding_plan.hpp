@@ -7,7 +7,7 @@
 namespace brinell::simulation
 {
 
-/// The bodies of a sliding, only pressed together.
+/// A sliding case reduced to an indentation that only presses the bodies together.
 [[nodiscard]] IndentationCase pressing(const SlidingCase& sliding);
 
 } // namespace brinell::simulation

@@ -11,7 +11,7 @@ namespace brinell::simulation
 namespace
 {
 
-/// Six fields of a field of deviators plus a third of a trace.
+/// Full tensor fields from deviators (5 values per cell) and trace.
 TensorField six_fields(const std::vector<double>& deviators, const std::vector<double>& trace)
 {
   const std::size_t cells = trace.size();

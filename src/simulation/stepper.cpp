@@ -22,7 +22,7 @@ using elastoplastic::Place;
 namespace
 {
 
-/// A column position as a whole number and a fraction; what is whole but for rounding is whole.
+/// Splits a column position into an integer and a fraction; a position that is an integer up to rounding gets the fraction 0.
 Place place_at(double column)
 {
   constexpr double rounding = 1e-7;
@@ -38,18 +38,19 @@ Place place_at(double column)
 namespace
 {
 
-/// A stored state may have grown, or come from a plan with another extent: its grids have the same middles.
+/// Checks the grids of a stored state. They may have grown, or come from a plan with another extent, but must have the same
+/// centres.
 void require_same_middles(const Plan& plan, const Plan& stored)
 {
-  constexpr int most = 1 << 20;
+  constexpr int max_cells = 1 << 20;
   for (const auto& [now, before] : {std::pair{stored.contact.nx, plan.contact.nx},
                                     {stored.contact.ny, plan.contact.ny},
                                     {stored.lower.surface.nx, plan.lower.surface.nx},
                                     {stored.upper.surface.nx, plan.upper.surface.nx}})
-    if (now < 1 || now > most || (now - before) % 2 != 0)
+    if (now < 1 || now > max_cells || (now - before) % 2 != 0)
       throw InputError(fmt::format("the stored state has a grid of {} columns or rows, which does not fit", now));
   for (const int layers : {stored.lower.nz, stored.upper.nz})
-    if (layers < 1 || layers > most)
+    if (layers < 1 || layers > max_cells)
       throw InputError(fmt::format("the stored state has a grid of {} layers, which does not fit", layers));
 }
 
@@ -57,7 +58,7 @@ void require_same_middles(const Plan& plan, const Plan& stored)
 
 Lattice::Lattice(const Plan& plan, const Centre& start)
     : dx_(plan.contact.dx), half_((plan.contact.nx - 1) / 2),
-      // Local x' of the contact's column 0, as a coordinate of the upper body, is to fall on one of its columns.
+      // Position of the contact's column 0 on the upper body, chosen to coincide with one of its columns.
       upper_start_(static_cast<double>(centre_column(start.lower) - half_) * dx_ - start.lower + start.upper),
       lower_columns_((plan.lower.surface.nx - 1) / 2),
       upper_columns_(static_cast<int>(std::lround(upper_start_ / dx_ + 0.5 * (plan.upper.surface.nx - 1))))
@@ -163,7 +164,7 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
   }
   ++steps_;
   shear_work_ = work_so_far() - work_before;
-  widen(coverage_, *pair_);
+  extend(coverage_, *pair_);
   return evaluations_;
 }
 
@@ -202,11 +203,13 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
   }
 }
 
-/// Accelerated: first with a cell's own stiffness, then with that which bounds all.
+/// Tries one accelerated increment: first with the stiffness of a single cell, then with the upper bound of all stiffnesses.
+/// @returns whether it converged
 bool Stepper::attempt(const Target& target)
 {
   const elastoplastic::Settings& s = setup_.solver;
-  // A surface at its shear limit flows almost freely, and the iteration is slow there; shorter steps do not help.
+  // A surface at its shear limit flows almost without resistance, which slows the iteration; shorter steps do not help, more
+  // evaluations do.
   const int patience = pair_->interface() != nullptr ? 4 : 1;
   for (const double share : {0.6, 1.0})
   {
@@ -222,7 +225,7 @@ void Stepper::descend(const Target& target)
 {
   const elastoplastic::Settings& s = setup_.solver;
   IncrementReport report;
-  constexpr int patience = 20; // the plain fixed point is slow, but it descends
+  constexpr int patience = 20; // the plain fixed point is slow, but its energy decreases in every evaluation
   const bool has_energy = pair_->has_energy(target.drive.kind);
   for (const double share : {1.0, 2.0, 4.0})
   {
@@ -263,7 +266,7 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
   }
   if (plan_.twin != elastoplastic::Twin::none)
     larger.upper = larger.lower;
-  // While the history moves, the smaller grids are gone but for the state.
+  // While the history moves to the larger grids, only the state of the smaller ones is in memory.
   larger.memory_bytes = memory_of(larger);
   if (!(larger.memory_bytes <= setup_.watch.available_memory))
     throw GridError(
@@ -302,7 +305,7 @@ void Stepper::announce(const Plan& larger)
     }
 }
 
-/// Makes the pair anew on larger grids, without a history.
+/// Replaces the pair by a new one on larger grids, without history.
 void Stepper::move_to(const Plan& larger)
 {
   pair_.reset();
@@ -316,7 +319,7 @@ void Stepper::move_to(const Plan& larger)
   depths_.upper.resize(plan_.contact.size());
 }
 
-/// Distance of the undeformed surfaces on the contact grid; most steps have the same.
+/// Computes the distance of the undeformed surfaces on the contact grid, unless it is the same as before, as in most steps.
 void Stepper::place(const Frame& frame)
 {
   if (frame.x0 == distance_x0_)

@@ -10,33 +10,33 @@
 namespace brinell::simulation
 {
 
-/// Where the middle of the contact is on the surface of each body [m].
+/// Position of the contact's centre on the surface of each body [m].
 struct Centre
 {
   double lower = 0.0, upper = 0.0;
 };
 
-/// What is to be solved: where the bodies touch and what presses them together.
+/// The state to be solved for: position of the contact, drive and time.
 struct Target
 {
   Centre centre;
   contact::Drive drive;
-  bool slides = true;               ///< the surfaces on each other; else there is no friction
+  bool slides = true;               ///< whether the surfaces slide on each other; if not there is no friction
   contact::TangentialDrive along{}; ///< see CoupledContact::advance
-  double time = 0.0;                ///< since the start [s]; where it stands still, nothing happens to heat
-  double slid = 0.0;                ///< by which the undeformed surfaces have slid on each other since the start [m]
-  bool is_put_down = false;         ///< the contact has not moved over the bodies to where it is
+  double time = 0.0;                ///< since the start [s]; without a change of time heat does not change
+  double slid = 0.0;                ///< accumulated sliding distance of the undeformed surfaces since the start [m]
+  bool is_put_down = false;         ///< see Strategy::is_put_down
 };
 
 /// The contact grid at one moment of the motion.
 struct Frame
 {
-  double x0 = 0.0;                    ///< of contact column 0 from the contact's centre [m]
+  double x0 = 0.0;                    ///< of contact column 0 relative to the contact's centre [m]
   elastoplastic::Placement placement; ///< on the material grids
 };
 
-/// Where the cells of both bodies lie. The contact grid takes those of the lower body along and follows the contact's centre
-/// to within half a cell; columns of the upper body's grid fall on them, or between them.
+/// Positions of the grids. The columns of the contact grid coincide with columns of the lower body, and its middle follows the
+/// contact's centre to within half a cell; columns of the upper body may lie on those of the contact grid or between them.
 class Lattice
 {
 public:
@@ -47,7 +47,7 @@ public:
   /// Surface coordinate of column 0 of a body's grid [m].
   [[nodiscard]] double lower_origin() const { return -lower_columns_ * dx_; }
   [[nodiscard]] double upper_origin() const { return upper_start_ - upper_columns_ * dx_; }
-  /// The grids have grown by so many columns at each end (shrunk, if negative); every cell stays where it is.
+  /// Adds columns to each end of the grids (removes them if negative); every cell keeps its position.
   void grow(int contact, int lower, int upper);
 
 private:
@@ -55,13 +55,13 @@ private:
 
   double dx_;
   int half_;           ///< columns of the contact grid on either side of its middle one
-  double upper_start_; ///< of the contact's column 0 at the start, on the upper body [m]
-  int lower_columns_;  ///< before the one at 0
-  int upper_columns_;  ///< before the one at `upper_start_`
+  double upper_start_; ///< position of the contact's column 0 on the upper body at the start [m]
+  int lower_columns_;  ///< number of columns of the lower body before the one at 0
+  int upper_columns_;  ///< number of columns of the upper body before the one at `upper_start_`
 };
 
-/// The state of both bodies and the way from one moment to the next, the same for all scenarios. Its grids grow where pressure
-/// or plastic strain reaches their edges.
+/// The state of both bodies, and its solution step by step, for all scenarios. The grids grow when pressure or plastic strain
+/// reaches their edges.
 class Stepper
 {
 public:
@@ -76,28 +76,29 @@ public:
     Texture lower_texture{}, upper_texture{};
     Watch watch{};
     elastoplastic::Sliding sliding{};
-    Centre beside{}; ///< the same across the motion, where it stays: textures are read from there
+    Centre beside{}; ///< y of the contact's centre on each body, which is constant; used to read textures
   };
   Stepper(const Plan& plan, Setup setup);
 
-  /// Goes to `path(1)` from `path(0)`, which is the present state. What does not converge whole is halved, as long as a piece
-  /// is longer than `finest`; a piece that still does not is solved by the plain fixed point of the convex problem, watched
-  /// by its energy. Where a solution outgrows a grid, that grid is enlarged and the piece solved again.
-  /// @param where  for messages.
-  /// @returns the evaluations it took.
+  /// Advances from the present state, `path(0)`, to `path(1)`. A piece of the path that does not converge is halved, as long as
+  /// it is longer than `finest`. A piece of the finest length that does not converge is solved by the plain fixed point of the
+  /// convex problem (backward Euler), whose energy is watched. If a solution outgrows a grid, the grid is enlarged and the piece
+  /// is solved again.
+  /// @param where  description of the step for messages.
+  /// @returns number of evaluations.
   /// @throws ConvergenceError; GridError if larger grids do not fit into the memory
   int advance(const std::function<Target(double)>& path, double finest, const std::string& where);
 
-  /// Of the surfaces under the contact grid, with texture and residual displacement, at no approach [m].
+  /// Distances of the surfaces under the contact grid, with texture and residual displacement, at zero approach [m].
   struct Distances
   {
     double smallest = 0.0, mean = 0.0;
   };
   [[nodiscard]] Distances distances(const Centre& centre);
   [[nodiscard]] double clearance(const Centre& centre) { return distances(centre).smallest; }
-  /// Of contact column 0 from the contact's centre [m].
+  /// Position of contact column 0 relative to the contact's centre [m].
   [[nodiscard]] double left_of(const Centre& centre) const { return lattice_.frame(centre).x0; }
-  /// What all scenarios record.
+  /// Fills the columns that all scenarios have.
   void fill(StepRecord& record) const;
   void fill(FrictionRecord& record) const;
   void fill(HeatedRecord& record) const;
@@ -107,21 +108,21 @@ public:
     std::vector<double> lower, upper;
   };
   [[nodiscard]] const Depths& depths(const Centre& centre);
-  /// The same with the elastic depth that the shear of the last step gives to each surface: what the pressure pushes against.
-  /// Of surfaces that may stick the lower one has all of it: they move along the contact alike.
+  /// The same plus the elastic normal displacement under the shear of the last step: the surfaces on which the pressure acts. For
+  /// surfaces that may stick all of it is added to the lower surface, which is equivalent, as the contact moves equally on both.
   [[nodiscard]] const Depths& loaded_depths(const Centre& centre);
   /// Pressure and shear of the last step [Pa].
   [[nodiscard]] halfspace::SurfaceLoad load() const;
   /// Work of the shear on the deformation of both surfaces in the last step [J].
   [[nodiscard]] double shear_work() const { return shear_work_; }
-  /// Smallest and largest residual displacement of the lower body under the contact grid, at most and at least 0 [m].
+  /// Smallest (at most 0) and largest (at least 0) residual displacement of the lower body under the contact grid [m].
   [[nodiscard]] std::pair<double, double> residual_range(const Centre& centre) const;
   [[nodiscard]] bool touching() const;
   [[nodiscard]] const elastoplastic::CoupledContact& pair() const { return *pair_; }
   [[nodiscard]] int split_increments() const { return split_increments_; }
-  /// Not to be used after the next step.
+  /// Fields of the present state; must not be used after the next step.
   [[nodiscard]] StepFields fields(const Centre& centre) const;
-  /// What a summary tells of the solution.
+  /// Fills the part of a summary that concerns the solution.
   void fill(RunTotals& totals) const;
 
   void exchange(Archive& archive);
@@ -139,29 +140,30 @@ private:
   void move_to(const Plan& larger);
 
   Setup setup_;
-  Plan plan_; ///< with the grids of today
+  Plan plan_; ///< with the current grids
   Lattice lattice_;
   std::unique_ptr<elastoplastic::CoupledContact> pair_;
   std::vector<double> distance_;
-  double distance_x0_ = 0.0; ///< for which `distance_` holds
+  double distance_x0_ = 0.0; ///< Frame::x0 for which `distance_` holds
   Depths depths_;
   std::string where_;
   int evaluations_ = 0;
-  int steps_ = 0; ///< finished
+  int steps_ = 0; ///< number of finished steps
   int split_increments_ = 0;
   double shear_work_ = 0.0;
   Centre centre_{};                ///< of the present state, see Target
-  double time_ = 0.0, slid_ = 0.0; ///< likewise
+  double time_ = 0.0, slid_ = 0.0; ///< of the present state, see Target
   std::vector<GridChange> grid_changes_;
   Coverage coverage_;
 };
 
-/// Of two bodies that have shapes and textures; `start` as in the setup.
+/// Setup for two bodies with shapes and textures; `start` as in the setup.
 [[nodiscard]] Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper,
                                           const elastoplastic::Settings& solver, const Centre& start);
 
-/// Depths of a texture on a grid of a body; empty if it is smooth.
-/// @param x0  surface coordinate of its column 0; y  of the middle between its rows [m]
+/// Depths of a texture on the grid of a body [m]; empty if it is smooth.
+/// @param x0  surface coordinate of column 0 of the grid [m]
+/// @param y   surface coordinate of the middle of its rows [m]
 [[nodiscard]] std::vector<double> textured(const Texture& texture, const SurfaceGrid& grid, double x0, double y = 0.0);
 
 } // namespace brinell::simulation

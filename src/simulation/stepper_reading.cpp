@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-/// What the state between two steps shows: nothing here changes the bodies.
+/// Reading the state between two steps; nothing here changes the bodies.
 namespace brinell::simulation
 {
 

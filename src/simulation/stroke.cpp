@@ -21,10 +21,10 @@ double plastic_work(const Stepper& stepper)
   return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
 }
 
-/// Of a surface as it is now, texture, residual displacement and what is worn off.
+/// Roughness of a surface with texture, residual displacement and wear.
 struct Heights
 {
-  double root_mean_square = 0.0, mean_size = 0.0; ///< about its mean [m]
+  double root_mean_square = 0.0, mean_magnitude = 0.0; ///< Sq and Sa, about the mean height [m]
   Bearing bearing;
 };
 
@@ -33,13 +33,13 @@ Heights heights_of(const elastoplastic::BodyView& body, std::span<const double> 
   std::vector<double> height = surface_height(body, worn);
   const auto size = static_cast<double>(height.size());
   const double mean = std::accumulate(height.begin(), height.end(), 0.0) / size;
-  double squares = 0.0, sizes = 0.0;
+  double squares = 0.0, magnitudes = 0.0;
   for (const double h : height)
   {
     squares += (h - mean) * (h - mean);
-    sizes += std::abs(h - mean);
+    magnitudes += std::abs(h - mean);
   }
-  return {std::sqrt(squares / size), sizes / size, bearing_of(std::move(height))};
+  return {std::sqrt(squares / size), magnitudes / size, bearing_of(std::move(height))};
 }
 
 } // namespace
@@ -103,9 +103,9 @@ SlidingStroke StrokeReader::end_stroke(const Stepper& stepper, const SlidingReco
   const Heights lower = heights_of(stepper.pair().lower(), worn_depth(stepper.pair(), 0));
   const Heights upper = heights_of(stepper.pair().upper(), worn_depth(stepper.pair(), 1));
   stroke.rms_height_lower = lower.root_mean_square;
-  stroke.mean_height_lower = lower.mean_size;
+  stroke.mean_height_lower = lower.mean_magnitude;
   stroke.rms_height_upper = upper.root_mean_square;
-  stroke.mean_height_upper = upper.mean_size;
+  stroke.mean_height_upper = upper.mean_magnitude;
   stroke.core_height_lower = lower.bearing.core_height;
   stroke.core_height_upper = upper.bearing.core_height;
   stroke.peak_height_lower = lower.bearing.peak_height;

@@ -7,19 +7,19 @@
 namespace brinell::simulation
 {
 
-/// Reads what happens in a stroke of a sliding, and what it leaves.
+/// Evaluates a stroke of sliding: means over its steps, and the state at its end.
 class StrokeReader
 {
 public:
   void begin_stroke(const Stepper& stepper);
   void add(const SlidingRecord& record);
-  /// @param last  row of the stroke
+  /// @param last  last row of the stroke
   [[nodiscard]] SlidingStroke end_stroke(const Stepper& stepper, const SlidingRecord& last) const;
 
   void exchange(Archive& archive);
 
 private:
-  /// Sums over its steps, with the names of the rows.
+  /// Sums over the steps of the stroke; names as in the rows.
   struct Sums
   {
     double F_n = 0.0, F_ploughing = 0.0, F_friction = 0.0, contact_area = 0.0, contact_fraction = 0.0, patches = 0.0,
@@ -30,7 +30,7 @@ private:
   };
   Sums sums_;
   double plastic_before_ = 0.0, friction_before_ = 0.0; ///< [J]
-  double friction_ = 0.0;                               ///< heat so far [J]
+  double friction_ = 0.0;                               ///< heat of friction since the start [J]
 };
 
 } // namespace brinell::simulation

@@ -10,7 +10,7 @@ namespace brinell::simulation
 
 CellPlaces places_in_run(const SurfaceGrid& grid, double place)
 {
-  const int before = (grid.nx - 1) / 2; // columns before that of the middle
+  const int before = (grid.nx - 1) / 2; // columns before the middle one
   const double middle = std::round(place / grid.dx) * grid.dx;
   return {.x = -before * grid.dx + (middle - place), .y = grid.y(0), .lower = place, .upper = 0.0};
 }

@@ -6,29 +6,31 @@
 
 #include <vector>
 
-/// How far two surfaces are from each other, cell by cell, before anything deforms.
+/// Distance of two undeformed surfaces, cell by cell.
 namespace brinell::simulation
 {
 
-/// Where the cells of a grid lie on two bodies that touch [m].
+/// Position of the cells of a grid on two bodies [m].
 struct CellPlaces
 {
-  double x = 0.0, y = 0.0;         ///< of cell (0, 0), from the middle of both shapes
-  double lower = 0.0, upper = 0.0; ///< place along x of each texture under that middle
+  double x = 0.0, y = 0.0;         ///< of cell (0, 0) relative to the middle of both shapes
+  double lower = 0.0, upper = 0.0; ///< x on each body, and its texture, at that middle
 };
 
-/// Where the cells of a run are with a place of the lower body under the middle of the shapes: rows around y = 0, and columns
-/// on those of the lower body, that of its middle next to the place. An even number of columns has one more to the right.
+/// Positions of the cells of a run when a given place of the lower body is under the middle of the shapes: rows are centred at y
+/// = 0, and columns coincide with those of the lower body, the middle one being next to the place. An even number of columns has
+/// one more to the right of the middle one.
 [[nodiscard]] CellPlaces places_in_run(const SurfaceGrid& grid, double place = 0.0);
 
-/// What a grid reads of a texture: `depths` in the centres of its cells, or `cell_depths`, means over those that are coarser.
+/// Function that gives the depths of a texture on a grid: `depths`, at the centres of the cells, or `cell_depths`, with means
+/// over coarse cells.
 using ReadTexture = decltype(depths);
 
-/// Of both textures, without the shapes [m].
+/// Distance due to both textures, without the shapes [m].
 [[nodiscard]] std::vector<double> texture_distance(const ShapedBody& lower, const ShapedBody& upper,
                                                    const SurfaceGrid& grid, const CellPlaces& at, ReadTexture* read);
 
-/// Of the textured surfaces, where their shapes touch without load [m].
+/// Distance of the textured surfaces when their shapes just touch [m].
 [[nodiscard]] std::vector<double> surface_distance(const ShapedBody& lower, const ShapedBody& upper,
                                                    const SurfaceGrid& grid, const CellPlaces& at, ReadTexture* read);
 

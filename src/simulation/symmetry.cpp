@@ -26,7 +26,8 @@ HeightMap mirrored(HeightMap map)
   return map;
 }
 
-/// A crest at y is one at -y, too, if whole waves are between them; without waves along y it is everywhere.
+/// Waves are symmetric about y = 0 if the crests at y and -y are a whole number of wavelengths apart, or if there are no waves
+/// along y.
 Sinusoid mirrored(Sinusoid waves)
 {
   if (std::isfinite(waves.wavelength_y) && std::remainder(2.0 * waves.y, waves.wavelength_y) != 0.0)
@@ -36,7 +37,7 @@ Sinusoid mirrored(Sinusoid waves)
 
 } // namespace
 
-/// All shapes that there are: each is written out, so that a new one is thought of.
+/// One overload per shape, without a default, so that a new shape does not compile until it is considered here.
 bool is_symmetric_in_y(const Shape& shape)
 {
   struct IsSymmetric
@@ -50,7 +51,7 @@ bool is_symmetric_in_y(const Shape& shape)
   return std::visit(IsSymmetric{}, shape);
 }
 
-/// Whether the texture has the mirror image of each part as often as the part.
+/// Whether the texture contains the mirror image of each part as often as the part.
 bool is_symmetric_in_y(const Texture& texture)
 {
   const auto has_image = [&](const TexturePart& part)

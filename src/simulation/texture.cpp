@@ -21,7 +21,7 @@ double depth_of(const Dent& d, double x, double y)
   return d.depth * std::pow(10.0, -10.0 * r * r) * std::cos(2.0 * std::numbers::pi * r);
 }
 
-/// Of a point's column or row: that of the same height within the map; none outside.
+/// Index of a point's column or row within the map, wrapped if the map is periodic; none outside.
 std::optional<int> index_in(int index, int count, bool periodic)
 {
   if (!periodic)
@@ -30,9 +30,9 @@ std::optional<int> index_in(int index, int count, bool periodic)
   return rest < 0 ? rest + count : rest;
 }
 
-/// Points before the one that lies at the centre of the map, along x. Columns lie at whole cells from x = 0, however many there
-/// are, rows about y = 0 as many on one side as on the other: an even number of points over a period follows them, so that the
-/// cells of an equal grid lie on the points instead of between them, where heights are means of two.
+/// Index along x of the map's centre. The cells of a run have a column at x = 0, but rows symmetric about y = 0. A periodic map
+/// with an even number of points follows this rule, so that cells of an equal grid lie on the points and not between them, where
+/// heights would be means of two points.
 double points_before_centre(const HeightMap& map)
 {
   return map.periodic && map.nx % 2 == 0 ? 0.5 * map.nx : 0.5 * (map.nx - 1);
@@ -64,7 +64,7 @@ double depth_of(const HeightMap& map, double x, double y)
            t * ((1.0 - s) * at(i, j + 1) + s * at(i + 1, j + 1)));
 }
 
-/// cos(2 pi distance/wavelength), the whole waves taken off first; 1 along an axis without waves.
+/// cos(2 pi distance/wavelength), evaluated after removing whole waves for accuracy; 1 for an infinite wavelength.
 double cosine(double distance, double wavelength)
 {
   return std::cos(2.0 * std::numbers::pi * std::remainder(distance / wavelength, 1.0));
@@ -80,18 +80,18 @@ double depth_of(const RandomSurface& surface, double x, double y)
   return -height_of(surface, x, y, {});
 }
 
-/// Points along x and y of a cell at which a texture has to be read; one is enough where the cells resolve it.
+/// Numbers of points along x and y at which a texture is sampled in a cell; one is enough if the cells resolve it.
 std::array<int, 2> samples_of(double length_x, double length_y, double dx, double dy)
 {
-  constexpr double most = 100.0; // beyond, the mean changes no more
+  constexpr double max_points = 100.0; // with more points the mean hardly changes
   const auto count = [&](double length, double cell)
-  { return cell > 1.001 * length ? static_cast<int>(std::min(most, std::ceil(2.0 * cell / length))) : 1; };
+  { return cell > 1.001 * length ? static_cast<int>(std::min(max_points, std::ceil(2.0 * cell / length))) : 1; };
   return {count(length_x, dx), count(length_y, dy)};
 }
 
 std::array<int, 2> samples(const Dent& d, double dx, double dy)
 {
-  return samples_of(0.25 * d.radius, 0.25 * d.radius, dx, dy); // of its hollow
+  return samples_of(0.25 * d.radius, 0.25 * d.radius, dx, dy); // by the radius of the hollow
 }
 
 std::array<int, 2> samples(const HeightMap& map, double dx, double dy)
@@ -99,7 +99,7 @@ std::array<int, 2> samples(const HeightMap& map, double dx, double dy)
   return samples_of(map.dx, map.dy, dx, dy);
 }
 
-/// The mean over a cell by a sum over points in it.
+/// Mean over a cell, by sampling.
 template <typename Part>
 double cell_depth_of(const Part& part, double x, double y, double dx, double dy)
 {
@@ -111,7 +111,7 @@ double cell_depth_of(const Part& part, double x, double y, double dx, double dy)
   return sum / (nx * ny);
 }
 
-/// Sides over which waves of that length and longer count with their mean: those of cells that cannot show them.
+/// Sides over which waves are averaged: those of cells too coarse to resolve the wavelengths; otherwise 0.
 Averaged averaged(double wavelength_x, double wavelength_y, double dx, double dy)
 {
   const auto side = [](double wavelength, double cell) { return cell > 0.501 * wavelength ? cell : 0.0; };
@@ -135,7 +135,7 @@ double cell_depth_of(const RandomSurface& surface, double x, double y, double dx
   return -height_of(surface, x, y, averaged(surface, dx, dy));
 }
 
-/// Adds what depth(x, y) says at each cell. Rows from the middle of the grid keep a symmetry about it to the last digit.
+/// Adds depth(x, y) at each cell. Rows are counted from the middle of the grid, so that a symmetry about it is exact.
 template <typename Depth>
 void add_at_cells(const Depth& depth, const SurfaceGrid& grid, double x0, double y0, std::vector<double>& depths)
 {

@@ -20,8 +20,8 @@ namespace
 
 using contact::Drive;
 
-/// Where a part of a texture is on its body, in the middle of what covers the whole plane, and over which length it rises and
-/// falls [m].
+/// Position of a part of a texture on its body (0 if it covers the whole plane), and the length over which it rises and falls
+/// [m].
 struct Waviness
 {
   double x = 0.0, length = 0.0;
@@ -37,7 +37,7 @@ Waviness waviness_of(const HeightMap& map)
   const Roughness roughness = roughness_of(map.heights, {map.nx, map.ny, map.dx, map.dy, boundary, boundary});
   return {map.periodic ? 0.0 : map.x, roughness.wavelength()};
 }
-Waviness waviness_of(const Sinusoid& s) // of crossed waves the wavenumber is the root of the sum of both squares
+Waviness waviness_of(const Sinusoid& s) // crossed waves: root of the sum of squares of both wavenumbers
 {
   return {0.0, 1.0 / std::hypot(1.0 / s.wavelength_x, 1.0 / s.wavelength_y)};
 }
@@ -46,11 +46,11 @@ Waviness waviness_of(const RandomSurface& surface)
   return {0.0, Roughness{surface.rms_height(), surface.rms_slope()}.wavelength()};
 }
 
-/// One axis of the coarse grid on which the contact of textured bodies is sought.
+/// One axis of the coarse grid on which the contact of textured bodies is estimated.
 struct CoarseAxis
 {
   int cells = 0;
-  double half = 0.0; ///< [m]; along a periodic axis that of the period
+  double half = 0.0; ///< half-length [m]; half of the period along a periodic axis
   Boundary boundary = Boundary::open;
 
   [[nodiscard]] bool is_periodic() const { return boundary == Boundary::periodic; }
@@ -65,7 +65,7 @@ CoarseAxis coarse_axis(const Domain::Axis& axis, double smooth_half)
   return {axis.cells > 0 ? std::min(axis.cells, most) : most, 0.5 * axis.size, Boundary::periodic};
 }
 
-/// Columns and rows from the middle of a grid to the farthest cell under pressure.
+/// Numbers of columns and rows from the middle of a grid to the farthest cell under pressure.
 std::array<int, 2> cells_reached(const SurfaceGrid& grid, std::span<const double> pressure)
 {
   std::array<int, 2> reached{0, 0};
@@ -76,8 +76,8 @@ std::array<int, 2> cells_reached(const SurfaceGrid& grid, std::span<const double
   return reached;
 }
 
-/// Half-lengths that the elastic contact covers with a place x of the textures under its middle, by a solution on a coarse
-/// grid; along a periodic axis that of the period.
+/// Half-lengths of the elastic contact when the place x of the textures is under its middle, solved on a coarse grid [m]; along a
+/// periodic axis half of the period.
 std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
                                     double modulus, const Domain& domain, const Footprint& smooth, double x)
 {
@@ -89,14 +89,14 @@ std::array<double, 2> elastic_cover(const ShapedBody& lower, const ShapedBody& u
   {
     const SurfaceGrid grid{axes[0].cells,  axes[1].cells,    axes[0].cell(),
                            axes[1].cell(), axes[0].boundary, axes[1].boundary};
-    // Heights at points, not means over cells: roughness bears where it is high.
+    // Heights at points, because means over cells would hide the peaks that touch.
     const std::vector<double> distance =
         surface_distance(lower, upper, grid, {.x = grid.x(0), .y = grid.y(0), .lower = x, .upper = x}, depths);
     const halfspace::SurfaceCompliance compliance(grid, modulus, reference);
     contact::ElasticContact solver(compliance);
     std::vector<double> pressure(grid.size(), 0.0);
     std::vector<double> gap(grid.size());
-    // An estimate: what has not converged by then still shows where the contact is.
+    // For an estimate an unconverged solution is sufficient too.
     static_cast<void>(solver.solve(distance, drive, tolerance * smooth.approach, iterations, pressure, gap));
     const std::array<int, 2> reached = cells_reached(grid, pressure);
     bool ends = true;
@@ -140,11 +140,11 @@ void add_textures(const ShapedBody& lower, const ShapedBody& upper, const Drive&
 namespace
 {
 
-/// Of the period that touches under a mean pressure: of elastic roughness in light contact (Bush, Gibson, Thomas 1975), and
-/// what peaks that yield all over take beside that, at their hardness.
+/// Estimated share of the period in contact under a mean pressure: sum of the share of elastic roughness in light contact (Bush,
+/// Gibson, Thomas 1975) and that of fully plastic peaks at their hardness.
 double contact_share(double pressure, double modulus, double slope, double yield_pressure)
 {
-  constexpr double hardness = 1.75; // over the peak pressure at first yield: 2.8 over 1.6
+  constexpr double hardness = 1.75; // ratio to the peak pressure at first yield, 2.8/1.6
   const double elastic = std::sqrt(2.0 * std::numbers::pi) * pressure / (modulus * slope);
   return std::min(1.0, elastic + pressure / (hardness * yield_pressure));
 }
@@ -156,7 +156,8 @@ Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modu
 {
   constexpr double rounding = 1e-9;
   const SurfaceGrid grid = sampled_period(domain);
-  if (std::min(grid.nx, grid.ny) > 1 && grid.nx == domain.x.cells && grid.ny == domain.y.cells) // those of the run, too
+  if (std::min(grid.nx, grid.ny) > 1 && grid.nx == domain.x.cells &&
+      grid.ny == domain.y.cells) // the cells are those of the run
     require_heights_on_cells(lower, upper, domain, grid);
   std::vector<double> h = sampled_depths(lower.texture, grid);
   const std::vector<double> other = sampled_depths(upper.texture, grid);
@@ -168,11 +169,11 @@ Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modu
                                     "everywhere in the period, on its cells; allowed: textures that differ, of waves "
                                     "that the cells show");
   const double length = together.wavelength();
-  const double slope = std::numbers::sqrt2 * together.slope; // the largest, of waves with that height and slope
+  const double slope = std::numbers::sqrt2 * together.slope; // largest slope of a wave with the same rms values
   Footprint f;
-  f.elastic_x = f.half_x = f.elastic_y = f.half_y = 0.25 * length; // of a summit
+  f.elastic_x = f.half_x = f.elastic_y = f.half_y = 0.25 * length; // half-width of a summit
   f.approach = std::numbers::sqrt2 * together.height;
-  f.peak_ratio = 0.5 * modulus * slope / yield_pressure; // where the wave is flattened (Westergaard)
+  f.peak_ratio = 0.5 * modulus * slope / yield_pressure; // for a completely flattened wave (Westergaard)
   const double over_yield = std::max(1.0, f.peak_ratio);
   f.first_yield_approach = f.approach / (over_yield * over_yield);
   f.depth = length; // over it exp(-kz) (1 + kz) falls to 1.4 %

@@ -36,10 +36,10 @@ void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipatio
   count_ = 0;
 }
 
-/// Stick and slip know the start of the pass, and nothing of its end.
-void TrackReader::add_along(const RollingRecord& record)
+/// Stick and slip depend on the start of the pass, not on its end: means are over the last quarter of the track.
+void TrackReader::add_tangential(const RollingRecord& record)
 {
-  const bool rolls = record.x > farthest_; // else it is pressed on or lifted off
+  const bool rolls = record.x > farthest_; // otherwise the body is pressed on or lifted off
   farthest_ = std::max(farthest_, record.x);
   if (!rolls || record.x <= quarter_)
     return;
@@ -54,7 +54,7 @@ void TrackReader::add_along(const RollingRecord& record)
 
 void TrackReader::add(const RollingRecord& record)
 {
-  add_along(record);
+  add_tangential(record);
   if (std::abs(record.x) > quarter_)
     return;
   const Uptake now{record.x, record.dissipation_lower + record.dissipation_upper + record.energy_residual};
@@ -92,7 +92,7 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
     pass.track_plastic_increment = std::max(pass.track_plastic_increment, now - before);
   }
   pass.dissipation = dissipation - dissipation_;
-  tell_along(pass);
+  fill_tangential(pass);
   if (count_ == 0)
     return pass;
   pass.mean_F_X = sum_force_ / count_;
@@ -104,13 +104,13 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
   pass.resistance = per_length(first_, last_);
   const double before = per_length(first_, centre_);
   const double after = per_length(centre_, last_);
-  constexpr double nothing = 1e-6; // of the load: rounding and the tolerances, where the bodies take up no more
+  constexpr double nothing = 1e-6; // share of the load: a smaller resistance is due to rounding and tolerances
   if (const double larger = std::max({std::abs(before), std::abs(after), nothing * sum_load_ / count_}); larger > 0.0)
     pass.unsteadiness = std::abs(after - before) / larger;
   return pass;
 }
 
-void TrackReader::tell_along(RollingPass& pass) const
+void TrackReader::fill_tangential(RollingPass& pass) const
 {
   const int count = before_.count + after_.count;
   if (count == 0)
@@ -119,14 +119,14 @@ void TrackReader::tell_along(RollingPass& pass) const
   pass.F_y = (before_.F_y + after_.F_y) / count;
   pass.M_z = (before_.M_z + after_.M_z) / count;
   pass.stick_share = (before_.stick_share + after_.stick_share) / count;
-  if (before_.count == 0 || after_.count == 0) // too short to tell
+  if (before_.count == 0 || after_.count == 0) // track too short
   {
     pass.creep_unsteadiness = pass.F_x != 0.0 || pass.F_y != 0.0 ? 1.0 : 0.0;
     return;
   }
   const double x = before_.F_x / before_.count, y = before_.F_y / before_.count;
   const double later_x = after_.F_x / after_.count, later_y = after_.F_y / after_.count;
-  constexpr double nothing = 1e-6; // of the load, as for the resistance
+  constexpr double nothing = 1e-6; // share of the load, as for the resistance
   const double load = (before_.load + after_.load) / count;
   if (const double larger = std::max({std::hypot(x, y), std::hypot(later_x, later_y), nothing * load}); larger > 0.0)
     pass.creep_unsteadiness = std::hypot(later_x - x, later_y - y) / larger;

@@ -6,7 +6,7 @@
 namespace brinell::simulation
 {
 
-/// Reads what each pass does to the middle of the track.
+/// Evaluates each pass at the middle of the track.
 class TrackReader
 {
 public:
@@ -22,14 +22,14 @@ public:
   void exchange(Archive& archive);
 
 private:
-  double quarter_; ///< of the track [m]: its middle half counts for the means
-  /// Energy that both bodies have taken up [J] when the contact was at x [m].
+  double quarter_; ///< length of a quarter of the track [m]: means are over the middle half
+  /// Energy absorbed by both bodies [J] when the contact was at x [m].
   struct Uptake
   {
     double x = 0.0, energy = 0.0;
     void exchange(Archive& archive);
   };
-  /// Sums over steps of what acts along the surface.
+  /// Sums over steps of tangential quantities.
   struct Along
   {
     double F_x = 0.0, F_y = 0.0, M_z = 0.0, stick_share = 0.0; ///< [N], [N], [N m], [-]
@@ -37,19 +37,19 @@ private:
     int count = 0;
     void exchange(Archive& archive);
   };
-  void add_along(const RollingRecord& record);
-  void tell_along(RollingPass& pass) const;
+  void add_tangential(const RollingRecord& record);
+  void fill_tangential(RollingPass& pass) const;
 
-  std::vector<double> plastic_strain_; ///< under the middle before the pass
-  double dissipation_ = 0.0;           ///< before it [J]
+  std::vector<double> plastic_strain_; ///< equivalent plastic strain under the middle, before the pass
+  double dissipation_ = 0.0;           ///< before the pass [J]
   Uptake first_, centre_, last_;       ///< over the middle half of the track
   double sum_force_ = 0.0, sum_pressure_ = 0.0, sum_load_ = 0.0, sum_area_ = 0.0;
-  Along before_, after_;  ///< over both halves of the last quarter of the track
-  double farthest_ = 0.0; ///< where the contact has been in the pass [m]
+  Along before_, after_;  ///< over the first and the second half of the last quarter of the track
+  double farthest_ = 0.0; ///< largest x of the contact in the pass [m]
   int count_ = 0;
 };
 
-/// Under the middle of a body's grid.
+/// Depth profile under the middle of a body's grid.
 [[nodiscard]] TrackProfile track_profile(const VolumeGrid& grid, const StepFields::Within& body);
 
 } // namespace brinell::simulation

@@ -37,7 +37,7 @@ public:
     setup.sliding = {.friction = case_.friction, .direction = 1};
     if (is_heated(case_, case_.lower, case_.upper))
       setup.sliding.heat = {case_.heat, heat_times()};
-    if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair is one paraboloid: fewer roundings
+    if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair: one paraboloid has less rounding
       setup.distance = [curvature = 0.5 * (*relative_curvature(case_.lower.shape, case_.upper.shape))[0]](
                            double x, double y) { return curvature * (x * x + y * y); };
     return setup;
@@ -46,12 +46,12 @@ public:
   [[nodiscard]] bool is_done() const { return pass_ == case_.passes; }
   [[nodiscard]] int step_count() const { return case_.passes * (steps_in_pass_ + 1); }
 
-  /// From one position to the next; the first one of a pass comes from nowhere.
+  /// Moves to the next position; at the first one of a pass the bodies are put down.
   [[nodiscard]] Move next(Stepper& stepper)
   {
     const bool first = step_in_pass_ == 0;
     to_ = first ? first_position(stepper) : passing_.next(position_);
-    if (first) // until rigid spheres part; then on while pressure remains
+    if (first) // steps until rigid spheres part; the pass continues as long as there is pressure
       steps_in_pass_ = (passing_.start(0).index - to_.index) + passing_.step_count();
     const bool whole = cells_ == std::round(cells_);
     const auto path = [this, first, whole](double t)
@@ -98,12 +98,12 @@ public:
   {
     archive("peaks", peaks_);
     archive("position", position_);
-    // No pass lasts ten times as long as that of rigid spheres.
-    const int most_steps = 10 * passing_.step_count() + 10000;
+    // A plausible limit for stored values: no pass takes ten times as many steps as one of rigid spheres.
+    const int max_steps = 10 * passing_.step_count() + 10000;
     archive("pass", pass_, 0, case_.passes);
-    archive("step_in_pass", step_in_pass_, 0, most_steps);
-    archive("steps_in_pass", steps_in_pass_, 0, most_steps);
-    archive("extra_steps", extra_steps_, 0, most_steps);
+    archive("step_in_pass", step_in_pass_, 0, max_steps);
+    archive("steps_in_pass", steps_in_pass_, 0, max_steps);
+    archive("extra_steps", extra_steps_, 0, max_steps);
     archive("time", moment_.time);
     archive("slid", moment_.slid);
     archive("interference", interference_);
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  /// A stored position must not lead off the grids, nor so far that columns could not be counted.
+  /// Checks that a restored position lies on the bodies, with columns in the range of integers.
   void require_on_bodies(const Position& p) const
   {
     const double columns = 10.0 * (plan_.lower.surface.nx + plan_.upper.surface.nx) + 1000.0;
@@ -122,7 +122,7 @@ private:
   }
   [[nodiscard]] static Centre centre(const Position& p) { return {p.arc_lower, p.arc_upper}; }
 
-  /// @param steps  of the pass that are done there
+  /// @param steps  steps of the pass done at the position
   [[nodiscard]] Target target(const Position& p, double steps) const
   {
     if (!case_.load)
@@ -132,37 +132,37 @@ private:
     return {centre(p), {contact::Drive::Kind::load, share * *case_.load}};
   }
 
-  /// Time [s], and by how much the undeformed surfaces have slid on each other [m], since the start.
+  /// Time [s] and sliding distance of the undeformed surfaces [m] since the start.
   struct Moment
   {
     double time = 0.0, slid = 0.0;
   };
-  /// At the end of a step, or within it. Without a speed time stands still.
+  /// Moment at a position at the end of a step or within it; zero without a speed.
   [[nodiscard]] Moment moment_at(const Position& p) const
   {
     if (!case_.speed)
       return {};
     const double second_per_column = plan_.contact.dx / *case_.speed;
-    if (step_in_pass_ == 0) // after the way back
+    if (step_in_pass_ == 0) // includes the time of the way back
       return {moment_.time + (pass_ == 0 ? 0.0 : steps_in_pass_ * cells_ * second_per_column), moment_.slid};
     const double interference = case_.load ? interference_ : 0.5 * (position_.interference + p.interference);
     return {moment_.time + (p.columns - position_.columns) * second_per_column,
             moment_.slid + (sum_ - interference) * (p.theta - position_.theta)};
   }
-  /// With room for passes that last longer than those of rigid spheres.
+  /// Shortest and total durations, with a reserve for passes that take longer than those of rigid spheres.
   [[nodiscard]] halfspace::HeatTimes heat_times() const
   {
     const double step = cells_ * plan_.contact.dx / *case_.speed;
-    constexpr double room = 4.0, more = 50.0;
+    constexpr double reserve = 4.0, further_steps = 50.0;
     return {step * std::min(1.0, 0.5 / cells_),
-            step * case_.passes * (room * (plan_.steps_per_pass + 2.0 * lead_) + more)};
+            step * case_.passes * (reserve * (plan_.steps_per_pass + 2.0 * lead_) + further_steps)};
   }
 
-  /// Steps by which bodies with textures may touch before the smooth ones do, and part after them.
+  /// Number of steps by which textured bodies may touch earlier, and part later, than smooth ones.
   [[nodiscard]] int lead_steps() const
   {
     const double height = plan_.texture_height;
-    if (case_.load || height == 0.0) // a load keeps them together from the first step
+    if (case_.load || height == 0.0) // under a load the bodies touch from the first step on
       return 0;
     int lead = 0;
     while (passing_.start(lead).interference > -height)
@@ -170,29 +170,29 @@ private:
     return lead;
   }
 
-  /// Whether the surfaces, with textures and what earlier passes left on them, would overlap there.
+  /// Whether the surfaces, with textures and residual displacements, would overlap at a position.
   [[nodiscard]] bool overlap(Stepper& stepper, const Position& p) const
   {
     return stepper.clearance(centre(p)) < p.interference;
   }
 
-  /// Far enough back that the surfaces do not touch yet.
+  /// First position of a pass: far enough back that the surfaces do not touch yet.
   Position first_position(Stepper& stepper) const
   {
     int before = extra_steps_;
     if (case_.load)
       return passing_.start(before);
-    for (int farthest = lead_; farthest > before; --farthest) // textures touch here and there
+    for (int farthest = lead_; farthest > before; --farthest) // textured surfaces may touch, part and touch again
       if (overlap(stepper, passing_.start(farthest)))
         before = farthest;
-    constexpr int most = 1000;
-    const int last = before + most;
+    constexpr int max_steps = 1000;
+    const int last = before + max_steps;
     while (before <= last && overlap(stepper, passing_.start(before)))
       ++before;
     return passing_.start(before);
   }
 
-  /// Whether the bodies do not touch, and will not on the rest of their way.
+  /// Whether the bodies do not touch, and will not touch on the rest of the pass.
   [[nodiscard]] bool have_parted(Stepper& stepper) const
   {
     if (stepper.touching())
@@ -217,7 +217,7 @@ private:
     r.interference = case_.load ? stepper.pair().approach() : p.interference;
     r.theta = p.theta;
     r.X = case_.load ? (sum_ - r.interference) * std::sin(p.theta) : p.X;
-    // The plane of motion is tilted about X; its axes turn back to Y and Z.
+    // The plane of motion is tilted about X: forces are rotated back to Y and Z.
     const double cosine = std::cos(plan_.closest.tilt), sine = std::sin(plan_.closest.tilt);
     r.height = case_.load ? (sum_ - r.interference) * std::cos(p.theta) : passing_.separation() * cosine;
     r.F_X = forces.F_X;
@@ -233,16 +233,16 @@ private:
 
   const TuggingCase& case_;
   const TuggingPlan& plan_;
-  double cells_; ///< by which the bodies move against each other per step
+  double cells_; ///< cells by which the bodies move relative to each other per step
   Passing passing_;
   double sum_; ///< of the radii [m]
   TuggingPeaks peaks_;
-  Position position_, to_; ///< of the last step, and where the present one goes
+  Position position_, to_; ///< at the end of the last step, and of the current one
   int lead_;
   int pass_ = 0, step_in_pass_ = 0, steps_in_pass_ = 0;
-  int extra_steps_ = 0;       ///< by which earlier passes lasted longer than that of rigid spheres
-  Moment moment_;             ///< of the last step
-  double interference_ = 0.0; ///< then, or the approach under a load [m]
+  int extra_steps_ = 0; ///< largest number of steps by which earlier passes were longer than that of rigid spheres
+  Moment moment_;       ///< at the end of the last step
+  double interference_ = 0.0; ///< at the end of the last step; under a load, the approach [m]
 };
 
 // docs/verification.md (expected error)
@@ -266,7 +266,7 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan)
 void TuggingRecord::exchange(Archive& archive)
 {
   exchange_row(*this, archive);
-  archive("F_X_lower", F_X_lower); // no column of the history
+  archive("F_X_lower", F_X_lower); // this and the following are not columns of the history
   archive("F_X_upper", F_X_upper);
   archive("F_X_friction", F_X_friction);
   archive("F_Z_friction", F_Z_friction);

@@ -9,10 +9,10 @@ namespace brinell::simulation
 /// Work of the motion from one row to the next [J] (trapezoidal rule); none on the way back from pass to pass.
 [[nodiscard]] double work_between(const TuggingRecord& before, const TuggingRecord& now);
 
-/// The share of the shear in it [J].
+/// Part of this work that is due to the shear [J].
 [[nodiscard]] double friction_work_between(const TuggingRecord& before, const TuggingRecord& now);
 
-/// Gathers the key numbers while the rows come in. The work of `now` is known.
+/// Updates the key numbers with a row. The work of `now` must be set already.
 void add(const TuggingRecord& before, const TuggingRecord& now, TuggingPeaks& peaks);
 
 } // namespace brinell::simulation

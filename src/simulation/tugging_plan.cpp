@@ -23,13 +23,13 @@ namespace brinell::simulation
 namespace
 {
 
-// Extent of the grids in elastic contact radii, enough up to nine times the interference of first yield; beyond, contact
-// and plastic zone grow faster than the elastic contact radius.
+// Extent of the grids in elastic contact radii. It suffices up to nine times the interference of first yield; beyond that,
+// contact and plastic zone grow faster than the elastic contact radius.
 constexpr double contact_extent_x = 2.0;
 constexpr double contact_extent_y = 1.5;
 constexpr double track_extent = 1.6;
 
-/// Radius across the motion, over which a body can be passed beside its top.
+/// Radius of a body across the motion, which it needs to be passed beside its top.
 double rounding_across(const char* body, const Shape& shape)
 {
   const auto* paraboloid = std::get_if<Paraboloid>(&shape);
@@ -41,12 +41,12 @@ double rounding_across(const char* body, const Shape& shape)
   return paraboloid->radius_y;
 }
 
-/// What the plan needs to know of the pair.
+/// Quantities of the pair of bodies that the plan needs.
 struct Pair
 {
   ClosestApproach closest;
-  ContactSize contact;      ///< elastic, of the smooth bodies at alignment
-  double first_yield = 0.0; ///< interference at which one of them first yields; the full one if none does before [m]
+  ContactSize contact;               ///< elastic, of the smooth bodies at alignment
+  double first_yield = 0.0;          ///< interference at first yield, at most the full interference [m]
   double frictionless_yield = 0.0;   ///< the same without friction [m]
   std::array<double, 2> curvature{}; ///< relative [1/m]
   TextureReach texture;              ///< of both bodies together
@@ -109,21 +109,21 @@ Pair pair_of(const TuggingCase& tugging)
 double plastic_growth(const TuggingCase& tugging, const Pair& pair)
 {
   constexpr double covered = 9.0;
-  // Of two bodies that are not alike, the weaker one takes most of the plastic strain; under a load plasticity adds to the
-  // approach, and the whole track bears it: as if pressed twice as far.
-  const bool more = !(tugging.lower == tugging.upper) || tugging.load;
-  const double ratio = pair.closest.interference / pair.first_yield * (more ? 2.0 : 1.0);
+  // If the bodies differ, the weaker one takes most of the plastic strain; under a load, plastic flow increases the approach
+  // along the whole track. Both count as twice the interference.
+  const bool is_doubled = !(tugging.lower == tugging.upper) || tugging.load;
+  const double ratio = pair.closest.interference / pair.first_yield * (is_doubled ? 2.0 : 1.0);
   return std::pow(std::max(1.0, ratio / covered), 0.4);
 }
 
-/// How far from the middle of the contact surfaces of that relative curvature overlap by geometry alone, which no elastic
-/// contact exceeds.
+/// Distance from the middle of the contact at which surfaces with a relative curvature overlap by geometry: an upper bound for
+/// the size of an elastic contact [m].
 double overlap_reach(double curvature, double depth)
 {
   return std::sqrt(2.0 * std::max(0.0, depth) / curvature);
 }
 
-/// Farthest place from the top of a body that the contact's edge passes, from first touch to alignment.
+/// Largest distance of the contact's edge from the top of a body, from first touch to alignment [m].
 double track_half_length(const TuggingCase& tugging, const Pair& pair, const Passing& passing, double radius,
                          double scale)
 {
@@ -136,12 +136,12 @@ double track_half_length(const TuggingCase& tugging, const Pair& pair, const Pas
   for (int i = 0; i <= samples; ++i)
   {
     const double theta = angle_at_touch * i / samples;
-    // Under a load as much as it has come up: it does in a quarter of this way.
+    // Under a load the approach rises with the load, which is applied within a quarter of this half of the pass.
     const double interference = tugging.load ? pair.closest.interference * std::min(1.0, 4.0 * (samples - i) / samples)
                                              : sum - passing.separation() / std::cos(theta);
     double edge =
         scale * track_extent * pair.contact.half_x * std::sqrt(std::max(0.0, interference / pair.closest.interference));
-    if (height > 0.0) // wherever textures may touch
+    if (height > 0.0) // includes all places where textures may touch
       edge = std::max(edge, tugging.extent * overlap_reach(pair.curvature[0], interference + height));
     farthest = std::max(farthest, radius * theta + edge);
   }
@@ -154,7 +154,7 @@ Extents extents(const TuggingCase& tugging, const Pair& pair, const Passing& pas
   const auto [half_x, half_y, straight_y] = pair.contact;
   Extents e;
   e.contact_x = contact_extent_x * scale * half_x;
-  // Beyond the ends of a roller as far as beside a point contact.
+  // The same margin beyond the ends of a roller as beside a point contact.
   e.contact_y = straight_y ? half_y + (contact_extent_y * scale - 1.0) * half_x : contact_extent_y * scale * half_y;
   if (const double height = pair.texture.height; height > 0.0)
   {
@@ -171,7 +171,7 @@ Extents extents(const TuggingCase& tugging, const Pair& pair, const Passing& pas
   return e;
 }
 
-/// Whether the bodies are alike and pass each other so that a cell of one always has its mirror image in the other.
+/// Whether the bodies are alike and their cells always coincide with mirror images of cells of the other body.
 bool is_mirrored(const TuggingCase& tugging, const Position& p, double cells, double dx)
 {
   constexpr double rounding = 1e-9;
@@ -199,7 +199,7 @@ std::optional<double> passing_radius(const Shape& shape)
   if (!k || !((*k)[0] > 0.0) || !std::isfinite((*k)[0]))
     return std::nullopt;
   if (const auto* paraboloid = std::get_if<Paraboloid>(&shape))
-    return paraboloid->radius_x; // as it was given, without the rounding of its inverse
+    return paraboloid->radius_x; // exactly as given, without the rounding of its inverse
   return std::get<Roller>(shape).radius;
 }
 
@@ -249,7 +249,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));
   const Pair pair = pair_of(tugging);
-  constexpr double aspect = 2.0; // across the motion cells may be longer: half a percent of the net energy
+  constexpr double aspect = 2.0; // cells may be longer across the motion: this costs half a percent of the net energy
   const std::array<double, 3> cell = cell_sizes(tugging, pair.contact, aspect);
   const double dx = cell[0];
   const Passing pass = passing(tugging, dx);
@@ -271,7 +271,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.twin =
       is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
   plan.symmetry = symmetry_of(tugging.lower, tugging.upper, tugging, plan.contact, tugging.offset != 0.0);
-  // Not so small a change of displacement that the tolerance of the contact hides it.
+  // Lower limit: smaller changes of displacement would be lost in the tolerance of the contact.
   const double smallest = 1e-2 * pair.closest.interference;
   plan.scales = {std::max(pair.frictionless_yield, smallest), pair.closest.interference};
   plan.first_yield = std::max(pair.first_yield, smallest);

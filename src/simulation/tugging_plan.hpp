@@ -6,7 +6,7 @@
 namespace brinell::simulation
 {
 
-/// Cells by which the bodies move against each other per step; between whole numbers the surfaces are interpolated.
+/// Cells by which the bodies move relative to each other per step; if this is not an integer the surfaces are interpolated.
 [[nodiscard]] double relative_cells(const TuggingCase& tugging, double dx);
 
 /// The circles of both bodies in the plane of motion.

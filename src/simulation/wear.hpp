@@ -10,8 +10,8 @@
 namespace brinell::simulation
 {
 
-/// Wear needs surfaces that slip on each other.
-/// @param reason  why nothing does; empty if something does
+/// Checks that wear is possible: the surfaces must slip on each other.
+/// @param reason  why they do not slip; empty if they do
 /// @throws KeyError
 void require_wear(const Numerics& numerics, const std::string& reason);
 

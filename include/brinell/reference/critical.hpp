@@ -23,11 +23,11 @@ struct CriticalValues
 /// (paper Eqs. 24-26).
 [[nodiscard]] CriticalValues critical_values(double radius, double contact_modulus, double C, double yield_stress);
 
-/// What plane strain leaves open.
+/// Lengths that a plane-strain contact needs in addition.
 struct Line
 {
-  double length = 0.0;    ///< L, on which loads and energies are [m]
-  double reference = 0.0; ///< l, from where the approach counts: line_contact_approach [m]
+  double length = 0.0;    ///< L, length of the line to which loads and energies refer [m]
+  double reference = 0.0; ///< l, reference distance of the approach, see line_contact_approach [m]
 };
 
 /// Critical values of cylinders in plane strain (Green 2005), with C of `line_contact_first_yield`:

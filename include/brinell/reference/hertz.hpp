@@ -3,7 +3,7 @@
 
 #include "brinell/foundation/sym_tensor.hpp"
 
-/// Closed-form solutions that users want beside a computation.
+/// Closed-form solutions to compare computations with.
 namespace brinell::reference
 {
 
@@ -78,11 +78,12 @@ struct LineContact
 /// @throws InputError
 [[nodiscard]] LineContact line_contact_at_load(double radius, double contact_modulus, double load_per_length);
 
-/// Approach of a line contact [m]. In plane strain displacements have a logarithm without end; here they are counted from the
-/// distance l of a line load, u = 2 (1 - nu^2)/(pi E) W ln(l/r) of each body (Johnson 1985, Eq. 2.19), so that
+/// Approach of a line contact [m]. In plane strain displacements diverge logarithmically with distance; here the displacement of
+/// each body is taken as zero at the distance l from a line load, u = 2 (1 - nu^2)/(pi E) W ln(l/r) (Johnson 1985, Eq. 2.19), so
+/// that
 ///     approach = W/(pi E') (1 + 2 ln(2 l/a)).
-/// With l = 2 R/e it is that of Green (2005), W/(pi E') (ln(4 pi E' R/W) - 1): the axis of a cylinder of the radius R approaches
-/// a rigid flat by it (Johnson 1985, Eq. 5.56).
+/// With l = 2 R/e this is the approach of Green (2005), W/(pi E') (ln(4 pi E' R/W) - 1), that of the axis of a cylinder of radius
+/// R and a rigid flat (Johnson 1985, Eq. 5.56).
 /// @param reference  l [m], > a/2: there the approach is largest.
 /// @throws InputError
 [[nodiscard]] double line_contact_approach(const LineContact& contact, double contact_modulus, double reference);
@@ -124,8 +125,8 @@ struct FirstYield
 /// First yield by von Mises of a line contact in plane strain, exact. On the axis, where the stress is largest,
 ///     sigma_vm/p0 = sqrt((1 - T)/(1 + T) ((1 - 2 nu)^2 + 3 T^2)),   T = s/sqrt(1 + s^2),   s = z/a,
 /// has its peak below the surface where T^3 + T^2 - T + (1 - 2 nu)^2/3 = 0. Up to nu = (1 - sqrt(3/8))/2 = 0.1938 the surface
-/// yields before, at sigma_vm = (1 - 2 nu) p0. Green's (2005) fit, 1.164 + 2.975 nu - 2.906 nu^2 above and the same
-/// 1/(1 - 2 nu) below, is within 0.15 % of C.
+/// yields first, at sigma_vm = (1 - 2 nu) p0. Green's (2005) fit, C = 1.164 + 2.975 nu - 2.906 nu^2 above this nu and
+/// C = 1/(1 - 2 nu) below it, is within 0.15 % of C.
 /// @param poisson_ratio  (-1, 0.5].
 /// @throws InputError
 [[nodiscard]] FirstYield line_contact_first_yield(double poisson_ratio);

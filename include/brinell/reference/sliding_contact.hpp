@@ -3,7 +3,8 @@
 
 #include "brinell/foundation/sym_tensor.hpp"
 
-/// Elastic contacts that slide: what the shear adds to the stress of Hertz' pressure, and where both together yield first.
+/// Elastic sliding contacts: stress due to the shear, to be added to that of Hertz' pressure, and first yield under both
+/// together.
 namespace brinell::reference
 {
 
@@ -11,7 +12,7 @@ namespace brinell::reference
 /// (Hamilton 1983; here from Cerruti's potentials, see the source). It is added to that of the pressure,
 /// `point_contact_stress`. On the circle itself
 ///     sigma_xx = -pi q0 (4 + nu) x/(8 a),   sigma_yy = -3 pi q0 nu x/(8 a),   sigma_xz = -q0 sqrt(1 - r^2/a^2).
-/// To rounding, but for 1e-7 q0 within a millionth of the radius around the rim.
+/// Accurate to rounding, except within a millionth of the radius around the rim, where the error is up to 1e-7 q0.
 /// @param x, y, z         point, the contact's centre at the origin [m], z >= 0 into the body.
 /// @param contact_radius  a [m], > 0.
 /// @param peak_shear      q0 [Pa], on the body towards +x.

@@ -14,8 +14,7 @@ struct IndentedSphere
   double yield_stress = 0.0; ///< S_y [Pa], > 0
 };
 
-/// C = p0/S_y at first yield as Jackson & Green (2005) have it: 1.295 exp(0.736 nu) (0.1 % off
-/// `critical_pressure_ratio`).
+/// C = p0/S_y at first yield by Jackson & Green (2005): 1.295 exp(0.736 nu), within 0.1 % of `critical_pressure_ratio`.
 [[nodiscard]] double jackson_green_pressure_ratio(double poisson_ratio);
 
 /// Contact area over the critical one, pi R alpha_c, by Jackson & Green (2005): alpha* (alpha*/1.9)^B with

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <variant>
 
-/// The numbers of each record, listed once, in the header of its scenario: checkpoints, history.csv, result.vtkhdf, summary.json
-/// and the Python package have them from there.
+/// Tables of the numbers of each record. Each table stands once, in the header of its scenario; checkpoints, history.csv,
+/// result.vtkhdf, summary.json and the Python package are generated from it.
 namespace brinell::simulation
 {
 
-/// One number of a record, and how files name it.
+/// One number of a record, with its name and unit in files.
 template <typename Record>
 struct Column
 {
@@ -24,13 +24,13 @@ struct Column
   std::string_view name; ///< that of the member
   std::string_view unit; ///< "1" for a pure number
   Member member;
-  std::string_view text{}; ///< what it is, in files that say so
+  std::string_view text{}; ///< description, for files that have descriptions
 
   [[nodiscard]] constexpr std::variant<int, double> value(const Record& record) const
   {
     return std::visit([&](auto m) { return std::variant<int, double>(record.*m); }, member);
   }
-  /// What derives from a record has its numbers too.
+  /// A column of a record is also a column of every derived record.
   template <std::derived_from<Record> Derived>
   constexpr operator Column<Derived>() const // NOLINT(google-explicit-constructor)
   {
@@ -38,7 +38,8 @@ struct Column
   }
 };
 
-/// All columns of a record, in the order of the files. A record without a table has nothing to loop over.
+/// All columns of a record, in the order of the files. nullptr for a record without a table, so that looping over it does not
+/// compile.
 template <typename Record>
 inline constexpr std::nullptr_t columns = nullptr;
 
@@ -53,14 +54,14 @@ inline constexpr Row pass{"pass", "1", &StepRecord::pass, "pass, counts from 1"}
 inline constexpr Row contact_area{"contact_area", "m^2", &StepRecord::contact_area, "contact area"};
 inline constexpr Row max_pressure{"max_pressure", "Pa", &StepRecord::max_pressure, "largest contact pressure"};
 inline constexpr Row F_n{"F_n", "N", &StepRecord::F_n, "force normal to the plane of contact"};
-/// Of the scenarios whose surfaces may slide.
+/// Columns of the scenarios whose surfaces may slide.
 inline constexpr Column<FrictionRecord> F_friction{"F_friction", "N", &FrictionRecord::F_friction,
                                                    "friction between the surfaces, along the plane of contact"};
 inline constexpr Column<FrictionRecord> share_at_shear_limit{
     "share_at_shear_limit", "1", &FrictionRecord::share_at_shear_limit,
     "share of the contact whose shear is at the limit of the surface"};
 
-/// Of the scenarios in which friction may heat.
+/// Columns of the scenarios in which friction may heat.
 inline constexpr std::array<Column<HeatedRecord>, 6> heated{{
     {"max_temperature_lower", "degC", &HeatedRecord::max_temperature_lower,
      "largest temperature of the lower surface in and around the contact; without heat that of the bulk"},
@@ -76,7 +77,7 @@ inline constexpr std::array<Column<HeatedRecord>, 6> heated{{
      "work that the bodies have done since the start as heat made them swell"},
 }};
 
-/// Of the scenarios in which the surfaces may wear.
+/// Columns of the scenarios in which the surfaces may wear.
 inline constexpr std::array<Row, 6> worn{{
     {"worn_volume_lower", "m^3", &StepRecord::worn_volume_lower, "volume that the lower body has lost by wear"},
     {"worn_volume_upper", "m^3", &StepRecord::worn_volume_upper, "volume that the upper body has lost by wear"},
@@ -89,7 +90,7 @@ inline constexpr std::array<Row, 6> worn{{
     {"work_of_wear", "J", &StepRecord::work_of_wear, "work of the pressure on what was worn since the start"},
 }};
 
-/// They end each row.
+/// Columns that end each row.
 inline constexpr std::array<Row, 10> ending{{
     {"work", "J", &StepRecord::work, "work of the drive since the start"},
     {"dissipation_lower", "J", &StepRecord::dissipation_lower, "plastic work in the lower body since the start"},

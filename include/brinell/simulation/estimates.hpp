@@ -5,29 +5,29 @@
 
 #include <optional>
 
-/// What can be told of a run before it is computed.
+/// Estimates for a run before it is computed.
 namespace brinell::simulation
 {
 
-/// How most of the work of a run is spread.
+/// Properties of a scenario on which the run time depends most.
 struct Work
 {
-  double evaluations = 6.0;           ///< in a step, roughly
-  bool yields_along_the_track = true; ///< else, for the most part, only under the contact
+  double evaluations = 6.0;           ///< evaluations per step, roughly
+  bool yields_along_the_track = true; ///< false: material yields mostly under the present contact only
 };
 
-/// Seconds on one core, from measured runs: time per cell of the bodies that yield, per evaluation, growing as N log N. Bodies that are
-/// heated count for some evaluations more, and where none yields only the contact is solved. Good to a factor of three.
+/// Run time on one core [s], from measured runs: time per cell of the yielding bodies and per evaluation, growing as N log N.
+/// Heated bodies count as some further evaluations; if no body yields only the contact is solved. Accurate to a factor of three.
 [[nodiscard]] double rough_seconds(const Plan& plan, const constitutive::Material& lower,
                                    const constitutive::Material& upper, const Work& work);
 
-/// Bytes of the fields of one state: pressure and gap; of each body that deforms the tensors of stress and plastic strain, their
-/// equivalents, and the surface.
+/// Bytes of the fields of one state: pressure and gap and, for each deformable body, the tensors of stress and plastic strain,
+/// their equivalents, and the surface.
 [[nodiscard]] double state_bytes(const Plan& plan, const constitutive::Material& lower,
                                  const constitutive::Material& upper);
 
-/// Load whose elastic contact has that peak pressure [N], of an ellipse or of a line of finite length (Hertz; Johnson 1985, sections
-/// 4.2 and 4.3); empty for other contacts.
+/// Load at which an elastic contact has a given peak pressure [N], for an elliptical contact or a line of finite length (Hertz;
+/// Johnson 1985, sections 4.2 and 4.3); empty for other contacts.
 /// @param contact_modulus, peak_pressure  [Pa]
 [[nodiscard]] std::optional<double> load_of_peak_pressure(const Shape& lower, const Shape& upper, const Domain& domain,
                                                           double contact_modulus, double peak_pressure);

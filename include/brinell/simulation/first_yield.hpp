@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
-/// Where a pair of bodies begins to yield. Materials may change with depth, so there are two answers, side by side here:
-/// nominal ones by the yield stress of the hardening law, whatever its profile over depth, the unit of all that is normalised
-/// (Boucly, Nelias, Green 2006, Eqs. 24-28); and the earliest ones by the smallest yield stress at any depth, and with friction: up to
-/// there nothing yields, but for initial stresses, however deep the softest layer lies. Grids, tolerances and warnings go by these.
-/// Without profiles and friction both are the same.
+/// First yield of a pair of bodies. Because materials may change with depth there are two kinds of values. Nominal values use the
+/// yield stress of the hardening law without its profile over depth; they are the units of normalised results (Boucly, Nelias,
+/// Green 2006, Eqs. 24-28). Earliest values use the smallest yield stress at any depth, and include friction: below them nothing
+/// yields (initial stresses apart), however deep the softest layer lies. Grids, tolerances and warnings use the earliest values.
+/// Without profiles and friction both kinds are equal.
 namespace brinell::simulation
 {
 
@@ -23,11 +23,11 @@ enum class YieldsFirst
   both
 };
 
-/// How smooth bodies touch, as far as first yield is concerned.
+/// Kind of contact of smooth bodies, as far as first yield is concerned.
 enum class ContactKind
 {
-  point, ///< and whatever else is no line without ends
-  line   ///< of cylinders without ends, in plane strain
+  point, ///< point contact, and every other contact that is not an infinite line
+  line   ///< infinite cylinders, in plane strain
 };
 
 [[nodiscard]] ContactKind contact_kind(const Shape& lower, const Shape& upper, const Domain& domain);
@@ -36,19 +36,19 @@ enum class ContactKind
 struct PairYield
 {
   double pressure_ratio =
-      0.0; ///< C of the weaker body: Green's (2005) fit of a point contact, exact of a line and with friction
+      0.0; ///< C of the weaker body: Green's (2005) fit for a point contact; exact for a line, and with friction
   double yield_stress = 0.0; ///< its S_y [Pa]
   YieldsFirst body = YieldsFirst::both;
 
   [[nodiscard]] double peak_pressure() const { return pressure_ratio * yield_stress; } ///< [Pa]
 };
 
-/// Nominal. Empty if both bodies stay elastic.
+/// Nominal first yield. Empty if both bodies stay elastic.
 [[nodiscard]] std::optional<PairYield> nominal_yield(const constitutive::Material& lower,
                                                      const constitutive::Material& upper, ContactKind kind);
 
-/// Earliest. Empty if both bodies stay elastic.
-/// @param friction  of surfaces that slide: their shear brings yield on, and at the surface from about 0.3 on.
+/// Earliest first yield. Empty if both bodies stay elastic.
+/// @param friction  coefficient of sliding surfaces: shear makes the bodies yield earlier, from about 0.3 on at the surface.
 [[nodiscard]] std::optional<PairYield> earliest_yield(const constitutive::Material& lower,
                                                       const constitutive::Material& upper, ContactKind kind,
                                                       double friction);
@@ -58,19 +58,19 @@ struct FirstYield
 {
   reference::CriticalValues critical;
   YieldsFirst body = YieldsFirst::both;
-  std::optional<reference::Line> line{}; ///< of cylinders
+  std::optional<reference::Line> line{}; ///< for cylinders only
 };
 
 /// Why these bodies have no critical values in closed form; empty if they have.
 [[nodiscard]] std::optional<std::string> reason_against_first_yield(const ShapedBody& lower, const ShapedBody& upper,
                                                                     const Domain& domain);
 
-/// Nominal. Empty if there is a reason against it.
+/// Nominal values. Empty if `reason_against_first_yield` gives a reason.
 [[nodiscard]] std::optional<FirstYield> nominal_first_yield(const ShapedBody& lower, const ShapedBody& upper,
                                                             const Domain& domain);
 
-/// Earliest. Empty if there is a reason against it.
-/// @param friction  as of `earliest_yield`
+/// Earliest values. Empty if `reason_against_first_yield` gives a reason.
+/// @param friction  as for `earliest_yield`
 [[nodiscard]] std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const ShapedBody& upper,
                                                              const Domain& domain, double friction);
 

@@ -19,24 +19,25 @@ struct Forces
   double F_X_friction = 0.0, F_Z_friction = 0.0; ///< the shares of the shear in F_X and F_Z [N]
 };
 
-/// Depth of the surface of one body under the contact grid, and the body's share of the arc.
+/// Depth of the surface of one body under the contact grid, and the share of this body in the arc.
 struct ResidualSurface
 {
-  /// Residual displacement, texture and elastic depth under the shear, into the body positive [m].
+  /// Residual displacement, texture and elastic displacement under the shear, positive into the body [m].
   std::span<const double> displacement;
   double share = 0.5; ///< R_i / (R1 + R2)
 };
 
-/// Projection of the pressure to the global axes (paper, Eqs. 15-22, without the factor n: a sum over cells counts each
-/// cell once). The mean contact plane weighs both slopes with the arc that the contact moves on each body: this is the
-/// reading whose work is the energy that the bodies take up: docs/theory/simulation.md (pile-up).
+/// Projection of the pressure onto the global axes (paper, Eqs. 15-22, without the factor n: a sum over cells counts each cell
+/// once). The slope of the mean contact plane is the mean of both slopes, weighted with the arcs that the contact moves on each
+/// body; with this definition the work of the forces is the energy that the bodies absorb: docs/theory/simulation.md (pile-up).
 /// The shear acts along the same plane.
-/// @param load  on the contact grid: pressure, and the shear on the lower body along x, if there is any [Pa]
+/// @param load   on the contact grid: pressure, and the shear on the lower body along x, if there is any [Pa]
+/// @param theta  angle of the line of centres to Z [rad]
 [[nodiscard]] Forces project_forces(const SurfaceGrid& grid, const halfspace::SurfaceLoad& load, double theta,
                                     const ResidualSurface& lower, const ResidualSurface& upper);
 
-/// Resistance to rolling: the work that the pressure takes from the drive per distance on the lower body [N], by the slope of
-/// both surfaces as they are (texture and residual displacement): docs/theory/simulation.md (rolling).
+/// Resistance to rolling: work that the drive does against the pressure per distance on the lower body [N], from the slopes of
+/// both surfaces with texture and residual displacement: docs/theory/simulation.md (rolling).
 /// @param upper_share  distance on the upper body per distance on the lower one
 [[nodiscard]] double rolling_resistance(const SurfaceGrid& grid, std::span<const double> pressure,
                                         std::span<const double> lower_depth, std::span<const double> upper_depth,

@@ -6,7 +6,8 @@
 #include "brinell/simulation/columns.hpp"
 #include "brinell/simulation/quality.hpp"
 
-/// The upper body is pressed on the lower one and moved to and fro along it, so little that it sticks in places.
+/// Fretting: the upper body is pressed on the lower one and oscillates along it with so small an amplitude that the surfaces
+/// stick in places.
 namespace brinell::simulation
 {
 
@@ -19,15 +20,15 @@ struct FrettingCase : Numerics
   using Plan = FrettingPlan;
   using Record = FrettingRecord; ///< row of its history
   using Summary = FrettingSummary;
-  /// What oscillates: the displacement of the upper body past the lower one, distant points of both, or the force between them.
+  /// Quantity that oscillates: the relative displacement of distant points of both bodies, or the tangential force between them.
   using Kind = contact::TangentialDrive::Kind;
 
   ShapedBody lower;
   ShapedBody upper;
-  contact::Drive press;    ///< load or approach, reached first and kept then
-  int press_steps = 10;    ///< in which it is reached
+  contact::Drive press;    ///< load or approach, applied first and then kept
+  int press_steps = 10;    ///< steps in which it is applied
   Kind kind = Kind::shift; ///< of the amplitude
-  double amplitude = 0.0;  ///< from 0 to this, to the opposite and back to 0 in each cycle [m] or [N], >= 0
+  double amplitude = 0.0;  ///< [m] or [N], >= 0; each cycle goes from 0 to it, to its opposite and back to 0
   int cycles = 1;
   int steps_per_cycle = 40; ///< a multiple of 4
   double direction = 0.0;   ///< of the motion, from x towards y [rad]
@@ -36,8 +37,9 @@ struct FrettingCase : Numerics
 struct FrettingPlan : Plan
 {
   double contact_radius = 0.0;   ///< estimate, along x [m]
-  double contact_radius_y = 0.0; ///< and along y [m]
-  /// Displacement from which on smooth elastic bodies with a round contact slide everywhere, estimate [m]; 0 without friction.
+  double contact_radius_y = 0.0; ///< along y [m]
+  /// Estimate of the displacement beyond which smooth elastic bodies with a round contact slide everywhere [m]; 0 without
+  /// friction.
   double sliding_displacement = 0.0;
 };
 
@@ -46,27 +48,27 @@ struct FrettingRecord : FrictionRecord
 {
   int cycle = 0;               ///< counts from 1; 0 while the bodies are pressed together
   double approach = 0.0;       ///< [m]
-  double displacement = 0.0;   ///< of the upper body past the lower one, along the direction [m]
+  double displacement = 0.0;   ///< of the upper body relative to the lower one, along the direction [m]
   double force = 0.0;          ///< on the lower body, along the direction [N]
-  double F_x = 0.0, F_y = 0.0; ///< the same along x and y [N]
-  double stick_share = 0.0;    ///< of the contact: there nothing slipped in this step
-  double stick_area = 0.0;     ///< [m^2]
-  double slip_path = 0.0;      ///< longest way that a place of one surface has slipped on the other since the start [m]
+  double F_x = 0.0, F_y = 0.0; ///< force on the lower body along x and y [N]
+  double stick_share = 0.0;    ///< share of the contact where nothing slipped in this step
+  double stick_area = 0.0;     ///< area of the contact where nothing slipped in this step [m^2]
+  double slip_path = 0.0;      ///< largest accumulated slip length of a point since the start [m]
 
   void exchange(Archive& archive);
 };
 
-/// One cycle, from the middle over both turns back to the middle.
+/// One cycle, from the middle through both reversals back to the middle.
 struct FrettingCycle
 {
   int cycle = 0;                              ///< counts from 1
-  double work = 0.0;                          ///< of the force along the surface: area of the loop [J]
+  double work = 0.0;                          ///< work of the tangential force: area of the fretting loop [J]
   double dissipation_friction = 0.0;          ///< heat of friction [J]
   double dissipation_plastic = 0.0;           ///< of both bodies [J]
-  double max_force = 0.0;                     ///< largest size [N]
-  double max_displacement = 0.0;              ///< likewise [m]
-  double slip_amplitude = 0.0;                ///< where the surfaces slip most: a quarter of the way there [m]
-  double stick_share = 0.0;                   ///< smallest
+  double max_force = 0.0;                     ///< largest magnitude [N]
+  double max_displacement = 0.0;              ///< largest magnitude [m]
+  double slip_amplitude = 0.0;                ///< a quarter of the growth of `slip_path` in the cycle [m]
+  double stick_share = 0.0;                   ///< smallest in the cycle
   double max_equivalent_plastic_strain = 0.0; ///< of both bodies, at its end
 
   void exchange(Archive& archive);
@@ -82,7 +84,7 @@ struct FrettingSummary : RunTotals
 /// @throws InputError
 [[nodiscard]] FrettingPlan plan(const FrettingCase& fretting);
 
-/// What can be told of the result before a run, and after it.
+/// Warnings and expected errors of the result, before a run and after it.
 [[nodiscard]] Quality expected_quality(const FrettingCase& fretting, const FrettingPlan& plan);
 [[nodiscard]] Quality quality(const FrettingCase& fretting, const FrettingPlan& plan, const RunTotals& totals);
 
@@ -114,7 +116,7 @@ inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({
     common::worn[5],
 });
 
-/// In summary.json its unit ends each name.
+/// In summary.json each name has its unit as suffix.
 template <>
 inline constexpr std::array<Column<FrettingCycle>, 9> columns<FrettingCycle>{{
     {"cycle", "1", &FrettingCycle::cycle},

@@ -5,7 +5,7 @@
 #include "brinell/simulation/columns.hpp"
 #include "brinell/simulation/quality.hpp"
 
-/// The upper body is pressed into the lower one and lifted off again, at one place or at several.
+/// Indentation: the upper body is pressed into the lower one and lifted off again, at one place or at several.
 namespace brinell::simulation
 {
 
@@ -21,8 +21,9 @@ struct IndentationCase : Numerics
 
   ShapedBody lower; ///< is indented
   ShapedBody upper; ///< the indenter
-  /// Loads, approaches or mean gaps to be reached one after the other from no contact, all of one kind; a list that is
-  /// repeated or has several places must end without contact: with zero, or with a mean gap not below `touching_gap`.
+  /// Loads, approaches or mean gaps (all of one kind) that are applied one after the other, starting without contact. If the
+  /// sequence is repeated, or there are several places, it must end without contact: with zero, or with a mean gap not below
+  /// `touching_gap`.
   std::vector<contact::Drive> sequence;
   int steps = 20;                  ///< from one entry of the sequence to the next
   int cycles = 1;                  ///< how often the sequence is applied at each place
@@ -32,24 +33,24 @@ struct IndentationCase : Numerics
 struct IndentationPlan : Plan
 {
   double contact_radius = 0.0;   ///< estimate at the largest load or approach, along x [m]
-  double contact_radius_y = 0.0; ///< and along y [m]
-  /// Mean gap of the undeformed surfaces where they first touch, at the first place [m]: of bodies that are periodic along
-  /// both axes; NaN of others.
+  double contact_radius_y = 0.0; ///< along y [m]
+  /// Mean gap at which the undeformed surfaces first touch, at the first place [m]: for bodies that are periodic along both axes;
+  /// NaN for others.
   double touching_gap = 0.0;
 };
 
 /// One row of the history.
 struct IndentationRecord : StepRecord
 {
-  int place = 0;               ///< which of the places, counts from 1
-  double x = 0.0;              ///< where it is [m]
+  int place = 0;               ///< number of the place, counts from 1
+  double x = 0.0;              ///< of the place on the lower body [m]
   double approach = 0.0;       ///< of the bodies from first touch of the undeformed ones [m]
-  double contact_radius = 0.0; ///< of the circle with the contact area [m]
+  double contact_radius = 0.0; ///< radius of a circle with the contact area [m]
   int contact_cells = 0;       ///< cells under pressure
   double mean_pressure = 0.0;  ///< load over projected contact area [Pa]
-  /// Of bodies that are periodic along both axes; NaN of others.
+  /// For bodies that are periodic along both axes; NaN for others.
   double nominal_pressure = 0.0, ///< load over the area of the period [Pa]
-      contact_fraction = 0.0,    ///< contact area over the same
+      contact_fraction = 0.0,    ///< contact area over the area of the period
       mean_gap = 0.0,            ///< of the deformed surfaces over the period [m], not negative
       contact_stiffness = 0.0;   ///< elastic, - d nominal pressure / d mean gap [Pa/m]
   double residual_depth = 0.0;   ///< largest residual displacement of the lower body at this place [m]
@@ -58,35 +59,35 @@ struct IndentationRecord : StepRecord
   void exchange(Archive& archive);
 };
 
-/// One loading and unloading at one place: read at the largest load, and where the contact opens.
+/// One loading and unloading at one place, with values at the largest load and at the opening of the contact.
 struct Indent
 {
-  int place = 0, cycle = 0;  ///< which of the places, counts from 1, and which of its cycles; both count from 1
+  int place = 0, cycle = 0;  ///< number of the place, and number of the cycle at this place; both count from 1
   double x = 0.0;            ///< [m]
   double max_load = 0.0;     ///< [N]
   double max_approach = 0.0; ///< at that load [m]
   double contact_area = 0.0; ///< projected, at that load [m^2]
-  /// At that load, of bodies that are periodic along both axes; NaN of others.
-  double contact_fraction = 0.0,    ///< contact area over that of the period
+  /// At that load, for bodies that are periodic along both axes; NaN for others.
+  double contact_fraction = 0.0,    ///< contact area over the area of the period
       mean_gap = 0.0,               ///< [m]
       contact_stiffness = 0.0;      ///< elastic [Pa/m]
   double hardness = 0.0;            ///< max_load / contact_area [Pa]
-  double loading_stiffness = 0.0;   ///< dF/d approach, arriving at the largest load (the last time) [N/m]
-  double unloading_stiffness = 0.0; ///< leaving it [N/m]; 0 without unloading
-  double final_approach = 0.0;      ///< at which the contact opens [m]; NaN if it does not
-  double residual_depth = 0.0;      ///< largest residual displacement of the lower body then [m]
-  double pile_up = 0.0;             ///< largest height of its residual surface then [m]
-  double work = 0.0;                ///< net, of this indent [J]
+  double loading_stiffness = 0.0;   ///< dF/d approach just before the (last) largest load [N/m]
+  double unloading_stiffness = 0.0; ///< dF/d approach just after the largest load [N/m]; 0 without unloading
+  double final_approach = 0.0;      ///< approach at which the contact opens [m]; NaN if it does not open
+  double residual_depth = 0.0;      ///< largest residual displacement of the lower body at the end of the indent [m]
+  double pile_up = 0.0;             ///< largest height of its residual surface at the end of the indent [m]
+  double work = 0.0;                ///< net work of this indent [J]
 
   void exchange(Archive& archive);
 };
 
 struct IndentationSummary : RunTotals
 {
-  /// Root mean squares over the period, of the distance that both textures make together: of bodies that are periodic along
-  /// both axes; NaN of others.
+  /// Root mean squares over the period of the combined roughness of both textures, for bodies that are periodic along both axes;
+  /// NaN for others.
   double rms_height = 0.0, ///< [m]
-      rms_slope = 0.0;     ///< of the length of the gradient
+      rms_slope = 0.0;     ///< of the magnitude of the gradient
   std::vector<Indent> indents;
   IndentationRecord last;
 };
@@ -95,7 +96,7 @@ struct IndentationSummary : RunTotals
 /// @throws InputError
 [[nodiscard]] IndentationPlan plan(const IndentationCase& indentation);
 
-/// What can be told of the result before a run, and after it.
+/// Warnings and expected errors of the result, before a run and after it.
 [[nodiscard]] Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan);
 [[nodiscard]] Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals);
 
@@ -123,7 +124,7 @@ inline constexpr auto columns<IndentationRecord> = common::row<IndentationRecord
      "largest height of the residual surface of the lower body at this place"},
 });
 
-/// In summary.json its unit ends each name.
+/// In summary.json each name has its unit as suffix.
 template <>
 inline constexpr std::array<Column<Indent>, 16> columns<Indent>{{
     {"place", "1", &Indent::place},

@@ -13,11 +13,11 @@ enum class Kinematics
   paper  ///< Eqs. 9-13 of the paper: increments omega atan(2 Delta / omega')
 };
 
-/// Where two bodies, circles in the plane of motion, are while one passes the other at constant height.
+/// Position of two bodies that are circles in the plane of motion, while one passes the other at constant height.
 struct Position
 {
   int index = 0;             ///< step index: 0 at alignment (exact) or at first touch (paper)
-  double columns = 0.0;      ///< cells that the bodies have moved against each other since index 0
+  double columns = 0.0;      ///< cells that the bodies have moved relative to each other since index 0
   double X = 0.0;            ///< sliding coordinate, 0 at alignment [m]
   double theta = 0.0;        ///< angle of the line of centres to Z, sign of X
   double interference = 0.0; ///< alpha = R1 + R2 - omega'; negative before first touch [m]
@@ -33,7 +33,7 @@ struct Position
 class Passing
 {
 public:
-  /// @param cells  cells of size dx that the bodies move against each other per step: (R1 + R2) d_theta / dx.
+  /// @param cells  cells of size dx that the bodies move relative to each other per step: (R1 + R2) d_theta / dx.
   Passing(double radius_lower, double radius_upper, double interference, double cells, double dx,
           Kinematics kinematics);
 

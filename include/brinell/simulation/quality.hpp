@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
-/// What the user should be told about a result before its numbers are used. `expected_quality` and `quality` of each scenario
-/// decide it; the program, the summary, Python and the report only show it. The reasons of the limits: docs/howto/accuracy.md.
+/// Warnings and expected errors that a user should know before using the numbers of a result. `expected_quality` and `quality` of
+/// each scenario determine them; the program, the summary, Python and the report only show them. The limits are explained in
+/// docs/howto/accuracy.md.
 namespace brinell::simulation
 {
 
-/// Something that can be computed, but should be looked at.
+/// A warning about a case that can be computed, but whose result should be checked.
 struct Warning
 {
   std::string key;  ///< stable, for programs: "coarse_contact"
@@ -20,15 +21,16 @@ struct Warning
   bool operator==(const Warning&) const = default;
 };
 
-/// How far a number of such a run usually is from the limit of fine cells.
+/// Usual discretization error of a number of such a run.
 struct ExpectedError
 {
-  std::string quantity;  ///< "net energy"
-  std::string name;      ///< of such numbers in the summary, with * for what is any: "residual.max_*_m"; may be empty
-  double relative = 0.0; ///< share of the value, at most 1
+  std::string quantity; ///< "net energy"
+  std::string
+      name; ///< pattern for the numbers' names in the summary, * matches anything: "residual.max_*_m"; may be empty
+  double relative = 0.0; ///< error relative to the value, at most 1
 };
 
-/// What the cells resolve, and what error has been found with as many in the convergence tables of docs/verification.md.
+/// Resolution of the cells, and errors found with the same resolution in the convergence tables of docs/verification.md.
 struct Resolution
 {
   double cells_x =
@@ -36,9 +38,9 @@ struct Resolution
   double cells_y = std::numeric_limits<double>::quiet_NaN(); ///< along y
   double cells = std::numeric_limits<double>::quiet_NaN();   ///< per contact radius: the smaller of both
   std::optional<int>
-      plastic_layers{}; ///< through the depth of the plastic zone, 0 if nothing yields; none: not known yet
-  /// Cells per shortest wave, two points of a height map, of rough flats over a period: their contact is in many patches, which
-  /// have no radius (NaN above), and the tables, of one indent, do not hold.
+      plastic_layers{}; ///< layers of cells through the depth of the plastic zone, 0 if nothing yields; none: not known yet
+  /// For rough flats over a period: cells per shortest wave (for a height map, two of its points). Their contact consists of many
+  /// patches without a common radius (NaN above), and the tables, which are for single indents, do not apply.
   std::optional<double> cells_per_wave{};
   std::vector<ExpectedError> expected_errors{}; ///< none without plastic strain
 };
@@ -52,11 +54,11 @@ struct Quality
 /// One line: "resolution: 9.5 x 9.5 cells per contact radius, 14 layers ...".
 [[nodiscard]] std::string resolution_text(const Resolution& resolution);
 
-/// Cells of which less than one fits into a half-width of the contact compute nothing of it: a reason to refuse them.
-/// Nothing if they are small enough.
+/// Reason to refuse cells larger than a half-width of the contact, which cannot resolve it; empty if the cells are small enough.
 [[nodiscard]] std::optional<std::string> reason_against_cells(const std::array<double, 3>& spacing, double half_x,
                                                               double half_y);
-/// The same for a step that is longer than the contact: it would jump over material that is never touched.
+/// Reason to refuse a step longer than the contact, which would skip material between two steps; empty if the step is short
+/// enough.
 [[nodiscard]] std::optional<std::string> reason_against_shift(double shift, double half_x);
 
 } // namespace brinell::simulation

@@ -13,18 +13,18 @@ struct RollingPlan;
 struct RollingRecord;
 struct RollingSummary;
 
-/// How the upper surface creeps over the lower one while both roll, so little that they stick in places: relative speeds over the
-/// mean speed at which the surfaces pass the contact (Kalker 1967).
+/// Creepage of the upper surface over the lower one in rolling with partial slip: relative velocities over the mean speed at
+/// which the surfaces pass the contact (Kalker 1967).
 struct Creepage
 {
   double longitudinal = 0.0; ///< towards +x
   double lateral = 0.0;      ///< towards +y
-  double spin = 0.0;         ///< turn about the contact's normal, from x to y, per distance rolled [rad/m]
+  double spin = 0.0;         ///< rotation about the contact's normal, from x to y, per distance rolled [rad/m]
   bool operator==(const Creepage&) const = default;
 };
 
-/// Largest longitudinal and lateral creepage, and spin times the half-length of the contact: both surfaces count as moving by the
-/// same cells.
+/// Limit for longitudinal and lateral creepage, and for spin times the half-length of the contact. It is small because both
+/// surfaces are taken to move by the same number of cells.
 inline constexpr double largest_creepage = 0.1;
 
 struct RollingCase : Numerics
@@ -35,18 +35,18 @@ struct RollingCase : Numerics
 
   ShapedBody lower;
   ShapedBody upper;
-  contact::Drive drive;        ///< kept while rolling
+  contact::Drive drive;        ///< load or approach, kept while rolling
   double distance = 0.0;       ///< from -distance/2 to distance/2 on the lower body in each pass [m], > 0
-  std::optional<double> shift; ///< by which the contact moves on the lower body per step [m]; default: one cell dx
-  /// (u_lower - u_upper) / mean of the speeds of both surfaces past the contact, in (-2, 2]: 0 pure rolling; 2: the upper body
-  /// slides without turning. With friction the surfaces slide everywhere then.
+  std::optional<double> shift; ///< distance that the contact moves on the lower body per step [m]; default: one cell dx
+  /// Slide-to-roll ratio (u_lower - u_upper) / mean of both speeds of the surfaces past the contact, in (-2, 2]. 0: pure rolling;
+  /// 2: the upper body slides without rotation. With friction, a ratio other than 0 means that the surfaces slide everywhere.
   double slide_to_roll = 0.0;
-  /// With friction the surfaces stick and slip; slide_to_roll is 0 then. None: they slide everywhere, or nowhere.
+  /// If given, the surfaces stick and slip, which needs friction and slide_to_roll = 0. None: they slide everywhere, or nowhere.
   std::optional<Creepage> creepage;
   int passes = 1;
-  int load_steps = 6; ///< in which the drive comes up before a pass and goes down after it
-  /// Of the contact over the lower body [m/s], > 0; needed where friction heats. Each step of pressing on and lifting off takes as
-  /// long as one of rolling, and the way back as long as the way.
+  int load_steps = 6; ///< steps in which the drive is applied before a pass, and removed after it
+  /// Speed of the contact over the lower body [m/s], > 0; needed where friction heats. Each step of pressing on and lifting off
+  /// takes as long as one of rolling, and the way back takes as long as a pass.
   std::optional<double> speed;
 };
 
@@ -57,7 +57,7 @@ struct RollingPlan : Plan
 {
   double half_width_x = 0.0, half_width_y = 0.0; ///< of the contact, estimate [m]
   double shift = 0.0;                            ///< on the lower body per step [m]
-  int rolling_steps = 0;                         ///< in each pass
+  int rolling_steps = 0;                         ///< number of steps that roll, in each pass
 };
 
 /// One row of the history.
@@ -69,14 +69,15 @@ struct RollingRecord : HeatedRecord
   double friction = 0.0;       ///< F_X / F_n; 0 without contact
   double F_x = 0.0, F_y = 0.0; ///< sums of the shear on the lower body [N]
   double M_z = 0.0;            ///< moment of the shear on the lower body about the contact's normal, from x to y [N m]
-  double stick_share = 0.0; ///< of the contact: there nothing slipped in this step; 0 of surfaces that slide everywhere
-  double stick_area = 0.0;  ///< [m^2]
-  double slip_path = 0.0;   ///< longest way that a place under the contact has slipped since it came there [m]
+  double stick_share =
+      0.0; ///< share of the contact where nothing slipped in this step; 0 for surfaces that slide everywhere
+  double stick_area = 0.0; ///< area of the contact where nothing slipped in this step [m^2]
+  double slip_path = 0.0;  ///< largest slip length of a point under the contact since it came there [m]
 
   void exchange(Archive& archive);
 };
 
-/// What a pass has left, under the middle of the track.
+/// Results of one pass, at the middle of the track.
 struct RollingPass
 {
   int pass = 0;                               ///< counts from 1
@@ -84,35 +85,35 @@ struct RollingPass
   double shoulder_height = 0.0;               ///< largest height of its residual surface in the section x = 0 [m]
   double max_equivalent_plastic_strain = 0.0; ///< of both bodies
   double track_plastic_strain = 0.0;          ///< largest equivalent plastic strain of the lower body under x = y = 0
-  double track_plastic_increment = 0.0;       ///< largest growth of it in this pass
+  double track_plastic_increment = 0.0;       ///< largest growth of that strain in this pass
   double dissipation = 0.0;                   ///< of both bodies in this pass [J]
-  /// Energy that both bodies take up, dissipated and locked in, per length over the middle half of the track [N].
+  /// Energy that both bodies absorb, dissipated and locked in, per length over the middle half of the track [N].
   double resistance = 0.0;
-  /// Difference of that between the two quarters of the middle half, over the larger of them.
+  /// Difference of the resistance between the two quarters of the middle half, over the larger of them.
   double unsteadiness = 0.0;
-  double mean_F_X = 0.0;       ///< over the middle half of the track; the approach may change meanwhile [N]
-  double friction = 0.0;       ///< mean F_X over mean F_n over the same
-  double contact_area = 0.0;   ///< mean over the same [m^2]
-  double max_pressure = 0.0;   ///< mean over the same of the largest pressure [Pa]
+  double mean_F_X = 0.0;       ///< mean over the middle half of the track, in which the approach may change [N]
+  double friction = 0.0;       ///< mean F_X over mean F_n, both over the middle half
+  double contact_area = 0.0;   ///< mean over the middle half [m^2]
+  double max_pressure = 0.0;   ///< mean over the middle half of the largest pressure [Pa]
   double F_x = 0.0, F_y = 0.0; ///< means over the last quarter of the track [N]
-  double M_z = 0.0;            ///< likewise [N m]
-  double stick_share = 0.0;    ///< likewise
-  /// Difference of the force (F_x, F_y) between both halves of this quarter, over the larger of them.
+  double M_z = 0.0;            ///< mean over the last quarter [N m]
+  double stick_share = 0.0;    ///< mean over the last quarter
+  /// Difference of the force (F_x, F_y) between both halves of the last quarter, over the larger of them.
   double creep_unsteadiness = 0.0;
 
-  /// Whether the middle of the track was the same all along, so that its means do not depend on the length of the track.
+  /// Whether the middle of the track was in steady state, so that its means do not depend on the length of the track.
   [[nodiscard]] bool is_steady() const { return unsteadiness <= 0.1; }
-  /// Whether stick and slip have become those of steady rolling.
+  /// Whether stick and slip have reached steady rolling.
   [[nodiscard]] bool creeps_steadily() const { return creep_unsteadiness <= 0.01; }
 
   void exchange(Archive& archive);
 };
 
-/// Under x = y = 0 of the lower body after the last pass, unloaded.
+/// Depth profile under x = y = 0 of the lower body after the last pass, unloaded.
 struct TrackProfile
 {
   std::vector<double> depth;                    ///< of the layers' centres [m]
-  std::vector<double> residual_xx, residual_yy; ///< [Pa]
+  std::vector<double> residual_xx, residual_yy; ///< residual stress [Pa]
   std::vector<double> equivalent_plastic_strain;
 };
 
@@ -127,10 +128,10 @@ struct RollingSummary : RunTotals
 /// @throws InputError
 [[nodiscard]] RollingPlan plan(const RollingCase& rolling);
 
-/// What can be told of the result before a run, and after it.
+/// Warnings and expected errors of the result, before a run and after it.
 [[nodiscard]] Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan);
 [[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals);
-/// The same, and with what its passes say.
+/// The same, with warnings about the passes.
 [[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary);
 
 template <>

@@ -8,8 +8,8 @@
 namespace brinell::simulation
 {
 
-/// A run of a case that its owner steps: it keeps the bodies, the motion, the sums over the run, and can be stored and taken
-/// up again between two steps. For the cases in `Scenarios`.
+/// A run of a case that is advanced step by step. It holds the bodies, the motion and the totals of the run, and can be stored in
+/// a checkpoint and resumed between two steps. For the cases in `Scenarios`.
 ///
 ///     Run run(rolling_case);
 ///     while (!run.is_done())
@@ -22,7 +22,7 @@ public:
   using Record = typename Case::Record;
   using Summary = typename Case::Summary;
 
-  /// @param checkpoint  of the same case, from `checkpoint()`: the run goes on there.
+  /// @param checkpoint  of the same case, from `checkpoint()`: the run resumes there.
   /// @throws InputError if the case cannot be computed or the checkpoint is of another case.
   explicit Run(Case scenario, Watch watch = {}, const Archive::Fields* checkpoint = nullptr);
   ~Run();
@@ -30,23 +30,24 @@ public:
   Run& operator=(Run&&) noexcept;
 
   [[nodiscard]] bool is_done() const;
-  /// Solves the next step. Afterwards the run is where this step ended.
+  /// Solves the next step.
   /// @returns the row of the history, valid until the next step.
-  /// @throws ConvergenceError, GridError, Interrupted: the run cannot go on then, nor be stored, and throws InputError.
+  /// @throws ConvergenceError, GridError, Interrupted. After these the run can be neither continued nor stored; attempts throw
+  /// InputError.
   const Record& step();
-  /// Of the whole run, an estimate.
+  /// Estimated number of steps of the whole run.
   [[nodiscard]] int step_count() const;
   /// Fields after the last step.
   [[nodiscard]] Snapshot snapshot() const { return fields().whole(); }
-  /// The same, computed when they are asked for. Not to be used after the next step, nor without this run.
+  /// The same fields, computed on demand. They must not be used after the next step or after the end of this run's lifetime.
   [[nodiscard]] StepFields fields() const;
   /// Everything that the rest of the run depends on.
   [[nodiscard]] Archive::Fields checkpoint();
-  /// The same, shown to an archive, which may store it without a copy in memory.
+  /// The same, passed to an archive, which may store it without a copy in memory.
   void checkpoint(Archive& archive);
-  /// Of the steps so far.
+  /// Summary of the steps so far.
   [[nodiscard]] Summary summary() const;
-  /// The same without the fields within the bodies in its `final_state`.
+  /// The same summary, but without the fields within the bodies in its `final_state`.
   [[nodiscard]] Summary totals() const;
 
 private:
@@ -54,7 +55,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Takes all steps that are left, and tells the observer of each.
+/// Solves all remaining steps and reports each to the observer.
 /// @throws InputError, ConvergenceError (all earlier steps have been reported to the observer).
 template <typename Case>
 void finish(Run<Case>& going, const Observer<typename Case::Record>& observer = {})
@@ -71,7 +72,7 @@ void finish(Run<Case>& going, const Observer<typename Case::Record>& observer = 
   }
 }
 
-/// Runs a case to its end, or goes on from a checkpoint of it, and tells the observer of every step.
+/// Runs a case to its end, from the start or from a checkpoint, and reports every step to the observer.
 /// @throws as `finish`
 template <typename Case>
 [[nodiscard]] typename Case::Summary run(const Case& scenario, const Observer<typename Case::Record>& observer = {},

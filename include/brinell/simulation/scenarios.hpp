@@ -13,8 +13,8 @@
 namespace brinell::simulation
 {
 
-/// The cases of all scenarios, as arguments of a template. This list is the only one: what goes through all scenarios, in files,
-/// messages and Python, follows from it.
+/// The cases of all scenarios, as arguments of a template. This is the only list of scenarios: all code that treats every
+/// scenario, for files, messages and Python, is generated from it.
 template <template <typename...> typename Of>
 using Scenarios = Of<TuggingCase, IndentationCase, RollingCase, FrettingCase, SlidingCase>;
 
@@ -25,7 +25,7 @@ using RecordsOf = std::variant<std::reference_wrapper<const typename Case::Recor
 template <typename... Case>
 using SummariesOf = std::variant<std::reference_wrapper<const typename Case::Summary>...>;
 
-/// A case, a plan, a row or a summary of any of them; the last two by reference.
+/// A case, a plan, a row or a summary of any scenario; rows and summaries by reference.
 using AnyCase = Scenarios<std::variant>;
 using AnyPlan = Scenarios<PlansOf>;
 using AnyRecord = Scenarios<RecordsOf>;

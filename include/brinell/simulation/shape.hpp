@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-/// Surfaces of bodies before they are loaded: their shape on the scale of the contact. What lies on it: texture.hpp.
+/// Shapes of the undeformed bodies on the scale of the contact. For finer details of the surfaces see texture.hpp.
 namespace brinell::simulation
 {
 
@@ -15,8 +15,8 @@ struct Plane
   bool operator==(const Plane&) const = default;
 };
 
-/// x^2/(2 radius_x) + y^2/(2 radius_y): a sphere, a crowned roller or an ellipsoid near its apex (Hertz). A radius may be
-/// infinite, and negative for a groove, as long as the two bodies together are convex.
+/// Paraboloid x^2/(2 radius_x) + y^2/(2 radius_y): a sphere, a crowned roller or an ellipsoid near its apex (Hertz). A radius may
+/// be infinite, or negative for a groove, as long as the two bodies together are convex.
 struct Paraboloid
 {
   double radius_x = 0.0, radius_y = 0.0; ///< [m], not zero
@@ -51,17 +51,17 @@ struct Pyramid
 
 using Shape = std::variant<Plane, Paraboloid, Roller, Cone, Pyramid>;
 
-/// Distance of the surface from the plane that touches it at its apex, at (x, y) from there [m].
+/// Distance of the surface from the tangent plane at its apex, at (x, y) relative to the apex [m].
 [[nodiscard]] double height(const Shape& shape, double x, double y);
 
 /// Curvature along x and y at the apex [1/m]; none for tips.
 [[nodiscard]] std::optional<std::array<double, 2>> curvature(const Shape& shape);
-/// Sum of those of two bodies.
+/// Sum of the curvatures of two bodies along x and y [1/m]; none for tips.
 [[nodiscard]] std::optional<std::array<double, 2>> relative_curvature(const Shape& lower, const Shape& upper);
-/// Radius of a sphere that would touch a plane as the bodies touch each other, 1/(1/R1 + 1/R2) [m]; none unless their relative
+/// Equivalent radius 1/(1/R1 + 1/R2), that of a sphere on a plane with the same relative curvature [m]; none unless this
 /// curvature is the same, and > 0, in all directions.
 [[nodiscard]] std::optional<double> equivalent_radius(const Shape& lower, const Shape& upper);
-/// Whether the bodies touch in a point, or in a line that a roller ends, so that their contact is finite.
+/// Whether the contact is finite: the bodies touch in a point, or along a roller of finite length.
 [[nodiscard]] bool contact_is_finite(const Shape& lower, const Shape& upper);
 /// Length of the shorter roller; infinite without one [m].
 [[nodiscard]] double roller_length(const Shape& lower, const Shape& upper);

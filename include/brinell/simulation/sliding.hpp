@@ -5,8 +5,8 @@
 #include "brinell/simulation/columns.hpp"
 #include "brinell/simulation/quality.hpp"
 
-/// The upper body, pressed on the lower one, slides over it along x: once, on and on, or to and fro. Both keep what the
-/// peaks of the other one have done to them.
+/// Sliding: the upper body, pressed on the lower one, slides over it along x, in one stroke, in several, or to and fro. Both
+/// surfaces keep their plastic deformation.
 namespace brinell::simulation
 {
 
@@ -20,28 +20,29 @@ struct SlidingCase : Numerics
   using Record = SlidingRecord; ///< row of its history
   using Summary = SlidingSummary;
 
-  ShapedBody lower; ///< flat along x, as the contact stays where it is on the upper body
+  ShapedBody lower; ///< flat along x, because the contact stays at the same place on the upper body
   ShapedBody upper;
-  /// Load, approach or mean gap: reached first, kept while sliding, given up at last. Under an approach or a mean gap the
-  /// surfaces may lie apart at first, if their peaks meet on the way; an approach may then be below 0.
+  /// Load, approach or mean gap: applied first, kept while sliding, removed at the end. Under an approach or a mean gap the
+  /// surfaces may be apart at first, if their peaks meet on the way; an approach may then be negative.
   contact::Drive press;
-  int press_steps = 10;        ///< in which it is reached, and given up
-  double distance = 0.0;       ///< that the upper body slides in each stroke [m], > 0
-  std::optional<double> shift; ///< by which it slides in a step [m]; default: one cell dx
+  int press_steps = 10;        ///< steps in which it is applied, and in which it is removed
+  double distance = 0.0;       ///< sliding distance of the upper body in each stroke [m], > 0
+  std::optional<double> shift; ///< sliding distance in a step [m]; default: one cell dx
   int strokes = 1;
-  bool to_and_fro = false; ///< whether every other stroke goes back; otherwise each goes on where the one before ended
-  /// Of the upper body over the lower one [m/s], > 0; needed where friction heats. Each step of pressing and of parting takes as long
-  /// as one of sliding.
+  bool to_and_fro =
+      false; ///< whether every second stroke goes back; otherwise each continues where the previous one ended
+  /// Speed of the upper body over the lower one [m/s], > 0; needed where friction heats. Each step of pressing and of lifting off
+  /// takes as long as one of sliding.
   std::optional<double> speed;
 };
 
 struct SlidingPlan : Plan
 {
   double half_width_x = 0.0, half_width_y = 0.0; ///< of the contact, estimate [m]
-  double shift = 0.0;                            ///< of a step [m]
-  int sliding_steps = 0;                         ///< in each stroke
-  /// Mean gap of the undeformed surfaces where they first touch, before they slide [m]: of bodies that are periodic along both
-  /// axes; NaN of others.
+  double shift = 0.0;                            ///< sliding distance of a step [m]
+  int sliding_steps = 0;                         ///< number of steps that slide, in each stroke
+  /// Mean gap at which the undeformed surfaces first touch, before they slide [m]: for bodies that are periodic along both axes;
+  /// NaN for others.
   double touching_gap = 0.0;
 };
 
@@ -49,55 +50,55 @@ struct SlidingPlan : Plan
 struct SlidingRecord : HeatedRecord
 {
   double slid = 0.0;        ///< displacement of the upper body over the lower one along x [m]
-  double way = 0.0;         ///< length of the way slid since the start [m]
+  double way = 0.0;         ///< accumulated sliding distance since the start [m]
   double approach = 0.0;    ///< [m]
-  double F_X = 0.0;         ///< force along x that resists the motion: both parts [N]
-  double F_ploughing = 0.0; ///< of the pressure on the slopes of both surfaces [N]
+  double F_X = 0.0;         ///< force along x that resists the motion, ploughing plus friction [N]
+  double F_ploughing = 0.0; ///< part of F_X due to the pressure on the slopes of both surfaces [N]
   double friction = 0.0;    ///< F_X / F_n; 0 without contact
-  /// Of bodies that are periodic along both axes; NaN of others.
+  /// For bodies that are periodic along both axes; NaN for others.
   double nominal_pressure = 0.0, ///< load over the area of the period [Pa]
-      contact_fraction = 0.0,    ///< contact area over the same
+      contact_fraction = 0.0,    ///< contact area over the area of the period
       mean_gap = 0.0;            ///< of the deformed surfaces over the period [m], not negative
-  int patches = 0;               ///< of the contact: cells under pressure that hang together by their sides
-  double largest_patch = 0.0;    ///< area [m^2]
+  int patches = 0;               ///< number of contact patches: cells under pressure that are connected by their sides
+  double largest_patch = 0.0;    ///< area of the largest patch [m^2]
 
   void exchange(Archive& archive);
 };
 
-/// Means over the way of one stroke, and what it leaves.
+/// Results of one stroke: means over the stroke, and the state at its end.
 struct SlidingStroke
 {
   int stroke = 0;                             ///< counts from 1
   double friction = 0.0;                      ///< mean F_X over mean F_n
-  double friction_ploughing = 0.0;            ///< of it, by the slopes of the surfaces
-  double friction_interfacial = 0.0;          ///< and by the shear between them
+  double friction_ploughing = 0.0;            ///< part of it due to the slopes of the surfaces
+  double friction_interfacial = 0.0;          ///< part of it due to the shear between the surfaces
   double mean_F_X = 0.0;                      ///< [N]
   double contact_area = 0.0;                  ///< mean [m^2]
   double patches = 0.0;                       ///< mean number of patches of the contact
   double largest_patch = 0.0;                 ///< mean area of the largest one [m^2]
   double contact_fraction = 0.0;              ///< mean; NaN unless both axes are periodic
-  double mean_gap = 0.0;                      ///< likewise [m]
+  double mean_gap = 0.0;                      ///< mean [m]; NaN unless both axes are periodic
   double max_pressure = 0.0;                  ///< mean of the largest pressure [Pa]
   double dissipation_plastic = 0.0;           ///< of both bodies in this stroke [J]
   double dissipation_friction = 0.0;          ///< heat of friction in this stroke [J]
   double max_equivalent_plastic_strain = 0.0; ///< of both bodies, at its end
   double rms_height_lower = 0.0,
-         rms_height_upper = 0.0; ///< of the surfaces as they are at its end, over their grids [m]
-  double mean_height_lower = 0.0, mean_height_upper = 0.0; ///< likewise, mean of the size: Sa, as that is Sq [m]
-  double core_height_lower = 0.0, core_height_upper = 0.0; ///< likewise, of the bearing-area curve: Sk [m]
-  double peak_height_lower = 0.0, peak_height_upper = 0.0; ///< reduced height of the peaks above that core: Spk [m]
+         rms_height_upper = 0.0; ///< Sq of the surfaces at the end of the stroke, over their grids [m]
+  double mean_height_lower = 0.0, mean_height_upper = 0.0; ///< mean absolute height at the end: Sa [m]
+  double core_height_lower = 0.0, core_height_upper = 0.0; ///< core height of the bearing-area curve at the end: Sk [m]
+  double peak_height_lower = 0.0, peak_height_upper = 0.0; ///< reduced height of the peaks above the core: Spk [m]
   double valley_depth_lower = 0.0,
-         valley_depth_upper = 0.0; ///< reduced depth of the valleys below it: Svk [m]
+         valley_depth_upper = 0.0; ///< reduced depth of the valleys below the core: Svk [m]
 
   void exchange(Archive& archive);
 };
 
 struct SlidingSummary : RunTotals
 {
-  /// Root mean squares over the period, of the distance that both textures make together before they slide: of bodies that
-  /// are periodic along both axes; NaN of others.
+  /// Root mean squares over the period of the combined roughness of both textures before sliding, for bodies that are periodic
+  /// along both axes; NaN for others.
   double rms_height = 0.0, ///< [m]
-      rms_slope = 0.0;     ///< of the length of the gradient
+      rms_slope = 0.0;     ///< of the magnitude of the gradient
   std::vector<SlidingStroke> strokes;
   SlidingRecord last;
 };
@@ -106,7 +107,7 @@ struct SlidingSummary : RunTotals
 /// @throws InputError
 [[nodiscard]] SlidingPlan plan(const SlidingCase& sliding);
 
-/// What can be told of the result before a run, and after it.
+/// Warnings and expected errors of the result, before a run and after it.
 [[nodiscard]] Quality expected_quality(const SlidingCase& sliding, const SlidingPlan& plan);
 [[nodiscard]] Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const RunTotals& totals);
 
@@ -144,7 +145,7 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     common::worn[5],
 });
 
-/// In summary.json its unit ends each name.
+/// In summary.json each name has its unit as suffix.
 template <>
 inline constexpr std::array<Column<SlidingStroke>, 24> columns<SlidingStroke>{{
     {"stroke", "1", &SlidingStroke::stroke},

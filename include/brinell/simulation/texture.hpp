@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-/// What lies on the surfaces of bodies, fixed to their material: dents, waves, roughness, measured heights.
+/// Textures of surfaces, fixed to the material of the bodies: dents, waves, roughness, measured heights.
 /// docs/theory/simulation.md (roughness)
 namespace brinell::simulation
 {
@@ -29,13 +29,13 @@ struct Dent
   bool operator==(const Dent&) const = default;
 };
 
-/// Heights on a grid, linear between its points; outside, zero or the same again.
+/// Heights on a grid, interpolated linearly between its points; outside the grid they are zero, or repeat periodically.
 struct HeightMap
 {
   int nx = 0, ny = 0;            ///< points, x runs fastest
   double dx = 0.0, dy = 0.0;     ///< [m]
   double x = 0.0, y = 0.0;       ///< centre on the body's surface [m]
-  std::vector<double> heights{}; ///< out of the body positive [m]
+  std::vector<double> heights{}; ///< positive out of the body [m]
   bool periodic = false;         ///< the map covers the plane, with the periods nx dx and ny dy
   bool operator==(const HeightMap&) const = default;
 };
@@ -43,45 +43,46 @@ struct HeightMap
 /// Root mean square of the slopes between neighbouring points; 0 without neighbours.
 [[nodiscard]] double rms_slope(const HeightMap& map);
 
-/// Wavelengths along x and y that the height's second differences have over its first ones [m]: that of waves of one length, and
-/// near the shortest of a roughness; two points at least. Infinite where the map is straight.
+/// Wavelengths along x and y from the ratio of first to second differences of the heights [m]: the wavelength of a single wave,
+/// or about the shortest one of a roughness; at least two points. Infinite where the map is straight.
 [[nodiscard]] std::array<double, 2> shortest_waves(const HeightMap& map);
 
 /// Waves on the whole surface: the height amplitude * cos(2 pi (X - x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at (X, Y).
-/// Along an axis of infinite wavelength there are none, and its cosine is 1.
+/// Along an axis of infinite wavelength there are no waves, and the cosine is 1.
 struct Sinusoid
 {
   double amplitude = 0.0; ///< from the mean to a crest [m]
   double wavelength_x = std::numeric_limits<double>::infinity(),
          wavelength_y = std::numeric_limits<double>::infinity(); ///< [m], > 0
-  double x = 0.0, y = 0.0;                                       ///< a crest [m]
+  double x = 0.0, y = 0.0;                                       ///< position of a crest [m]
   bool operator==(const Sinusoid&) const = default;
 };
 
-/// A self-affine surface in numbers. Its power spectral density falls as q^(-2 (1 + hurst)) from the wavelength `rolloff` to
-/// `cutoff`, is constant for longer waves up to the size, and zero for shorter ones. It is isotropic.
+/// Parameters of an isotropic self-affine surface. Its power spectral density falls with the wavenumber as q^(-2 (1 + hurst))
+/// from the wavelength `rolloff` to `cutoff`; it is constant for longer waves up to the size, and zero for waves shorter than the
+/// cutoff.
 struct SelfAffine
 {
-  double hurst = 0.8;                                       ///< exponent of Hurst, 0 to 1
-  std::optional<double> rms_height{};                       ///< root mean square of the height [m] over a period; or
-  std::optional<double> rms_slope{};                        ///< that of the gradient's length [-]: one of the two
+  double hurst = 0.8;                 ///< Hurst exponent, 0 to 1
+  std::optional<double> rms_height{}; ///< root mean square of the height [m] over a period; or
+  std::optional<double> rms_slope{};  ///< root mean square of the gradient's magnitude [-]: exactly one of both
   double rolloff = std::numeric_limits<double>::infinity(); ///< [m], >= cutoff; from the size on: no roll-off
   double cutoff = 0.0;                                      ///< [m], > 0, not longer than the size
   double size_x = 0.0, size_y = 0.0;                        ///< period, and longest wave [m]
-  std::uint64_t seed = 0;                                   ///< other seeds give other surfaces with the same spectrum
+  std::uint64_t seed = 0; ///< different seeds give different surfaces with the same spectrum
   bool operator==(const SelfAffine&) const = default;
 };
 
-/// A Gaussian surface with the spectrum of `SelfAffine`: a sum of the waves of its period (2 pi i/size_x, 2 pi j/size_y) whose
-/// complex amplitudes are normal, scaled so that the rms over a period is the given one, exactly. Every wave has its own
-/// random numbers, whatever the cells, the other parameters, the machine and the libraries: finer cells see the same surface,
-/// and a shorter cutoff adds waves to it. Made once; copies share the amplitudes.
+/// A Gaussian random surface with the spectrum of `SelfAffine`: a sum of waves with wavevectors (2 pi i/size_x, 2 pi j/size_y)
+/// and normally distributed complex amplitudes, scaled so that the rms over a period is exactly the given one. The random numbers
+/// of each wave depend on nothing but seed and wave, not on cells, other parameters, machine or libraries: finer cells see the
+/// same surface, and a shorter cutoff only adds waves. The amplitudes are computed once; copies share them.
 class RandomSurface
 {
 public:
   struct Waves;
 
-  /// @throws InputError of parameters out of range
+  /// @throws InputError if parameters are out of range
   explicit RandomSurface(const SelfAffine& parameters);
 
   [[nodiscard]] const SelfAffine& parameters() const { return parameters_; }
@@ -98,7 +99,8 @@ private:
 
 using TexturePart = std::variant<Dent, HeightMap, Sinusoid, RandomSurface>;
 
-/// The sum of its parts; smooth without any. Fixed to the material, where the shape stays with the contact.
+/// A texture is the sum of its parts; without parts the surface is smooth. It is fixed to the material and moves with it through
+/// the contact, whereas the shape stays with the contact.
 struct Texture
 {
   std::vector<TexturePart> parts{};
@@ -115,36 +117,38 @@ struct Texture
   bool operator==(const Texture&) const = default;
 };
 
-/// Depth into the body of its surface at (x, y) [m]. For a random surface the sum over all of its waves: on a grid take
+/// Depth of the surface at (x, y), positive into the body [m]. For a random surface this sums over all waves; on a grid use
 /// `depths`.
 [[nodiscard]] double depth(const Texture& texture, double x, double y);
-/// What a cell of dx by dy around (x, y) has of it [m]: the depth at its centre, or the mean over it if the texture is finer
-/// than the cells, so that nothing falls between their centres. Waves are finer if they are shorter than two cells.
+/// Depth of the texture for a cell of dx by dy around (x, y) [m]: the depth at its centre, or the mean over the cell if the
+/// texture is finer than the cells, so that no detail between the centres is lost. Waves shorter than two cells count as finer.
 [[nodiscard]] double cell_depth(const Texture& texture, double x, double y, double dx, double dy);
 
-/// The same at all cells of a grid, whose cell (0, 0) has its centre at (x0, y0).
+/// `depth` and `cell_depth` for all cells of a grid, whose cell (0, 0) has its centre at (x0, y0) [m].
 [[nodiscard]] std::vector<double> depths(const Texture& texture, const SurfaceGrid& grid, double x0, double y0);
 [[nodiscard]] std::vector<double> cell_depths(const Texture& texture, const SurfaceGrid& grid, double x0, double y0);
 
-/// Whether the texture is the same again after size_x along x and after size_y along y [m].
+/// Whether the texture repeats with the periods size_x along x and size_y along y [m].
 [[nodiscard]] bool is_periodic(const Texture& texture, double size_x, double size_y);
-/// What a body is told whose texture is not: "texture[1]: a dent does not repeat", the number only of several parts.
+/// Why the texture does not repeat, for messages: "texture[1]: a dent does not repeat", with a number only if there are several
+/// parts; empty if it repeats.
 [[nodiscard]] std::optional<std::string> reason_against_period(const Texture& texture, double size_x, double size_y);
 
-/// What a texture can add to its body at most.
+/// Bounds on the extent of a texture.
 struct TextureReach
 {
-  double height = 0.0;       ///< above the smooth surface [m]
-  double half_width_y = 0.0; ///< from the middle of the body's surface [m]; infinite where it covers the plane
+  double height = 0.0; ///< largest height above the smooth surface [m]
+  double half_width_y =
+      0.0; ///< along y from the middle of the body's surface [m]; infinite if the texture covers the plane
 };
 [[nodiscard]] TextureReach reach(const Texture& texture);
 
-/// A texture from a function of x and y: its heights on a grid of points, out of the body positive. A function itself could be
-/// neither stored with a result nor compared nor taken up by another process; its heights can, and so can the run.
-/// @param height  at a place on the body's surface [m].
-/// @param nx, ny  points; dx, dy their distances [m]: as fine as the cells, or finer.
-/// @param x, y  centre of the map on the body's surface [m]; outside it the surface is smooth.
-/// @throws InputError without points, or if the function gives a height that is not finite
+/// Samples a function of x and y as a height map. Unlike a function, sampled heights can be stored with a result, compared, and
+/// read by another process that resumes the run.
+/// @param height  at a point of the body's surface, positive out of the body [m].
+/// @param nx, ny  numbers of points; dx, dy their distances [m]: as fine as the cells, or finer.
+/// @param x, y  centre of the map on the body's surface [m]; outside the map the surface is smooth.
+/// @throws InputError if there are no points, or if a height is not finite
 [[nodiscard]] HeightMap sampled(const std::function<double(double x, double y)>& height, int nx, int ny, double dx,
                                 double dy, double x = 0.0, double y = 0.0);
 

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-/// The tugging of two asperities: the upper one is carried along X past the lower one at a constant height, so that they
-/// interfere and push each other (Boucly, Nelias, Green 2006), or under a constant normal force.
+/// Tugging of two asperities: the upper one moves along X past the lower one, at a constant height at which they interfere
+/// (Boucly, Nelias, Green 2006), or under a constant normal force.
 namespace brinell::simulation
 {
 
@@ -23,42 +23,45 @@ struct TuggingCase : Numerics
   using Record = TuggingRecord; ///< row of its history
   using Summary = TuggingSummary;
 
-  /// Forces within 1 % and energies within 2 % up to nine times the interference of first yield: docs/verification.md.
+  /// Default resolution with errors of forces within 1 %, and of energies within 2 %, up to nine times the interference of first
+  /// yield: docs/verification.md.
   TuggingCase() { resolution = 14.0; }
 
   ShapedBody
-      lower; ///< has a circle in the plane of motion, as the upper one: a paraboloid, or a roller across the motion
+      lower; ///< both bodies must be circular in the plane of motion: a paraboloid, or a roller across the motion
   ShapedBody upper;
-  /// By how much the tops of the rigid bodies overlap in height [m], > 0: without an offset the largest interference, reached
-  /// at alignment.
+  /// Overlap in height of the tops of the rigid bodies [m], > 0. Without an offset it is the largest interference, reached at
+  /// alignment.
   double interference = 0.0;
-  /// Of the upper centre from the lower one, along y [m]: the bodies pass beside each other. They overlap less then along the
-  /// line of their centres: closest_approach. Not with a load.
+  /// Offset along y of the upper centre from the lower one [m], with which the bodies pass beside each other and overlap less
+  /// along the line of their centres, see closest_approach. Not allowed with a load.
   double offset = 0.0;
-  /// Instead of the constant height that this interference means: a normal force in the plane of contact that is kept [N]; it
-  /// comes up in the first eighth of a pass and goes down in the last one. The interference then is an estimate of the
-  /// approach, from which the length of the pass and the grids follow.
+  /// Constant force normal to the plane of contact [N], instead of the constant height; it is applied in the first eighth of a
+  /// pass and removed in the last one. The interference is then an estimate of the approach, from which the length of the pass
+  /// and the grids follow.
   std::optional<double> load;
-  std::optional<double> shift; ///< arc moved on each body per step (mean of both) [m]; default: one cell dx
+  std::optional<double>
+      shift; ///< arc that the contact moves on each body per step (mean of both) [m]; default: one cell dx
   Kinematics kinematics = Kinematics::exact;
   int passes = 1;
-  /// At which the contact moves over both bodies together [m/s], > 0: that of the upper surface over the lower one, but for the
-  /// interference beside the radii. The way back from pass to pass takes as long as a pass. Needed where friction heats.
+  /// Sum of the speeds of the contact over both bodies [m/s], > 0. It equals the speed of the upper surface over the lower one if
+  /// the interference is neglected against the radii. The way back from pass to pass takes as long as a pass. Needed where
+  /// friction heats.
   std::optional<double> speed;
 };
 
-/// Bodies at alignment, in the plane across the motion.
+/// Geometry at alignment, in the plane across the motion.
 struct ClosestApproach
 {
-  double interference = 0.0; ///< along the line of centres, the largest of the pass [m]; not above 0: they never touch
-  double tilt = 0.0;         ///< of that line from Z, sign of the offset [rad]
+  double interference = 0.0; ///< along the line of centres, the largest of the pass [m]; <= 0: the bodies never touch
+  double tilt = 0.0;         ///< angle of the line of centres to Z, with the sign of the offset [rad]
   double y_lower = 0.0, y_upper = 0.0; ///< arc from the top of each body to the middle of the contact [m]
 };
 
 /// With the radii R1, R2 across the motion and the heights of the tops overlapping by alpha, an offset y tilts the line of
 /// centres by atan(y/(R1 + R2 - alpha)) and leaves an interference of R1 + R2 - hypot(R1 + R2 - alpha, y), which is
 /// alpha - y^2/(2 (R1 + R2)) to second order: docs/theory/simulation.md (offset).
-/// @throws KeyError of an offset of a body that is not rounded across the motion
+/// @throws KeyError if there is an offset and a body is not rounded across the motion
 [[nodiscard]] ClosestApproach closest_approach(const TuggingCase& tugging);
 
 struct TuggingPlan : Plan
@@ -69,28 +72,29 @@ struct TuggingPlan : Plan
   double elastic_contact_radius = 0.0, elastic_contact_radius_y = 0.0;
   double shift = 0.0;          ///< mean arc per step [m]
   double start_distance = 0.0; ///< d0, Eq. 2 [m]
-  double texture_height = 0.0; ///< of both bodies together: by that much they may touch before the smooth ones do [m]
+  double texture_height = 0.0; ///< sum for both bodies; distance by which they may touch before smooth bodies would [m]
 };
 
-/// One row of the history. Its work is the integral of F_X dX - F_Z d height, without the way back from pass to pass.
+/// One row of the history. The work is the integral of F_X dX - F_Z d height, without the way back from pass to pass.
 struct TuggingRecord : HeatedRecord
 {
   double X = 0.0, theta = 0.0, interference = 0.0;
-  double height = 0.0;                     ///< of the upper centre above the lower one [m]
-  double F_X = 0.0, F_Y = 0.0, F_Z = 0.0;  ///< mean contact plane, pile-up included; F_X > 0 resists the motion [N]
-  double F_X_macro = 0.0, F_Z_macro = 0.0; ///< Eqs. 15, 17: without the slope of the residual surfaces [N]
-  double F_X_lower = 0.0, F_X_upper = 0.0; ///< Eq. 18 read on each body's own residual surface [N]
+  double height = 0.0; ///< of the upper centre above the lower one [m]
+  double F_X = 0.0, F_Y = 0.0,
+         F_Z = 0.0; ///< by the mean contact plane, pile-up included; F_X > 0 resists the motion [N]
+  double F_X_macro = 0.0, F_Z_macro = 0.0;       ///< Eqs. 15, 17: without the slope of the residual surfaces [N]
+  double F_X_lower = 0.0, F_X_upper = 0.0;       ///< Eq. 18 with the residual surface of one body alone [N]
   double F_X_friction = 0.0, F_Z_friction = 0.0; ///< the shares of the shear in F_X and F_Z [N]
 
   void exchange(Archive& archive);
 };
 
-/// Key numbers of the history. Ratios and work at alignment are those of the first pass.
+/// Key numbers of the history. Values at alignment are those of the first pass.
 struct TuggingPeaks
 {
-  double peak_F_X = 0.0, X_at_peak_F_X = 0.0;  ///< largest resistance [N], where [m]
-  double min_F_X = 0.0;                        ///< largest push forward (negative) [N]
-  double peak_F_Y = 0.0;                       ///< largest in size, with its sign [N]
+  double peak_F_X = 0.0, X_at_peak_F_X = 0.0;  ///< largest resistance [N] and its position [m]
+  double min_F_X = 0.0;                        ///< largest forward push (negative) [N]
+  double peak_F_Y = 0.0;                       ///< value of largest magnitude, signed [N]
   double peak_F_Z = 0.0;                       ///< [N]
   double F_X_aligned = 0.0, F_Z_aligned = 0.0; ///< at X = 0 [N]
   double load_ratio_aligned = 0.0;             ///< F_X / F_Z at X = 0
@@ -105,11 +109,12 @@ struct TuggingSummary : RunTotals, TuggingPeaks
   TuggingRecord last;
 };
 
-/// Radius of the circle on which a body passes another one: of its curvature along x [m]. None if it has none > 0, as a flat
-/// and a tip, which cannot pass.
+/// Radius of a body in the plane of motion, from its curvature along x [m]. None if the body has no radius > 0, such as a flat or
+/// a tip, which cannot pass another body.
 [[nodiscard]] std::optional<double> passing_radius(const Shape& shape);
 
-/// Approach of the smooth bodies under a load if they stayed elastic [m]: the interference of a tugging under that load.
+/// Approach of the smooth bodies under a load if they stayed elastic [m]; to be used as the interference of tugging under that
+/// load.
 [[nodiscard]] double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double load,
                                       const Domain& domain = {});
 
@@ -117,7 +122,7 @@ struct TuggingSummary : RunTotals, TuggingPeaks
 /// @throws InputError if the case cannot be computed (for example a grid of absurd size).
 [[nodiscard]] TuggingPlan plan(const TuggingCase& tugging);
 
-/// What can be told of the result before a run, and after it.
+/// Warnings and expected errors of the result, before a run and after it.
 [[nodiscard]] Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan);
 [[nodiscard]] Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals);
 

@@ -58,8 +58,8 @@ double direct_height(const RandomSurface& surface, double x, double y)
   const SelfAffine& p = surface.parameters();
   const RandomSurface::Waves& w = surface.waves();
   double sum = 0.0;
-  for (int i = 0; i <= w.most_x; ++i)
-    for (int j = -w.most_y; j <= w.most_y; ++j)
+  for (int i = 0; i <= w.max_x; ++i)
+    for (int j = -w.max_y; j <= w.max_y; ++j)
     {
       const Complex c = w.amplitudes[w.index(i, j)];
       sum += std::abs(c) * std::cos(2.0 * pi * (i * x / p.size_x + j * y / p.size_y) + std::arg(c));
@@ -145,8 +145,8 @@ TEST(RandomSurface, ItsSpectrumIsFlatThenFallsAndEnds)
   const auto power = [&](double from, double to)
   {
     double sum = 0.0, count = 0.0;
-    for (int i = 0; i <= w.most_x; ++i)
-      for (int j = -w.most_y; j <= w.most_y; ++j)
+    for (int i = 0; i <= w.max_x; ++i)
+      for (int j = -w.max_y; j <= w.max_y; ++j)
         if (const double q = std::hypot(i, j); q >= from && q < to && (i > 0 || j > 0))
         {
           sum += std::norm(w.amplitudes[w.index(i, j)]);
@@ -163,8 +163,8 @@ TEST(RandomSurface, ItsSpectrumIsFlatThenFallsAndEnds)
   const double exponent = std::log(high / low) / std::log(126.0 / 32.0);
   EXPECT_NEAR(exponent, -2.0 * (1.0 + p.hurst),
               4.0 * std::hypot(1.0 / std::sqrt(low_count), 1.0 / std::sqrt(high_count)) / std::log(126.0 / 32.0));
-  for (int i = 0; i <= w.most_x; ++i)
-    for (int j = -w.most_y; j <= w.most_y; ++j)
+  for (int i = 0; i <= w.max_x; ++i)
+    for (int j = -w.max_y; j <= w.max_y; ++j)
     {
       const bool is_wave = std::hypot(i, j) <= 128.0 && (i > 0 || j > 0);
       EXPECT_EQ(w.amplitudes[w.index(i, j)] != Complex{}, is_wave) << i << " " << j;
@@ -183,8 +183,8 @@ TEST(RandomSurface, IsIsotropic)
                                .seed = 11});
   const RandomSurface::Waves& w = surface.waves();
   double along_x = 0.0, along_y = 0.0, scatter = 0.0;
-  for (int i = 0; i <= w.most_x; ++i)
-    for (int j = -w.most_y; j <= w.most_y; ++j)
+  for (int i = 0; i <= w.max_x; ++i)
+    for (int j = -w.max_y; j <= w.max_y; ++j)
     {
       const double square = std::norm(w.amplitudes[w.index(i, j)]);
       const double x2 = i * i * square, y2 = 4.0 * j * j * square;
@@ -261,8 +261,8 @@ TEST(RandomSurface, AShorterCutoffAddsWaves)
   const RandomSurface::Waves &a = coarse.waves(), &b = fine.waves();
   const Complex scale = b.amplitudes[b.index(1, 0)] / a.amplitudes[a.index(1, 0)];
   EXPECT_NEAR(scale.imag(), 0.0, 1e-14);
-  for (int i = 0; i <= a.most_x; ++i)
-    for (int j = -a.most_y; j <= a.most_y; ++j)
+  for (int i = 0; i <= a.max_x; ++i)
+    for (int j = -a.max_y; j <= a.max_y; ++j)
       if (const Complex old = a.amplitudes[a.index(i, j)]; old != Complex{})
       {
         EXPECT_LT(std::abs(b.amplitudes[b.index(i, j)] - scale * old), 1e-13 * std::abs(old)) << i << " " << j;
