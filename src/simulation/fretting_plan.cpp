@@ -74,8 +74,8 @@ void require_held(const FrettingCase& fretting, const std::string& given, double
                                                given, most, carried));
 }
 
-/// Smallest slip that exceeds the errors of the approach: pressing leaves an error of the size of its tolerance, which is smaller
-/// with little friction.
+/// Checks that the slip of a step exceeds the errors of the approach: pressing leaves an error of the size of its tolerance,
+/// which is smaller with little friction.
 void require_above_errors(const FrettingCase& fretting, const std::string& key, const std::string& given,
                           const Footprint& footprint)
 {
@@ -117,7 +117,7 @@ void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
   require_above_errors(fretting, key, given, footprint);
 }
 
-/// Ratio of shift to approach at full sliding of a round contact (Mindlin 1949).
+/// Displacement at which a round contact begins to slide everywhere (Mindlin 1949) [m].
 double sliding_displacement(const FrettingCase& fretting, double approach)
 {
   double compliance = 0.0;

@@ -28,7 +28,8 @@ void require_solid(const char* name, const constitutive::Material& material)
                                name, material.temperature, *melting));
 }
 
-/// Checks bodies with different bulk temperatures, between which heat passes even at rest, while they are pressed together.
+/// Checks that there is a reference distance for bodies with different bulk temperatures: between them heat passes even at rest,
+/// while they are pressed together.
 void require_reference_of_exchange(const Numerics& numerics, const constitutive::Material& lower,
                                    const constitutive::Material& upper)
 {
