@@ -23,26 +23,27 @@ Entries shape_entries(const std::string& table)
           {.key = "type",
            .choices = names_of(shape_options()),
            .required = true,
-           .text = "Shape of the surface where it touches; near the apex, so a sphere is the paraboloid r^2/(2 R). "
-                   "cylinder: axis along y; vickers, berkovich: pyramids of four faces at 68 and three at 65.27 "
-                   "degrees to the axis, one of them facing x. Tugging takes those that can pass each other: sphere, "
-                   "ellipsoid, cylinder."},
+           .text = "Shape of the body near the contact. Shapes are described near their apex: a sphere is the "
+                   "paraboloid r^2/(2 R). cylinder: axis along y; vickers, berkovich: pyramids of four faces at 68 and "
+                   "three at 65.27 degrees to the axis, one of them facing x. Tugging allows only shapes that can pass "
+                   "each other: sphere, ellipsoid, cylinder."},
           length("radius", "Radius of the sphere or cylinder."),
-          radius("radius_x", "Radius of curvature at the apex in the plane x z; below 0 for a hollow, as that of a "
-                             "raceway along its track. Both bodies together must be convex."),
-          radius("radius_y", "Radius of curvature at the apex in the plane y z; below 0 for a hollow, as the groove of "
-                             "a ball bearing."),
+          radius("radius_x", "Radius of curvature at the apex in the plane x z; negative for a concave surface, such "
+                             "as a raceway along its track. The gap between both bodies must be convex."),
+          radius("radius_y", "Radius of curvature at the apex in the plane y z; negative for a concave surface, such "
+                             "as the groove of a ball bearing."),
           parameter(type, shape_options(),
                     {.key = "length",
                      .of = kind::length.above(0.0),
                      .unset = "none, with a grid that is periodic along y",
-                     .text = "Length of the cylinder, which has plane ends. Without one it has no end, in plane strain "
-                             "for example."}),
+                     .text = "Length of the cylinder, which has plane ends. Without a length the cylinder is infinite, "
+                             "for example in plane strain."}),
           parameter(type, shape_options(),
                     {.key = "half_angle",
                      .of = kind::angle.inside(0.0, 90.0),
                      .text = "Angle between axis and flank of the cone, in degrees.",
-                     .hint = "a blunt cone keeps strains small, as 70.3 of the same area as a Vickers pyramid"}),
+                     .hint = "a blunt cone keeps strains small; 70.3 degrees has the same ratio of area to depth as a "
+                             "Vickers pyramid"}),
           parameter(type, shape_options(),
                     {.key = "tip_radius",
                      .of = kind::length.at_least(0.0),
@@ -54,36 +55,39 @@ Entries shape_entries(const std::string& table)
 /// A height map.
 Entries map_entries(const std::string& table)
 {
-  return in_table(
-      table, {table + "type", {"height_map"}},
-      {
-          {.key = "file",
-           .of = kind::text,
-           .unset = "heights and columns",
-           .text = "File of heights in m, or in unit, outwards positive; from the folder of the case. .npy: an array "
-                   "[y, x] of NumPy, binary; any other: text, a line per row along x, all of one length, one row after "
-                   "the other along y.",
-           .excludes = "heights"},
-          {.key = "unit", .of = kind::text, .unset = "m", .text = "Unit of the heights in the file, as \"um\"."},
-          {.key = "heights",
-           .of = kind::length.list(),
-           .unset = "from file",
-           .text = "The heights themselves, outwards positive, row after row: along x first, then along y.",
-           .excludes = "file"},
-          {.key = "columns",
-           .of = kind::integer.between(1, 1000000),
-           .unset = "from file",
-           .text = "How many of the heights make a row along x."},
-          {.key = "spacing",
-           .of = kind::length.list().above(0.0),
-           .required = true,
-           .text = "Distances [dx, dy] of the heights; linear between them, zero outside."},
-          {.key = "periodic",
-           .of = kind::boolean,
-           .fallback = false,
-           .text = "Whether the map covers the surface, again and again, instead of being zero outside; its periods "
-                   "are the numbers of points times their distances."},
-      });
+  return in_table(table, {table + "type", {"height_map"}},
+                  {
+                      {.key = "file",
+                       .of = kind::text,
+                       .unset = "heights and columns",
+                       .text = "File of heights, in m or in the given unit, positive outwards; the path is relative to "
+                               "the folder of the case. .npy: binary NumPy array [y, x]; any other file: text with one "
+                               "line for each row along x, all lines of equal length, ordered along y.",
+                       .excludes = "heights"},
+                      {.key = "unit",
+                       .of = kind::text,
+                       .unset = "m",
+                       .text = "Unit of the heights in the file, for example \"um\"."},
+                      {.key = "heights",
+                       .of = kind::length.list(),
+                       .unset = "from file",
+                       .text = "The heights themselves, positive outwards, row by row: x runs fastest, then y.",
+                       .excludes = "file"},
+                      {.key = "columns",
+                       .of = kind::integer.between(1, 1000000),
+                       .unset = "from file",
+                       .text = "Number of heights in each row along x."},
+                      {.key = "spacing",
+                       .of = kind::length.list().above(0.0),
+                       .required = true,
+                       .text = "Distances [dx, dy] between the heights. The surface is linear between the points and "
+                               "zero outside the map."},
+                      {.key = "periodic",
+                       .of = kind::boolean,
+                       .fallback = false,
+                       .text = "Whether the map repeats over the whole surface instead of being zero outside. The "
+                               "periods are the numbers of points times their distances."},
+                  });
 }
 
 /// Waves.
@@ -113,25 +117,26 @@ Entries random_entries(const std::string& table)
           {.key = "hurst",
            .of = kind::number.between(0.0, 1.0),
            .fallback = 0.8,
-           .text = "Exponent of Hurst; the smaller, the rougher are short waves."},
+           .text = "Hurst exponent; smaller values make short waves rougher."},
           {.key = "rms_height",
            .of = kind::length.at_least(0.0),
            .unset = "from rms_slope",
-           .text = "Root mean square of the height over a period, exactly.",
+           .text = "Root mean square of the height over a period. The surface is scaled to this value exactly.",
            .excludes = "rms_slope"},
           {.key = "rms_slope",
            .of = kind::number.at_least(0.0),
            .unset = "from rms_height",
-           .text = "Root mean square of the length of the gradient over a period, exactly.",
+           .text = "Root mean square of the magnitude of the gradient over a period. The surface is scaled to this "
+                   "value exactly.",
            .excludes = "rms_height"},
           {.key = "rolloff",
            .of = kind::length.above(0.0),
            .unset = "none: self-affine up to the size",
-           .text = "Wavelength from which on longer waves are not higher any more."},
+           .text = "Roll-off wavelength: for longer waves the power spectral density is constant."},
           {.key = "cutoff",
            .of = kind::length.above(0.0),
            .required = true,
-           .text = "Shortest wavelength, whatever the cells; eight cells or more."},
+           .text = "Shortest wavelength, independent of the cells; it should span at least eight cells."},
           {.key = "size",
            .of = kind::length.list().above(0.0),
            .unset = "grid.size along axes that are periodic, otherwise 8 rolloff",
@@ -139,8 +144,8 @@ Entries random_entries(const std::string& table)
           {.key = "seed",
            .of = kind::integer.at_least(0.0),
            .fallback = std::int64_t{0},
-           .text = "Other numbers give other surfaces of the same spectrum. The heights depend neither on the cells "
-                   "nor on the machine."},
+           .text = "Seed of the random numbers; different seeds give different surfaces with the same spectrum. The "
+                   "heights depend neither on the cells nor on the machine."},
       });
 }
 
@@ -160,21 +165,25 @@ Entries texture_entries(const std::string& table)
                 .choices = names_of(texture_options()),
                 .fallback = "smooth",
                 .text =
-                    "What lies on the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi "
-                    "r/radius), with its shoulder; bump: the same upwards; height_map: measured heights, or those of a "
-                    "function of x and y; sinusoid: waves, of the height amplitude cos(2 pi (X - x)/wavelength_x) "
-                    "cos(2 pi (Y - y)/wavelength_y) at X, Y; random: roughness, Gaussian and self-affine, with a power "
-                    "spectral density that is constant down to the wavelength rolloff and falls as q^(-2 (1 + hurst)) "
-                    "from there to cutoff. Several textures add up, as [[lower.texture]] and [[lower.texture]] or as a "
-                    "list; --set then names one as lower.texture[0].type."},
+                    "Texture of the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi "
+                    "r/radius), with a shoulder; bump: the same upwards; height_map: measured heights, or those of a "
+                    "function of x and y; sinusoid: waves with the height amplitude cos(2 pi (X - x)/wavelength_x) "
+                    "cos(2 pi (Y - y)/wavelength_y) at X, Y; random: Gaussian self-affine roughness, with a power "
+                    "spectral density that is constant for wavelengths above rolloff and falls as q^(-2 (1 + hurst)) "
+                    "from there to cutoff. Several textures add up; give them as repeated tables [[lower.texture]] or "
+                    "as a list; --set then names one as lower.texture[0].type."},
                length("depth", "Depth of the dent's centre."),
                length("height", "Height of the bump's centre."),
-               length("radius", "Wavelength of the profile: the surface is crossed at a quarter of it."),
+               length("radius",
+                      "Wavelength of the profile, which crosses the undisturbed surface at a quarter of this length."),
            }),
        map_entries(table), wave_entries(table), random_entries(table),
-       in_table(table, {},
-                {centre("x", "Centre on the body's surface along x; of a sinusoid a crest."),
-                 centre("y", "Centre on the body's surface along y; of a sinusoid a crest.")})});
+       in_table(
+           table, {},
+           {centre("x",
+                   "Position of the centre on the body's surface along x; for a sinusoid the position of a crest."),
+            centre("y",
+                   "Position of the centre on the body's surface along y; for a sinusoid the position of a crest.")})});
   for (Entry& entry : entries)
     entry.list = table.substr(0, table.size() - 1);
   return entries;

@@ -36,19 +36,20 @@ std::vector<Entry> friction_entries()
   return {
       entry({.key = "interface.friction",
              .of = kind::number.at_least(0.0),
-             .text = "Coefficient of Coulomb friction where the surfaces slide on each other: shear = friction x "
-                     "pressure on each of them, against its motion over the other, as far as it can carry it. In "
-                     "rolling only with a slide_to_roll other than 0, and not while the upper body is pressed on and "
-                     "lifted off. In fretting the surfaces stick where less shear is enough."},
+             .text =
+                 "Coefficient of Coulomb friction: where the surfaces slide, the shear is friction x pressure, "
+                 "limited by shear_limit, and opposes the relative motion. In rolling friction needs a slide_to_roll "
+                 "other than 0 or creepage, and it does not act while the upper body is pressed on or lifted off. In "
+                 "fretting, and in rolling with creepage, the surfaces stick where less shear is enough."},
             &Friction::coefficient),
       entry({.key = "interface.shear_limit",
              .of = kind::pressure.above(0.0),
-             .unset = "the shear yield stress of the softer surface as it is, hardening included",
+             .unset = "the current shear yield stress of the softer surface, including hardening",
              .text = "Largest shear that a surface can carry."},
             &Friction::shear_limit),
       entry({.key = "interface.coupling",
-             .text = "Whether the shear moves the surfaces apart or together where the two materials differ. false: as "
-                     "if both moved alike under it."},
+             .text = "Whether the shear changes the gap, as it does if the elastic constants of the two materials "
+                     "differ. false: this effect is neglected, as if both surfaces moved equally."},
             &Friction::coupling),
   };
 }
@@ -81,16 +82,15 @@ std::vector<Entry> wear_entries()
                  member);
   };
   return {
-      coefficient(
-          "lower",
-          "Wear coefficient of the lower surface: the depth that it loses, per pressure and length slipped; in 1/Pa, "
-          "or as text in mm^3/(N m). A rigid body may wear, too. In rolling only with a slide_to_roll other than 0.",
-          &WearLaw::lower),
-      coefficient("upper", "The same of the upper surface.", &WearLaw::upper),
+      coefficient("lower",
+                  "Wear coefficient of the lower surface: worn depth per pressure and slip length, in 1/Pa, or as text "
+                  "in mm^3/(N m). A rigid body may wear, too. In rolling wear needs a slide_to_roll other than 0.",
+                  &WearLaw::lower),
+      coefficient("upper", "Wear coefficient of the upper surface.", &WearLaw::upper),
       entry({.key = "interface.wear.law",
              .choices = {"archard", "energy"},
-             .text = "What wears. archard: worn depth = coefficient x pressure x length slipped; energy: coefficient x "
-                     "friction work per area, shear x length slipped."},
+             .text = "Wear law. archard: worn depth = coefficient x pressure x slip length; energy: worn depth = "
+                     "coefficient x friction work per area (shear x slip length)."},
             &WearLaw::kind),
   };
 }
@@ -99,13 +99,13 @@ std::vector<Entry> wear_entries()
 
 std::vector<Entry> interface_entries()
 {
-  return joined({friction_entries(),
-                 {of_heat({.key = "interface.heat_fraction",
-                           .of = kind::number.between(0.0, 1.0),
-                           .text = "Share of the friction power that warms the two bodies, where they have thermal "
-                                   "constants."},
-                          &elastoplastic::HeatSettings::fraction)},
-                 wear_entries()});
+  return joined(
+      {friction_entries(),
+       {of_heat({.key = "interface.heat_fraction",
+                 .of = kind::number.between(0.0, 1.0),
+                 .text = "Share of the friction power that heats the two bodies, if they have thermal constants."},
+                &elastoplastic::HeatSettings::fraction)},
+       wear_entries()});
 }
 
 std::vector<Entry> heat_entries()
@@ -114,48 +114,47 @@ std::vector<Entry> heat_entries()
   return {
       of_heat({.key = "thermal.partition",
                .of = kind::number.between(0.0, 1.0),
-               .unset = "both surfaces have one temperature where they touch",
-               .text = "Share of the lower body in the heat of friction, everywhere in the contact, before any passes "
-                       "from one surface to the other by the conductance. Between two bodies that conduct."},
+               .unset = "both surfaces have the same temperature where they touch",
+               .text = "Share of the heat of friction that enters the lower body, everywhere in the contact, before "
+                       "heat passes between the surfaces by the conductance. For two bodies that conduct heat."},
               &HeatSettings::partition),
       of_heat({.key = "thermal.conductance",
                .of = kind::conductance.at_least(0.0),
-               .unset = "nothing resists the heat, and both surfaces have one temperature where they touch; with a "
-                        "partition nothing passes",
-               .text = "Thermal conductance of the contact: heat per area and time that passes from one surface to the "
-                       "other where they touch, per difference of their temperatures. The heat of friction arises on "
-                       "both sides of it, in the shares of the partition, or in halves.",
+               .unset = "no thermal resistance, so that both surfaces have the same temperature where they touch; with "
+                        "a partition no heat passes",
+               .text = "Thermal contact conductance: heat flux from one surface to the other where they touch, per "
+                       "difference of their temperatures. The heat of friction is released on both surfaces, by the "
+                       "partition, or in halves.",
                .hint = "metals that are pressed on each other have 1e3 to 1e6 W/(m^2 K)"},
               &HeatSettings::conductance),
       of_heat({.key = "thermal.regime",
                .choices = {"transient", "steady"},
-               .text = "What makes a surface warm. transient: all heat since the start. steady: the heat of a step as "
-                       "if it had always been there and moved as it does now, at any speed; on grids that are open "
-                       "along x, and of bodies that yield without heat_of_plastic_work."},
+               .text = "Heat that determines the temperatures. transient: all heat since the start. steady: steady "
+                       "state, as if the heat of the present step had always acted and moved with the present speed; "
+                       "needs grids that are open along x, and heat_of_plastic_work = 0 for bodies that yield."},
               &HeatSettings::regime),
-      of_heat({.key = "thermal.reference",
-               .of = kind::length.above(0.0),
-               .unset = "a steady flux that rests on a body, which swells, is refused",
-               .text = "Distance from the contact at which the surface of a body that rests under a steady flux counts "
-                       "as not displaced: what it swells by grows with the logarithm of the distance. An imposed "
-                       "approach counts from there; under a given load it changes the approach alone.",
-               .hint = "the size of the body: some radius of its surface"},
-              &HeatSettings::reference),
+      of_heat(
+          {.key = "thermal.reference",
+           .of = kind::length.above(0.0),
+           .unset = "none: a steady flux at rest on a body that expands is refused",
+           .text =
+               "Distance from the contact at which the thermal displacement is taken as zero, for a body at rest under "
+               "a steady flux; its thermal displacement has no limit but varies with the logarithm of the distance. An "
+               "imposed approach counts from there; under a given load only the approach depends on it.",
+           .hint = "the size of the body: some radius of its surface"},
+          &HeatSettings::reference),
       of_heat({.key = "thermal.heat_of_plastic_work",
                .of = kind::number.between(0.0, 1.0),
-               .text = "Share of the plastic work that becomes heat, in the cells in which it is done, where the heat "
-                       "of friction is computed. 0: plastic work does not heat. Of metals some 0.9; the rest stays in "
-                       "the material."},
+               .text = "Share of the plastic work that becomes heat, in the cells in which it is done. It acts only if "
+                       "the heat of friction is computed. 0: plastic work does not heat. Metals have about 0.9; the "
+                       "rest stays in the material."},
               &HeatSettings::of_plastic_work),
-      of_heat(
-          {.key = "thermal.displacement",
-           .text =
-               "Whether the surfaces swell into the gap as they grow warm. false: as if they had no expansion there."},
-          &HeatSettings::displacement),
-      of_heat(
-          {.key = "thermal.stress",
-           .text = "Whether thermal stress counts when the material yields. false: as if it had no expansion there."},
-          &HeatSettings::stress),
+      of_heat({.key = "thermal.displacement",
+               .text = "Whether thermal expansion of the surfaces changes the gap. false: this effect is neglected."},
+              &HeatSettings::displacement),
+      of_heat({.key = "thermal.stress",
+               .text = "Whether thermal stress contributes to yielding. false: this effect is neglected."},
+              &HeatSettings::stress),
   };
 }
 

@@ -61,9 +61,9 @@ Entries curve_entries(const std::string& table)
           {.key = "file",
            .of = kind::text,
            .unset = "plastic_strain and stress",
-           .text = "Text file with a point per line, plastic strain and stress; from the folder of the case. "
-                   "Columns between commas, semicolons, tabs or blanks; decimal commas where something else "
-                   "stands between the columns; lines of titles may come first.",
+           .text = "Text file with one point per line: plastic strain and stress; the path is relative to the folder "
+                   "of the case. Columns are separated by commas, semicolons, tabs or blanks; decimal commas are "
+                   "allowed if columns are not separated by commas; the file may begin with title lines.",
            .excludes = "plastic_strain"},
           {.key = "strain_unit",
            .choices = {"1", "%"},
@@ -72,7 +72,7 @@ Entries curve_entries(const std::string& table)
           {.key = "stress_unit",
            .of = kind::text,
            .unset = "Pa",
-           .text = "Unit of the stress in the file, as \"MPa\"."},
+           .text = "Unit of the stress in the file, for example \"MPa\"."},
           {.key = "plastic_strain",
            .of = kind::number.list().at_least(0.0),
            .unset = "from file",
@@ -81,11 +81,12 @@ Entries curve_entries(const std::string& table)
           {.key = "stress",
            .of = kind::pressure.list().above(0.0),
            .unset = "from file",
-           .text = "Yield stresses of the points, as many; they must not fall."},
+           .text = "Yield stresses of the points, as many as plastic strains; they must not decrease."},
           {.key = "monotone",
            .of = kind::boolean,
            .fallback = false,
-           .text = "Whether a stress below an earlier one, as the scatter of a measurement has it, becomes that one."},
+           .text =
+               "Whether a stress below an earlier one, as in scattered measurements, is replaced by the earlier one."},
       });
 }
 
@@ -106,13 +107,14 @@ Entries hardening_entries(const std::string& table, const Condition& yields)
           of_law({.key = "coefficient", .of = kind::pressure.above(0.0), .text = "Factor of the power law."}),
           of_law({.key = "offset",
                   .of = kind::number.above(0.0),
-                  .text = "Strain at which the power law begins; in millionths with swift_microstrain."}),
+                  .text = "Strain offset of the power law; in millionths with swift_microstrain."}),
           of_law({.key = "exponent", .of = kind::number.up_to(0.0, 1.0), .text = "Exponent of the power law."}),
-          of_law(
-              {.key = "saturation", .of = kind::pressure.at_least(0.0), .text = "Largest rise of the yield stress."}),
+          of_law({.key = "saturation",
+                  .of = kind::pressure.at_least(0.0),
+                  .text = "Largest increase of the yield stress."}),
           of_law({.key = "rate",
                   .of = kind::number.above(0.0),
-                  .text = "How fast the yield stress saturates with plastic strain."}),
+                  .text = "Rate at which the yield stress saturates with plastic strain."}),
       });
 }
 
@@ -125,9 +127,9 @@ Entries back_stress_entries(const std::string& list, const Condition& yields)
                    {.key = "modulus",
                     .of = kind::pressure.at_least(0.0),
                     .unset = "no back stress",
-                    .text = "Kinematic hardening beside any law: modulus C of a back stress, d alpha = 2/3 C d eps - "
-                            "recall alpha d e (Armstrong and Frederick). Several of them (Chaboche) are a list of "
-                            "tables: back_stresses = [{modulus = \"90 GPa\", recall = 600}, {modulus = \"10 GPa\", "
+                    .text = "Kinematic hardening, in addition to any law: modulus C of a back stress, d alpha = 2/3 C "
+                            "d eps - recall alpha d e (Armstrong and Frederick). Several of them (Chaboche) are a list "
+                            "of tables: back_stresses = [{modulus = \"90 GPa\", recall = 600}, {modulus = \"10 GPa\", "
                             "recall = 50}]; --set then names one as back_stresses[0].modulus."},
                    {.key = "recall",
                     .of = kind::number.at_least(0.0),
@@ -148,8 +150,9 @@ Entries depth_entries(const std::string& table, const Condition& yields)
           {.key = "yield_profile.depth",
            .of = kind::length.list().at_least(0.0),
            .unset = "the same at every depth",
-           .text = "Depths at which yield_profile.factor is given, ascending; linear between, constant beyond. For "
-                   "nitrided or case-hardened layers. alpha_c, P_c and U_c stay those of S_y."},
+           .text = "Depths at which yield_profile.factor is given, ascending; the factor is linear between them and "
+                   "constant beyond. For nitrided or case-hardened layers. Normalised results still refer to S_y "
+                   "(alpha_c, P_c, U_c)."},
           {.key = "yield_profile.factor",
            .of = kind::number.list().above(0.0),
            .unset = "1",
@@ -157,11 +160,13 @@ Entries depth_entries(const std::string& table, const Condition& yields)
           {.key = "initial_stress.depth",
            .of = kind::length.list().at_least(0.0),
            .unset = "none",
-           .text = "Depths at which initial_stress.value is given, ascending; linear between, constant beyond."},
+           .text = "Depths at which initial_stress.value is given, ascending; the stress is linear between them and "
+                   "constant beyond."},
           {.key = "initial_stress.value",
            .of = kind::pressure.list(),
            .unset = "none",
-           .text = "Residual stress xx = yy before the first load, tension positive, below the yield stress."},
+           .text =
+               "Residual stress xx = yy before the first load, tension positive; it must be below the yield stress."},
       });
 }
 
@@ -178,7 +183,7 @@ Entries thermal_entries(const std::string& material)
           {.key = "conductivity",
            .of = kind::conductivity.above(0.0),
            .unset = "no heat",
-           .text = "Thermal conductivity K. With density and specific_heat it makes the diffusivity K/(rho c).",
+           .text = "Thermal conductivity K. With density rho and specific heat c the diffusivity is K/(rho c).",
            .hint = "a steel has 15 to 60 W/(m K)"},
           {.key = "density",
            .of = kind::density.above(0.0),
@@ -193,8 +198,7 @@ Entries thermal_entries(const std::string& material)
           {.key = "expansion",
            .of = kind::expansion.between(-most_expansion, most_expansion),
            .unset = "no heat",
-           .text =
-               "Coefficient alpha of linear thermal expansion; 0 for heat that neither swells nor stresses the body.",
+           .text = "Coefficient alpha of linear thermal expansion; with 0 heat neither expands nor stresses the body.",
            .hint = "a steel has about 12e-6 1/K",
            .when = deforms},
           {.key = "temperature",
@@ -217,17 +221,17 @@ Entries softening_entries(const std::string& material, const Condition& yields)
                     {.key = "law",
                      .choices = {"linear", "johnson_cook", "table"},
                      .unset = "none",
-                     .text = "Factor on the yield stress by the temperature T, 1 up to reference_temperature T_r and 0 "
-                             "from melting_temperature T_m on. linear: straight between; johnson_cook: 1 - ((T - "
-                             "T_r)/(T_m - T_r))^exponent; table: of temperature and factor. At least 0.01 is left, "
-                             "also of what has melted."},
+                     .text = "Factor on the yield stress as a function of the temperature T: 1 up to "
+                             "reference_temperature T_r and 0 above melting_temperature T_m. linear: linear between; "
+                             "johnson_cook: 1 - ((T - T_r)/(T_m - T_r))^exponent; table: by temperature and factor. "
+                             "The factor is never below 0.01, even above the melting temperature."},
                 }),
        in_table(table, melts,
                 {
                     {.key = "reference_temperature",
                      .of = temperature,
                      .unset = "20 degC",
-                     .text = "Temperature at which the yield stress is that of hardening; not softer below."},
+                     .text = "Temperature up to which the yield stress is that of the hardening law."},
                     {.key = "melting_temperature",
                      .of = temperature,
                      .required = true,
@@ -247,7 +251,8 @@ Entries softening_entries(const std::string& material, const Condition& yields)
                     {.key = "temperature",
                      .of = temperature.list(),
                      .required = true,
-                     .text = "Temperatures at which factor is given, ascending; linear between, constant outside."},
+                     .text = "Temperatures at which factor is given, ascending; the factor is linear between them and "
+                             "constant outside."},
                     {.key = "factor",
                      .of = kind::number.list().above(0.0),
                      .required = true,

@@ -22,7 +22,7 @@ std::vector<Entry> root_entries()
       {.key = "scenario",
        .choices = scenarios_with([](const auto&) { return true; }),
        .required = true,
-       .text = fmt::format("What is computed. {}.", fmt::join(meanings, "; "))},
+       .text = fmt::format("Scenario to compute. {}.", fmt::join(meanings, "; "))},
       bound({.key = "title", .unset = "no title", .text = "Free text, copied into the results."}, &Case::title),
   };
 }
@@ -50,18 +50,19 @@ std::vector<Entry> grid_entries()
        .choices = {"open", "periodic", "periodic_x", "periodic_y"},
        .per_axis = true,
        .fallback = "open",
-       .text = "What lies beyond the grids: nothing, or the same again. Also as a list, along x and along y: "
-               "[\"open\", \"periodic\"]. Periodic along y alone, with one row, is plane strain."},
+       .text = "Boundary conditions: open (unloaded half spaces beyond the grids) or periodic. May be a list for x and "
+               "y: [\"open\", \"periodic\"]. Periodic along y alone, with one row of cells, is plane strain."},
       {.key = "grid.size",
        .of = kind::length.list().above(0.0),
        .unset = "1 m along y",
-       .text = "The period along x and along y, one for both, or along the one axis that is periodic.",
+       .text = "Period along x and along y; a single number is for both, or for the one periodic axis.",
        .when = periodic},
       {.key = "grid.cells",
        .of = kind::number.list().between(1, 65536),
        .unset = "from spacing; one along y if it alone is periodic",
-       .text = "Cells in a period, along x and along y, one number for both, or along the one axis that is periodic. "
-               "Products of small prime numbers are fast. One cell is for what is uniform along its axis.",
+       .text =
+           "Number of cells in a period along x and along y; a single number is for both, or for the one periodic "
+           "axis. Products of small primes are fast. One cell along an axis is for problems that are uniform along it.",
        .when = periodic},
       bound({.key = "grid.layer",
              .of = kind::length.above(0.0),
@@ -69,13 +70,15 @@ std::vector<Entry> grid_entries()
              .text = "Thickness of the layers of cells.",
              .when = periodic},
             &Numerics::domain, &Domain::layer),
-      bound({.key = "grid.reference",
-             .of = kind::length.above(0.0),
-             .unset = "2 R/e of two cylinders, as Green (2005) has their approach; otherwise the period",
-             .text = "Distance from a line load at which its displacement counts as zero: the approach in plane strain "
-                     "has a logarithm without end. At least the half-width of the contact.",
-             .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
-            &Numerics::domain, &Domain::reference),
+      bound(
+          {.key = "grid.reference",
+           .of = kind::length.above(0.0),
+           .unset = "2 R/e for two cylinders, as for the approach of Green (2005); otherwise the period",
+           .text =
+               "Distance from a line load at which its displacement is taken as zero; in plane strain the displacement "
+               "has no limit but varies with the logarithm of the distance. At least the half-width of the contact.",
+           .when = {"grid.boundary", {"periodic_x", "periodic_y"}}},
+          &Numerics::domain, &Domain::reference),
       bound({.key = "grid.spacing",
              .of = kind::length.above(0.0),
              .unset = "from resolution",
@@ -91,8 +94,8 @@ std::vector<Entry> grid_entries()
             &Numerics::resolution),
       bound({.key = "grid.extent",
              .of = kind::number.between(0.5, 10.0),
-             .text = "Factor on the first extent of the grids around contact and plastic zone; they grow where that is "
-                     "not enough."},
+             .text = "Factor on the initial extent of the grids around contact and plastic zone; the grids grow if it "
+                     "is not enough."},
             &Numerics::extent),
   };
 }
@@ -114,39 +117,39 @@ std::vector<Entry> solver_entries()
             "yield."),
       entry("contact_tolerance", &Settings::contact_tolerance, kind::number.inside(0.0, 0.1),
             "Complementarity of the contact: largest gap under pressure, relative to the largest approach."),
-      entry("max_evaluations", &Settings::max_evaluations, kind::number.between(1, 100000),
-            "Evaluations of an increment before it is split; with friction four times as many."),
+      entry(
+          "max_evaluations", &Settings::max_evaluations, kind::number.between(1, 100000),
+          "Largest number of evaluations of an increment before it is split; with friction it is multiplied by four."),
       entry("anderson_depth", &Settings::anderson_depth, kind::number.between(0, 50),
             "Earlier iterates used to accelerate the iteration; 0: plain fixed point."),
       entry("integration", &Settings::integration, {},
-            "Plastic strain of one step. path: along the path of the trial stress, second order in the step; "
-            "backward_euler: one radial return at its end, first order, as in the paper.",
+            "Integration of the plastic strain over a step. path: along the path of the trial stress, of second order "
+            "in the step; backward_euler: one radial return at the end of the step, of first order, as in the paper.",
             {"path", "backward_euler"}),
       entry("mirror", &Settings::mirror, {},
-            "Two asperities that are alike stay mirror images of each other under exact kinematics, and bodies of one "
-            "material have the same strain in pure rolling and indentation: solve one of them. false: solve both (a "
-            "check; the results agree to the tolerances)."),
+            "Solve only one body where both always have the same fields: two equal asperities, which stay mirror "
+            "images of each other under exact kinematics, or bodies of the same material in pure rolling and "
+            "indentation. false: solve both (a check; the results agree within the tolerances)."),
       entry("symmetry", &Settings::symmetry, {},
-            "Where both bodies, their textures and the motion are the same on both sides of the plane y = 0, and the "
-            "surfaces do not stick, solve one side: half of the work, with the same result but for rounding. `brinell "
-            "check` tells whether it is so. false: solve both sides (a check)."),
+            "Solve only one half if both bodies, their textures and the motion are symmetric about the plane y = 0, "
+            "and the surfaces do not stick: half of the work, with the same result except for rounding. `brinell "
+            "check` shows whether symmetry is used. false: solve both halves (a check)."),
       entry("shortcuts", &Settings::shortcuts, {},
-            "Within an increment compute the stress only in the layers near yield; its last evaluation looks at all of "
-            "them, so that no yield is missed. false: every layer and every cell in every evaluation, and heat as "
-            "exactly as it can be computed (a check; the results agree to the tolerances)."),
+            "Within an increment compute the stress only in the layers near yield; the last evaluation computes all "
+            "layers, so that no yield is missed. false: all layers and all cells in every evaluation, and heat without "
+            "approximations (a check; the results agree within the tolerances)."),
       entry("windows", &Settings::windows, {},
-            "Where `shortcuts` is true and a body is much longer than the contact, compute the stress within an "
-            "increment only in a window, the columns near the cells that yield and the pressure; its last evaluation "
-            "looks at the whole body. false: no window (a check; the results agree to the tolerances)."),
-      bound(
-          {.key = "solver.accuracy",
-           .of = kind::share.up_to(0.0, 0.5),
-           .unset = "one run, with the cells as given",
-           .text =
-               "Largest relative error of the key numbers that is accepted, as \"1 %\" or 0.01. The case is then run "
-               "with coarser cells first, up to those given and, if need be, with finer ones, until the estimate of "
-               "the error by the differences between them stays below it; summary.json tells each number's interval."},
-          &Case::accuracy),
+            "If `shortcuts` is true and a body is much longer than the contact, compute the stress within an increment "
+            "only in a window of columns around yielding cells and pressure; the last evaluation computes the whole "
+            "body. false: no window (a check; the results agree within the tolerances)."),
+      bound({.key = "solver.accuracy",
+             .of = kind::share.up_to(0.0, 0.5),
+             .unset = "one run, with the cells as given",
+             .text = "Largest accepted relative error of the key numbers, for example \"1 %\" or 0.01. The case is "
+                     "then run with coarser cells first, then with the given cells and, if necessary, with finer ones, "
+                     "until the error estimated from the differences between these runs is below it; summary.json "
+                     "gives the interval of each number."},
+            &Case::accuracy),
   };
 }
 
@@ -156,19 +159,19 @@ std::vector<Entry> output_entries()
   for_each_scenario([&](const auto& io) { aligned += io.aligned.empty() ? "" : fmt::format("; {}", io.aligned); });
   return {
       bound({.key = "output.snapshots",
-             .text = fmt::format("Steps whose fields are stored, beside the final state, which always is. \"aligned\": "
-                                 "the step nearest to the middle of each pass{}.",
+             .text = fmt::format("Steps whose fields are stored, in addition to the final state, which is always "
+                                 "stored. \"aligned\": the step nearest to the middle of each pass{}.",
                                  aligned)},
             &Case::snapshots),
       bound({.key = "output.directory",
              .unset = "results/NAME",
-             .text = "Folder of the results, from the current directory; -o on the command line wins. NAME is that of "
-                     "the case file, or of its folder if the file is called case.toml."},
+             .text = "Folder of the results, relative to the current directory; -o on the command line has priority. "
+                     "NAME is the name of the case file, or of its folder if the file is called case.toml."},
             &Case::directory),
       bound({.key = "output.checkpoint_interval",
              .of = kind::duration.at_least(0.0),
-             .text = "Time after which the state is stored again while the run goes on, so that brinell run --resume "
-                     "can go on from there. It is stored also when the run is interrupted."},
+             .text = "Time between checkpoints, from which brinell run --resume can continue the run. A checkpoint is "
+                     "also written when the run is interrupted."},
             &Case::checkpoint_interval),
   };
 }

@@ -46,17 +46,20 @@ std::vector<Entry> keys()
                  }};
   };
   return {
-      press("load", "approach", kind::force, Drive::Kind::load, "Load that is reached first, and kept then."),
-      press("approach", "load", kind::length, Drive::Kind::approach, "The same, imposed as approach of the bodies."),
+      press("load", "approach", kind::force, Drive::Kind::load, "Load that is applied first and then kept."),
+      press("approach", "load", kind::length, Drive::Kind::approach,
+            "Approach of the bodies that is imposed first and then kept, instead of a load."),
       amplitude("displacement", "force", kind::length, FrettingCase::Kind::shift,
-                "Amplitude by which distant points of the upper body are moved past those of the lower one: from the "
-                "middle to it, to its opposite and back to the middle in each cycle. Up to the radius of the contact."),
-      amplitude("force", "displacement", kind::force, FrettingCase::Kind::force,
-                "The same, imposed as force along the surface; less than friction times load."),
+                "Amplitude of the displacement of distant points of the upper body relative to those of the lower one; "
+                "each cycle goes from the middle to the amplitude, to its opposite and back to the middle. Up to the "
+                "radius of the contact."),
+      amplitude(
+          "force", "displacement", kind::force, FrettingCase::Kind::force,
+          "Amplitude of the tangential force, instead of a displacement; it must be less than friction times load."),
       Entry{.key = "fretting.direction",
             .of = kind::angle.between(-360.0, 360.0),
             .fallback = 0.0,
-            .text = "Of the motion, from x towards y, in degrees.",
+            .text = "Direction of the motion, from x towards y, in degrees.",
             .fill =
                 [](Case& c, const Value& value)
             {
@@ -65,15 +68,16 @@ std::vector<Entry> keys()
             }},
       bound({.key = "fretting.cycles",
              .of = kind::number.between(0, 100000),
-             .text = "How often the upper body goes to and fro."},
+             .text = "Number of cycles of the oscillation."},
             &FrettingCase::cycles),
       bound({.key = "fretting.steps_per_cycle",
              .of = kind::number.between(4, 100000),
-             .text = "Steps of a cycle, a multiple of 4: the middle and both turns are reached."},
+             .text =
+                 "Number of steps in a cycle, a multiple of 4, so that steps end at the middle and at both reversals."},
             &FrettingCase::steps_per_cycle),
       bound({.key = "fretting.press_steps",
              .of = kind::number.between(1, 100000),
-             .text = "Steps in which load or approach is reached."},
+             .text = "Number of steps in which load or approach is applied."},
             &FrettingCase::press_steps),
   };
 }
@@ -152,7 +156,8 @@ ScenarioIo<FrettingCase> description()
 {
   return {
       .name = "fretting",
-      .text = "it is pressed on and moved to and fro along the surface, so little that it sticks in places",
+      .text = "it is pressed on and oscillates along the surface with so small an amplitude that the surfaces stick in "
+              "places",
       .keys = keys,
       .read = read,
       .half_x = &FrettingPlan::contact_radius,

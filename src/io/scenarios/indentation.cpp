@@ -44,30 +44,30 @@ std::vector<Entry> keys()
       {.key = "indentation.normalised",
        .of = kind::boolean,
        .fallback = false,
-       .text = "Whether load and approach are given in their values at first yield, P_c and alpha_c; needs round "
-               "bodies, or cylinders in plane strain, of which one can yield."},
+       .text = "Whether load and approach are given in units of their values at first yield, P_c and alpha_c; needs "
+               "round bodies, or cylinders in plane strain, at least one of which can yield."},
       drive("load", kind::force.at_least(0.0), Drive::Kind::load, "approach",
-            "Loads to be reached one after the other, from none: [\"10 N\", 0] presses and lifts off."),
+            "Sequence of loads, starting from zero: [\"10 N\", 0] presses and lifts off."),
       drive("approach", kind::length.at_least(0.0), Drive::Kind::approach, "load",
-            "The same, imposed as approach of the bodies from the touch of the undeformed ones."),
+            "Sequence of approaches, counted from the first touch of the undeformed bodies, instead of loads."),
       drive("pressure", kind::pressure.at_least(0.0), Drive::Kind::load, "",
-            "The same, imposed as mean pressure over the period; with grid.boundary = \"periodic\"."),
+            "Sequence of mean pressures over the period, instead of loads; with grid.boundary = \"periodic\"."),
       drive("mean_gap", kind::length.above(0.0), Drive::Kind::mean_gap, "",
-            "The same, imposed as mean gap of the deformed surfaces over the period, which is the smaller, the more "
-            "they are pressed; with grid.boundary = \"periodic\". A gap larger than that of the first touch parts "
-            "them: [\"0.1 um\", \"5 um\"] presses and lifts off."),
+            "Sequence of mean gaps of the deformed surfaces over the period, instead of loads; with grid.boundary = "
+            "\"periodic\". The mean gap decreases as the bodies are pressed together; a gap larger than that of first "
+            "touch lifts off: [\"0.1 um\", \"5 um\"] presses and lifts off."),
       bound({.key = "indentation.steps",
              .of = kind::number.between(1, 100000),
-             .text = "Steps from one entry of the list to the next, of equal approach or mean gap; of equal load^(2/3) "
-                     "if the load is imposed."},
+             .text = "Number of steps from one entry of the list to the next, with equal increments of approach or "
+                     "mean gap, or of load^(2/3) if the load is imposed."},
             &IndentationCase::steps),
       bound({.key = "indentation.cycles",
              .of = kind::number.between(1, 10000),
-             .text = "How often the list is gone through at each place."},
+             .text = "Number of times that the list is applied at each place."},
             &IndentationCase::cycles),
       bound({.key = "indentation.places",
              .of = kind::length,
-             .text = "Places along x that are indented one after the other."},
+             .text = "Places along x on the lower body that are indented one after the other."},
             &IndentationCase::places),
   };
 }

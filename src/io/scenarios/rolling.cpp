@@ -31,12 +31,12 @@ std::vector<Entry> creep_keys()
   return {
       Entry{.key = "rolling.creepage",
             .of = kind::share.list().between(-largest_creepage, largest_creepage),
-            .unset = "no stick: the surfaces slide everywhere, as slide_to_roll says",
-            .text = "Creepages [longitudinal, lateral], or the first of them: speeds of the surface of the upper body "
-                    "relative to that of the lower one, towards +x and +y, over the mean speed at which the surfaces "
-                    "pass the contact. With it the surfaces stick in places and slip in others, from rest to steady "
-                    "rolling. Needs interface.friction; slide_to_roll, the first of them for surfaces that slide "
-                    "everywhere, is 0 then.",
+            .unset = "no stick: the surfaces slide everywhere, by slide_to_roll",
+            .text = "Creepages [longitudinal, lateral], or the longitudinal one alone: velocities of the upper surface "
+                    "relative to the lower one, towards +x and +y, over the mean speed at which the surfaces pass the "
+                    "contact. With creepage the surfaces stick in places and slip in others, and rolling develops from "
+                    "rest to the steady state. Needs interface.friction, and slide_to_roll = 0, which is for surfaces "
+                    "that slide everywhere.",
             .fill =
                 [](Case& c, const Value& value)
             {
@@ -48,8 +48,8 @@ std::vector<Entry> creep_keys()
       Entry{.key = "rolling.spin",
             .of = kind::per_length,
             .unset = "none",
-            .text = "Spin creepage: turn of the upper body past the lower one about the normal of the contact, from x "
-                    "to y, per distance rolled. With stick and slip, as creepage.",
+            .text = "Spin creepage: rotation of the upper body relative to the lower one about the normal of the "
+                    "contact, from x to y, per distance rolled. With stick and slip, like creepage.",
             .fill = [](Case& c, const Value& value) { creepage_of(c).spin = std::get<double>(value); }},
   };
 }
@@ -63,7 +63,7 @@ std::vector<Entry> motion_keys()
   return {
       drive("load", kind::force, Drive::Kind::load, "Load kept while rolling."),
       drive("hertz_pressure", kind::pressure, Drive::Kind::load,
-            "The load instead by the peak pressure that it would have in elastic contact (Hertz)."),
+            "Peak pressure of the elastic contact (Hertz) that defines the load, instead of a load."),
       drive("approach", kind::length, Drive::Kind::approach, "Approach kept while rolling, instead of a load."),
       bound({.key = "rolling.distance",
              .of = kind::length.above(0.0),
@@ -74,17 +74,17 @@ std::vector<Entry> motion_keys()
       bound({.key = "rolling.shift",
              .of = kind::length.above(0.0),
              .unset = "one cell, dx",
-             .text = "By which the contact moves on the lower body per step."},
+             .text = "Distance that the contact moves on the lower body per step."},
             &RollingCase::shift),
       bound({.key = "rolling.slide_to_roll",
              .of = kind::number.up_to(-2.0, 2.0),
-             .text = "Difference over mean of the speeds at which the surfaces of lower and upper body pass the "
-                     "contact. 0: pure rolling; 2: the upper body slides without turning. Without friction unless "
-                     "interface.friction says otherwise."},
+             .text = "Slide-to-roll ratio: difference (lower minus upper) over mean of the speeds at which the "
+                     "surfaces pass the contact. 0: pure rolling; 2: the upper body slides without rotation. Friction "
+                     "acts only if interface.friction is given."},
             &RollingCase::slide_to_roll),
       bound({.key = "rolling.passes",
              .of = kind::number.between(1, 100000),
-             .text = "How often the track is rolled over. Each pass begins on the same spots of both bodies."},
+             .text = "Number of passes over the track. Each pass begins at the same place on both bodies."},
             &RollingCase::passes),
       bound({.key = "rolling.load_steps",
              .of = kind::number.between(1, 100000),
@@ -94,8 +94,8 @@ std::vector<Entry> motion_keys()
              .of = kind::velocity.above(0.0),
              .unset = "none; needed where friction heats",
              .text = "Speed of the contact over the lower body, on which the heat of friction depends; with "
-                     "slide_to_roll it makes the speed at which the surfaces slide. A step of pressing on or lifting "
-                     "off takes as long as one of rolling, the way back from pass to pass as long as the way."},
+                     "slide_to_roll it determines the sliding speed. A step of pressing on or lifting off takes as "
+                     "long as one of rolling; the way back from pass to pass takes as long as a pass."},
             &RollingCase::speed),
   };
 }

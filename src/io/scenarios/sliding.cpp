@@ -24,40 +24,41 @@ std::vector<Entry> keys()
   const auto press = [](const char* key, const ValueKind& of, Drive::Kind kind, const char* text)
   { return drive_key(std::string("sliding.") + key, of, text, press_group, &SlidingCase::press, kind); };
   return {
-      press("load", kind::force.above(0.0), Drive::Kind::load, "Load that is reached first, and kept while sliding."),
+      press("load", kind::force.above(0.0), Drive::Kind::load, "Load that is applied first and kept while sliding."),
       press("pressure", kind::pressure.above(0.0), Drive::Kind::load,
-            "The load by its mean pressure over the period; with grid.boundary = \"periodic\"."),
+            "Mean pressure over the period, instead of a load; with grid.boundary = \"periodic\"."),
       press("mean_gap", kind::length.above(0.0), Drive::Kind::mean_gap,
-            "Instead, the mean gap of the deformed surfaces over the period; likewise."),
+            "Mean gap of the deformed surfaces over the period, instead of a load; with grid.boundary = \"periodic\"."),
       press("approach", kind::length, Drive::Kind::approach,
-            "Instead, the approach of the bodies. Peaks meet below 0, too, and further on the way."),
+            "Approach of the bodies, instead of a load. It may be negative if peaks meet on the way."),
       bound({.key = "sliding.press_steps",
              .of = kind::number.between(1, 100000),
-             .text = "Steps in which the bodies are pressed together before they slide, and parted after it."},
+             .text =
+                 "Number of steps in which the bodies are pressed together before sliding, and lifted off afterwards."},
             &SlidingCase::press_steps),
-      bound({.key = "sliding.distance",
-             .of = kind::length.above(0.0),
-             .required = true,
-             .text = "By which the upper body slides along x over the lower one in each stroke; in whole steps."},
-            &SlidingCase::distance),
+      bound(
+          {.key = "sliding.distance",
+           .of = kind::length.above(0.0),
+           .required = true,
+           .text =
+               "Sliding distance of the upper body along x over the lower one in each stroke; rounded to whole steps."},
+          &SlidingCase::distance),
       bound({.key = "sliding.shift",
              .of = kind::length.above(0.0),
              .unset = "one cell, dx",
-             .text = "By which it slides in a step."},
+             .text = "Sliding distance in a step."},
             &SlidingCase::shift),
-      bound({.key = "sliding.strokes",
-             .of = kind::number.between(1, 100000),
-             .text = "How often it slides by the distance."},
+      bound({.key = "sliding.strokes", .of = kind::number.between(1, 100000), .text = "Number of strokes."},
             &SlidingCase::strokes),
       bound({.key = "sliding.to_and_fro",
-             .text = "Whether every other stroke goes back. Otherwise each goes on where the one before has ended, "
-                     "which takes a period along x."},
+             .text = "Whether every second stroke goes back. Otherwise each stroke continues where the previous one "
+                     "ended, which needs a period along x."},
             &SlidingCase::to_and_fro),
       bound({.key = "sliding.speed",
              .of = kind::velocity.above(0.0),
              .unset = "none; needed where friction heats",
              .text = "Speed of the upper body over the lower one, on which the heat of friction depends. A step of "
-                     "pressing or parting takes as long as one of sliding."},
+                     "pressing or lifting off takes as long as one of sliding."},
             &SlidingCase::speed),
   };
 }
@@ -140,7 +141,7 @@ ScenarioIo<SlidingCase> description()
 {
   return {
       .name = "sliding",
-      .text = "it is pressed on and slides over it along x, once, on and on, or to and fro",
+      .text = "it is pressed on and slides over it along x, in one stroke, in several, or to and fro",
       .keys = keys,
       .read = read,
       .half_x = &SlidingPlan::half_width_x,

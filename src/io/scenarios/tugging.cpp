@@ -23,58 +23,57 @@ std::vector<Entry> keys()
       {.key = "tugging.normalised",
        .of = kind::boolean,
        .fallback = true,
-       .text = "Whether the interference is given in critical interferences alpha_c, at which the first point yields, "
-               "and the load in critical loads P_c; needs a body that can yield, and bodies whose relative curvature "
-               "is the same along x and y, or cylinders in plane strain."},
+       .text = "Whether the interference is given in units of the critical interference alpha_c at first yield, and "
+               "the load in units of the critical load P_c; needs a body that can yield, and bodies whose relative "
+               "curvature is the same along x and y, or cylinders in plane strain."},
       bound({.key = "tugging.interference",
              .of = kind::length.above(0.0),
              .unset = "tugging.load",
-             .text =
-                 "Overlap of the undeformed bodies without their textures in height, when their centres are aligned "
-                 "along x; the height of the centres is constant. Without an offset it is their largest overlap.",
+             .text = "Overlap in height of the undeformed bodies, without textures, when their centres are aligned "
+                     "along x; the height of the centres is constant. Without an offset this is the largest overlap.",
              .excludes = "tugging.load",
              .pure_if = "tugging.normalised"},
             &TuggingCase::interference),
-      bound({.key = "tugging.offset",
-             .of = kind::length,
-             .text = "Of the upper centre from the lower one, along y: the bodies pass beside each other. They overlap "
-                     "less then along the line of centres: by offset^2 / (2 (R1 + R2)), to second order. If "
-                     "normalised, in contact radii a_c at first yield. Not with a load.",
-             .pure_if = "tugging.normalised"},
-            &TuggingCase::offset),
+      bound(
+          {.key = "tugging.offset",
+           .of = kind::length,
+           .text = "Offset of the upper centre from the lower one along y, so that the bodies pass beside each other. "
+                   "It reduces the overlap along the line of centres by offset^2 / (2 (R1 + R2)), to second order. If "
+                   "normalised, in units of the contact radius a_c at first yield. Not allowed with a load.",
+           .pure_if = "tugging.normalised"},
+          &TuggingCase::offset),
       bound({.key = "tugging.load",
              .of = kind::force.above(0.0),
              .unset = "tugging.interference",
-             .text = "Instead of the interference: a normal force that is kept while the upper body rides over the "
-                     "lower one; in critical loads P_c if normalised. It comes up in the first eighth of a pass and "
-                     "goes down in the last. Exact kinematics only.",
+             .text = "Normal force that is kept constant while the upper body rides over the lower one, instead of an "
+                     "interference; in units of the critical load P_c if normalised. It is applied in the first eighth "
+                     "of a pass and removed in the last. Only with exact kinematics.",
              .excludes = "tugging.interference",
              .pure_if = "tugging.normalised"},
             &TuggingCase::load),
       bound({.key = "tugging.shift",
              .of = kind::length.above(0.0),
              .unset = "one cell, dx",
-             .text = "Arc by which the contact moves on each body per step (mean of both bodies). Best a whole "
-                     "multiple of dx / 2: else the surfaces are interpolated between cells."},
+             .text = "Arc by which the contact moves on each body per step (mean of both bodies). Preferably a whole "
+                     "multiple of dx / 2; otherwise the surfaces are interpolated between cells."},
             &TuggingCase::shift),
       bound({.key = "tugging.kinematics",
              .choices = {"exact", "paper"},
              .text = "Relation of arc and sliding distance. exact: X = omega tan(theta); paper: Eqs. 9-13 of Boucly, "
                      "Nelias, Green (2006)."},
             &TuggingCase::kinematics),
-      bound(
-          {.key = "tugging.passes",
-           .of = kind::number.between(1, 10000),
-           .text = "How often the upper body passes; after each pass it returns to the start, and both meet deformed."},
-          &TuggingCase::passes),
-      bound(
-          {.key = "tugging.speed",
-           .of = kind::velocity.above(0.0),
-           .unset = "none; needed where friction heats",
-           .text =
-               "Speed of the upper surface over the lower one: that at which the contact moves over both bodies "
-               "together. The heat of friction depends on it. The way back from pass to pass takes as long as a pass."},
-          &TuggingCase::speed),
+      bound({.key = "tugging.passes",
+             .of = kind::number.between(1, 10000),
+             .text = "Number of passes of the upper body; after each pass it returns to the start, and both bodies "
+                     "keep their deformation."},
+            &TuggingCase::passes),
+      bound({.key = "tugging.speed",
+             .of = kind::velocity.above(0.0),
+             .unset = "none; needed where friction heats",
+             .text = "Speed of the upper surface over the lower one, taken as the sum of the speeds at which the "
+                     "contact moves over both bodies. The heat of friction depends on it. The way back from pass to "
+                     "pass takes as long as a pass."},
+            &TuggingCase::speed),
   };
 }
 
