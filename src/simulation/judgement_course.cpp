@@ -27,29 +27,29 @@ constexpr double largest_warming = 500.0;
 void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
 {
   if (facts.can_yield && totals.max_equivalent_plastic_strain == 0.0)
-    warnings.push_back({"no_yield", "nothing has yielded, though a yield stress is given: all of this is elastic"});
+    warnings.push_back(
+        {"no_yield", "nothing has yielded, although a yield stress is given: the whole result is elastic"});
   if (totals.max_equivalent_plastic_strain > largest_strain)
     warnings.push_back(
         {"large_strain",
-         fmt::format("plastic strain reaches {}, but the theory is that of small strains: above {} it is an "
-                     "estimate",
-                     percent_text(totals.max_equivalent_plastic_strain), percent_text(largest_strain))});
+         fmt::format(
+             "the plastic strain reaches {}, but the theory assumes small strains: above {} the result is an estimate",
+             percent_text(totals.max_equivalent_plastic_strain), percent_text(largest_strain))});
   if (!(std::abs(totals.energy_balance_error) <= largest_imbalance))
     warnings.push_back(
-        {"energy_balance", fmt::format("the energies are off by {} of the largest work: take smaller steps or cells{}",
-                                       percent_text(totals.energy_balance_error),
-                                       facts.forgets_if_elastic && totals.max_equivalent_plastic_strain == 0.0
-                                           ? ". Nothing has yielded: all but the work is as it would be in any steps"
-                                           : "")});
+        {"energy_balance",
+         fmt::format("the energy balance has an error of {} of the largest work: use smaller steps or cells{}",
+                     percent_text(totals.energy_balance_error),
+                     facts.forgets_if_elastic && totals.max_equivalent_plastic_strain == 0.0
+                         ? ". Nothing has yielded: except for the work, the results do not depend on the steps"
+                         : "")});
   if (facts.flows_freely && totals.max_share_at_shear_limit > 0.0)
     warnings.push_back(
         {"free_flow",
-         fmt::format(
-             "shear is at the limit of a surface that does not harden, in up to {} of the contact: its strain depends "
-             "on "
-             "the thickness of the uppermost layer of cells, forces and depths do so less; give the material some "
-             "hardening, or a shear_limit below its yield stress",
-             percent_text(totals.max_share_at_shear_limit))});
+         fmt::format("in up to {} of the contact the shear is at the limit of a surface that does not harden: its "
+                     "plastic strain depends on the thickness of the uppermost layer of cells, forces and depths "
+                     "depend on it less; give the material some hardening, or a shear_limit below its yield stress",
+                     percent_text(totals.max_share_at_shear_limit))});
   if (totals.split_increments > 0)
     warnings.push_back(
         {"split_increments", fmt::format("{} increments did not converge in one piece and were split; the result has "
@@ -64,11 +64,11 @@ namespace
 std::string hot_surface_text(const char* name, const constitutive::Material& material, double hottest)
 {
   const bool lacks_softening = material.is_plastic() && !material.softening;
-  return fmt::format("the {} surface reaches {:.0f} degC, {:.0f} K above its bulk, but the constants of the body{} are "
-                     "those of the bulk: above {:.0f} K this is an estimate{}",
+  return fmt::format("the {} surface reaches {:.0f} degC, {:.0f} K above the bulk temperature, for which the constants "
+                     "of the body{} hold: above a rise of {:.0f} K the result is an estimate{}",
                      name, hottest, hottest - material.temperature,
-                     lacks_softening ? ", its yield stress among them," : "", largest_warming,
-                     lacks_softening ? "; give its material a softening, or lower the speed or the load" : "");
+                     lacks_softening ? ", including its yield stress," : "", largest_warming,
+                     lacks_softening ? "; give the material a softening law, or reduce speed or load" : "");
 }
 
 } // namespace
@@ -88,14 +88,15 @@ void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warni
       continue;
     if (const auto melting = constitutive::melting_temperature(*material.softening); melting && hottest >= *melting)
       warnings.push_back(
-          {"melting", fmt::format("the {} surface reaches {:.0f} degC and melts at {:.0f} degC: what melts is counted "
-                                  "as a solid that keeps {} of its yield stress",
+          {"melting", fmt::format("the {} surface reaches {:.0f} degC and melts at {:.0f} degC: molten material is "
+                                  "treated as a solid with {} of its yield stress",
                                   name, hottest, *melting, percent_text(constitutive::least_softening_factor))});
     else if (!constitutive::covers(*material.softening, hottest))
       warnings.push_back(
-          {"softening_range", fmt::format("the {} surface reaches {:.0f} degC, beyond the table of its softening, "
-                                          "whose last value is taken",
-                                          name, hottest)});
+          {"softening_range",
+           fmt::format(
+               "the {} surface reaches {:.0f} degC, beyond the table of its softening, whose last value is used", name,
+               hottest)});
   }
 }
 
@@ -104,21 +105,20 @@ void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warni
   if (const double share = totals.max_wear_step / facts.approach; share > largest_wear_step)
     warnings.push_back(
         {"long_wear_step",
-         fmt::format(
-             "an increment has worn up to {}, {} of the approach: the pressure changes much while that is worn; "
-             "take smaller steps, or a smaller coefficient",
-             length_text(totals.max_wear_step), percent_text(share))});
+         fmt::format("the worn depth of one increment is up to {}, {} of the approach, so that the pressure changes "
+                     "considerably within an increment; use smaller steps, or a smaller wear coefficient",
+                     length_text(totals.max_wear_step), percent_text(share))});
   const std::array worn{totals.max_worn_depth_lower, totals.max_worn_depth_upper};
   for (std::size_t side = 0; side < 2; ++side)
     if (facts.materials[side]->is_plastic() && totals.max_equivalent_plastic_strain > 0.0 &&
         worn[side] > largest_worn_share_of_layer * facts.cell[2])
       warnings.push_back(
           {"worn_strain",
-           fmt::format("the {} surface has lost up to {}, {} of the thickness of a layer of cells: its plastic strain "
-                       "and residual stress stay as far from the worn surface as they were from the old one, which is "
-                       "an estimate above {}",
-                       side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / facts.cell[2]),
-                       percent_text(largest_worn_share_of_layer))});
+           fmt::format(
+               "the {} surface has a worn depth of up to {}, {} of the thickness of a layer of cells: plastic strain "
+               "and residual stress keep their depth below the worn surface, which is an estimate above {}",
+               side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / facts.cell[2]),
+               percent_text(largest_worn_share_of_layer))});
 }
 
 } // namespace brinell::simulation

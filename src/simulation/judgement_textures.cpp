@@ -40,20 +40,18 @@ private:
     const double cell = std::max(f_.cell[0], f_.cell[1]);
     if (dent.radius < fewest_cells_of_dent * cell)
       warnings_.push_back(
-          {"coarse_texture",
-           fmt::format(
-               "{}: a {} of radius {} on cells of {} is not resolved: only its mean over each cell counts; {:g} "
-               "cells per radius are the fewest",
-               name, dent.depth < 0.0 ? "bump" : "dent", length_text(dent.radius), length_text(cell),
-               fewest_cells_of_dent)});
+          {"coarse_texture", fmt::format("{}: a {} of radius {} is not resolved by cells of {}: only its mean over "
+                                         "each cell counts; use at least {:g} cells per radius",
+                                         name, dent.depth < 0.0 ? "bump" : "dent", length_text(dent.radius),
+                                         length_text(cell), fewest_cells_of_dent)});
   }
 
   void of_texture(const std::string& name, const HeightMap& map)
   {
     if (map.dx < 0.999 * f_.cell[0] || map.dy < 0.999 * f_.cell[1])
       warnings_.push_back({"coarse_texture",
-                           fmt::format("{}: the points of the height map, {} x {}, are finer than the cells, {} x {}: "
-                                       "each cell takes the mean height over it, and roughness finer than that is lost",
+                           fmt::format("{}: the points of the height map, {} x {} apart, are finer than the cells, {} "
+                                       "x {}: each cell has the mean height over its area, and finer roughness is lost",
                                        name, length_text(map.dx), length_text(map.dy), length_text(f_.cell[0]),
                                        length_text(f_.cell[1]))});
     else if (const auto [wave_x, wave_y] = shortest_waves(map); rms_slope(map) > 0.0)
@@ -78,8 +76,8 @@ private:
       return;
     warnings_.push_back(
         {"coarse_texture",
-         fmt::format("{}: {} {} on cells of {}, which do not resolve them{}; {:g} cells per shortest wave are the "
-                     "fewest for contact area and peak pressure",
+         fmt::format("{}: {} {} are not resolved by cells of {}{}; at least {:g} cells per shortest wave are needed "
+                     "for contact area and peak pressure",
                      name, what, length_text(cells_x < cells_y ? wavelength_x : wavelength_y),
                      length_text(cells_x < cells_y ? f_.cell[0] : f_.cell[1]),
                      cells < 2.0 ? ": only the mean over each cell counts" : "", fewest_cells_of_wave)});

@@ -89,24 +89,22 @@ public:
       return;
     const std::string errors = errors_text(r.expected_errors);
     add("coarse_contact",
-        fmt::format(
-            "the contact has only {:.2g} x {:.2g} cells per radius, along x and y; {} are the fewest for results "
-            "good to some percent{}{}. Take a finer grid.resolution or grid.spacing, or ask for --accuracy",
-            r.cells_x, r.cells_y,
-            f_.moves ? fmt::format("{:g} x {:g}", fewest_cells, fewest_cells_across)
-                     : fmt::format("{0:g} x {0:g}", fewest_cells),
-            errors.empty() ? "" : "; errors to be expected: " + errors,
-            deciding < hopeless_cells ? "; with so few cells no number of this result can be relied on" : ""));
+        fmt::format("the contact has only {:.2g} x {:.2g} cells per radius, along x and y; at least {} are needed for "
+                    "errors of a few percent{}{}. Use a finer grid.resolution or grid.spacing, or --accuracy",
+                    r.cells_x, r.cells_y,
+                    f_.moves ? fmt::format("{:g} x {:g}", fewest_cells, fewest_cells_across)
+                             : fmt::format("{0:g} x {0:g}", fewest_cells),
+                    errors.empty() ? "" : "; expected errors: " + errors,
+                    deciding < hopeless_cells ? "; with so few cells no number of this result is reliable" : ""));
   }
 
   void of_depth()
   {
     const std::optional<int> layers = result_.resolution.plastic_layers;
     if (layers && *layers > 0 && *layers < fewest_layers)
-      add("coarse_depth",
-          fmt::format("the plastic zone is only {} layer{} of cells deep; {} are the fewest: take thinner "
-                      "cells (grid.spacing) or a finer grid.resolution",
-                      *layers, *layers == 1 ? "" : "s", fewest_layers));
+      add("coarse_depth", fmt::format("the plastic zone is only {} layer{} of cells deep; at least {} are needed: use "
+                                      "thinner cells (grid.spacing) or a finer grid.resolution",
+                                      *layers, *layers == 1 ? "" : "s", fewest_layers));
   }
 
   /// Warns of layers of the material that contain no centre of a cell and therefore have no effect.
@@ -121,10 +119,10 @@ public:
       const bool is_lost = is_lost_in_layers(material.yield_factor, 1.0, lost_share) ||
                            is_lost_in_layers(material.initial_stress, 0.0, lost_share * yield);
       if (is_lost)
-        add("coarse_profile",
-            fmt::format("the yield_profile or the initial_stress of the {} body has a layer thinner than those of the "
-                        "cells, {}, in whose middle they count: part of it is lost; take thinner cells (grid.spacing)",
-                        side == 0 ? "lower" : "upper", length_text(f_.cell[2])));
+        add("coarse_profile", fmt::format("the yield_profile or the initial_stress of the {} body has a layer that is "
+                                          "thinner than the layers of cells, {}, and contains no centre of a cell: "
+                                          "part of the profile is lost; use thinner cells (grid.spacing)",
+                                          side == 0 ? "lower" : "upper", length_text(f_.cell[2])));
     }
   }
 
@@ -135,8 +133,8 @@ public:
     // Error due to the step: 1.4 % of the net energy for an eighth of the contact radius, docs/verification.md (shift step).
     const double share = *f_.shift / f_.half_x;
     add("long_step",
-        fmt::format("the contact moves by {} per step, {:.2g} contact radii; more than {:g} leave gaps in the "
-                    "history, and about {} of the net energy are to be expected as error: take a smaller shift",
+        fmt::format("the contact moves by {} per step, {:.2g} contact radii; steps of more than {:g} radii leave gaps "
+                    "in the history; the expected error of the net energy is about {}: use a smaller shift",
                     length_text(*f_.shift), share, longest_share_of_radius,
                     percent_text(std::min(1.0, 0.014 * std::pow(8.0 * share, 2.2)))));
   }
@@ -144,10 +142,9 @@ public:
   void of_size()
   {
     if (f_.approach < smallest_approach)
-      add("small_size",
-          fmt::format("the bodies approach by {} only, less than some atoms, where materials are no continuum; "
-                      "is the load or the size what was meant?",
-                      length_text(f_.approach)));
+      add("small_size", fmt::format("the bodies approach by only {}, less than a few atoms, where materials are not a "
+                                    "continuum; are the load and the size as intended?",
+                                    length_text(f_.approach)));
   }
 
   void of_tolerances()
@@ -157,19 +154,17 @@ public:
                                             {"displacement_tolerance", s.displacement_tolerance, loose_displacement},
                                             {"contact_tolerance", s.contact_tolerance, loose_contact}})
       if (value > limit)
-        add("loose_tolerance",
-            fmt::format("solver.{} = {:g} is loose: steps end before they have converged; up to {:g} "
-                        "their error stays below that of usual cells",
-                        key, value, limit));
+        add("loose_tolerance", fmt::format("solver.{} = {:g} is loose: steps end before they have converged; with up "
+                                           "to {:g} this error stays below that of usual cells",
+                                           key, value, limit));
   }
 
   void of_expected_yield()
   {
     if (f_.can_yield && f_.first_yield && *f_.first_yield >= f_.approach)
-      add("no_yield",
-          fmt::format("nothing will yield, by estimate: the bodies approach by about {}, and stay elastic up to "
-                      "there, though a yield stress is given; is a unit missing?",
-                      length_text(f_.approach)));
+      add("no_yield", fmt::format("nothing will yield, by estimate: the bodies approach by about {} and stay elastic, "
+                                  "although a yield stress is given; is a unit missing?",
+                                  length_text(f_.approach)));
   }
 
   /// Warns of a bulk temperature at which the yield stress is already reduced.
@@ -183,12 +178,12 @@ public:
                               : 1.0;
       if (left < 1.0)
         add("softened_yield",
-            fmt::format("at its {:g} degC the {} body keeps {} of its yield stress; {}", material.temperature,
-                        side == 0 ? "lower" : "upper", percent_text(left),
-                        f_.is_heated ? "first yield, and what counts from it, as normalised interferences and loads, "
-                                       "first grids and tolerances, is that of all of it"
-                                     : "but it counts with all of it: softening acts where the heat of friction is "
-                                       "computed, which takes friction, a speed and thermal constants"));
+            fmt::format("at its bulk temperature of {:g} degC the {} body has only {} of its yield stress; {}",
+                        material.temperature, side == 0 ? "lower" : "upper", percent_text(left),
+                        f_.is_heated ? "first yield, and the normalised quantities, initial grids and tolerances that "
+                                       "depend on it, use the full yield stress"
+                                     : "but the full yield stress is used: softening acts only if the heat of friction "
+                                       "is computed, which needs friction, a speed and thermal constants"));
     }
   }
 
@@ -308,15 +303,15 @@ std::string resolution_text(const Resolution& r)
   if (std::isnan(r.cells) && !r.cells_per_wave)
     return "resolution: no contact";
   std::string text =
-      r.cells_per_wave ? fmt::format("resolution: {:.3g} cells per shortest wave, of a contact in patches of any size",
-                                     *r.cells_per_wave)
-                       : fmt::format("resolution: {:.3g} x {:.3g} cells per contact radius", r.cells_x, r.cells_y);
+      r.cells_per_wave
+          ? fmt::format("resolution: {:.3g} cells per shortest wave, for a contact of patches of various sizes",
+                        *r.cells_per_wave)
+          : fmt::format("resolution: {:.3g} x {:.3g} cells per contact radius", r.cells_x, r.cells_y);
   if (r.plastic_layers)
     text += *r.plastic_layers > 0 ? fmt::format(", {} layers through the plastic zone", *r.plastic_layers)
                                   : ", nothing yields";
   if (!r.expected_errors.empty())
-    text += fmt::format("; error to be expected, an estimate from the convergence tables: {}",
-                        errors_text(r.expected_errors));
+    text += fmt::format("; expected errors, estimated from the convergence tables: {}", errors_text(r.expected_errors));
   return text;
 }
 
@@ -325,7 +320,7 @@ std::optional<std::string> reason_against_cells(const std::array<double, 3>& spa
   constexpr double rounding = 1e-9;
   if (spacing[0] <= half_x * (1.0 + rounding) && spacing[1] <= half_y * (1.0 + rounding))
     return std::nullopt;
-  return fmt::format("cells of {} x {} for a contact of about {} x {}, half-widths; allowed: at least one cell per "
+  return fmt::format("cells of {} x {} for a contact with half-widths of about {} x {}; allowed: at least one cell per "
                      "half-width, {:g} or more for useful results",
                      length_text(spacing[0]), length_text(spacing[1]), length_text(half_x), length_text(half_y),
                      fewest_cells);
@@ -336,10 +331,9 @@ std::optional<std::string> reason_against_shift(double shift, double half_x)
   const double longest = 2.0 * half_x;
   if (shift <= longest)
     return std::nullopt;
-  return fmt::format(
-      "is longer than the contact, about {}, and would jump over material that is never touched; allowed: up "
-      "to that, at most {} for useful results",
-      length_text(longest), length_text(longest_share_of_radius * half_x));
+  return fmt::format("is longer than the contact, about {}, and would skip material; allowed: up to this length, at "
+                     "most {} for useful results",
+                     length_text(longest), length_text(longest_share_of_radius * half_x));
 }
 
 } // namespace brinell::simulation

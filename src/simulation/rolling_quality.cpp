@@ -48,11 +48,10 @@ std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vecto
   const bool is_rough = !rolling.lower.texture.is_smooth() || !rolling.upper.texture.is_smooth();
   return Warning{
       "unsteady_track",
-      fmt::format("pass {}: the energy taken up per length differs by {} between the two quarters of the middle of the "
-                  "track: its resistance, friction and mean F_X are those of this stretch and no average; take a "
-                  "longer track{}",
+      fmt::format("pass {}: the energy absorbed per length differs by {} between the two quarters in the middle of the "
+                  "track: resistance, friction and mean F_X hold for this part of the track only; use a longer track{}",
                   worst - passes.begin() + 1, percent_text(std::abs(worst->unsteadiness)),
-                  is_rough ? ", of many lengths of the texture" : "")};
+                  is_rough ? ", many times longer than the texture" : "")};
 }
 
 /// Warning about the last pass, if stick and slip have not become steady.
@@ -60,11 +59,10 @@ std::optional<Warning> creep_unsteadiness(const RollingCase& rolling, const std:
 {
   if (!rolling.creepage || passes.empty() || passes.back().creeps_steadily())
     return std::nullopt;
-  return Warning{
-      "unsteady_creep",
-      fmt::format("pass {}: the force along the surface differs by {} between both halves of the last quarter of the "
-                  "track: stick and slip are still on their way to those of steady rolling; take a longer track",
-                  passes.size(), percent_text(passes.back().creep_unsteadiness))};
+  return Warning{"unsteady_creep",
+                 fmt::format("pass {}: the tangential force differs by {} between both halves of the last quarter of "
+                             "the track: stick and slip have not yet reached steady rolling; use a longer track",
+                             passes.size(), percent_text(passes.back().creep_unsteadiness))};
 }
 
 } // namespace

@@ -59,35 +59,31 @@ inline constexpr Column<FrictionRecord> F_friction{"F_friction", "N", &FrictionR
                                                    "friction between the surfaces, along the plane of contact"};
 inline constexpr Column<FrictionRecord> share_at_shear_limit{
     "share_at_shear_limit", "1", &FrictionRecord::share_at_shear_limit,
-    "share of the contact whose shear is at the limit of the surface"};
+    "share of the contact where the shear is at the limit of the surface"};
 
 /// Columns of the scenarios in which friction may heat.
 inline constexpr std::array<Column<HeatedRecord>, 6> heated{{
     {"max_temperature_lower", "degC", &HeatedRecord::max_temperature_lower,
-     "largest temperature of the lower surface in and around the contact; without heat that of the bulk"},
+     "largest temperature of the lower surface in and around the contact; without heat the bulk temperature"},
     {"max_temperature_upper", "degC", &HeatedRecord::max_temperature_upper,
-     "largest temperature of the upper surface in and around the contact; without heat that of the bulk"},
-    {"heat_lower", "J", &HeatedRecord::heat_lower,
-     "heat of friction that has come into the lower body since the start"},
-    {"heat_upper", "J", &HeatedRecord::heat_upper,
-     "heat of friction that has come into the upper body since the start"},
+     "largest temperature of the upper surface in and around the contact; without heat the bulk temperature"},
+    {"heat_lower", "J", &HeatedRecord::heat_lower, "heat of friction that has entered the lower body since the start"},
+    {"heat_upper", "J", &HeatedRecord::heat_upper, "heat of friction that has entered the upper body since the start"},
     {"heat_of_plastic_work", "J", &HeatedRecord::heat_of_plastic_work,
-     "heat that has arisen in both bodies since the start, of their plastic work"},
+     "heat of the plastic work of both bodies since the start"},
     {"work_of_expansion", "J", &HeatedRecord::work_of_expansion,
-     "work that the bodies have done since the start as heat made them swell"},
+     "work of the bodies by thermal expansion since the start"},
 }};
 
 /// Columns of the scenarios in which the surfaces may wear.
 inline constexpr std::array<Row, 6> worn{{
-    {"worn_volume_lower", "m^3", &StepRecord::worn_volume_lower, "volume that the lower body has lost by wear"},
-    {"worn_volume_upper", "m^3", &StepRecord::worn_volume_upper, "volume that the upper body has lost by wear"},
-    {"max_worn_depth_lower", "m", &StepRecord::max_worn_depth_lower,
-     "largest depth that the lower surface has lost by wear"},
-    {"max_worn_depth_upper", "m", &StepRecord::max_worn_depth_upper,
-     "largest depth that the upper surface has lost by wear"},
+    {"worn_volume_lower", "m^3", &StepRecord::worn_volume_lower, "worn volume of the lower body"},
+    {"worn_volume_upper", "m^3", &StepRecord::worn_volume_upper, "worn volume of the upper body"},
+    {"max_worn_depth_lower", "m", &StepRecord::max_worn_depth_lower, "largest worn depth of the lower surface"},
+    {"max_worn_depth_upper", "m", &StepRecord::max_worn_depth_upper, "largest worn depth of the upper surface"},
     {"max_wear_step", "m", &StepRecord::max_wear_step,
-     "largest depth that both surfaces have lost together in one increment so far"},
-    {"work_of_wear", "J", &StepRecord::work_of_wear, "work of the pressure on what was worn since the start"},
+     "largest worn depth of both surfaces together in one increment so far"},
+    {"work_of_wear", "J", &StepRecord::work_of_wear, "work of the pressure on the worn depth since the start"},
 }};
 
 /// Columns that end each row.
@@ -97,7 +93,7 @@ inline constexpr std::array<Row, 10> ending{{
     {"dissipation_upper", "J", &StepRecord::dissipation_upper, "plastic work in the upper body since the start"},
     {"dissipation_friction", "J", &StepRecord::dissipation_friction, "heat of friction since the start"},
     {"energy_residual", "J", &StepRecord::energy_residual, "elastic energy locked in by the plastic strain"},
-    {"energy_elastic", "J", &StepRecord::energy_elastic, "elastic energy of the contact, of pressure and shear"},
+    {"energy_elastic", "J", &StepRecord::energy_elastic, "recoverable elastic energy of pressure and shear"},
     {"max_residual_lower", "m", &StepRecord::max_residual_lower, "largest residual displacement of the lower surface"},
     {"max_residual_upper", "m", &StepRecord::max_residual_upper, "largest residual displacement of the upper surface"},
     {"max_equivalent_plastic_strain", "1", &StepRecord::max_equivalent_plastic_strain,
