@@ -22,10 +22,11 @@ namespace
 namespace fs = std::filesystem;
 using Mode = io::ResultDirectory::Mode;
 
-constexpr double refinement = std::numbers::sqrt2; ///< of the cells from run to run: a tugging costs four times as much
-constexpr int most_runs = 5;                       ///< down to half of the cells of the case
-constexpr double coarsest = 2.0;                   ///< size of the first cells, over that of the case
-constexpr double fewest_cells = 2.0;               ///< per contact radius: with less the numbers tell no order
+constexpr double refinement =
+    std::numbers::sqrt2;             ///< ratio of cell sizes between runs; each run of tugging costs four times as much
+constexpr int most_runs = 5;         ///< down to half of the cell size of the case
+constexpr double coarsest = 2.0;     ///< first cell size relative to that of the case
+constexpr double fewest_cells = 2.0; ///< per contact radius: with fewer the numbers show no order of convergence
 constexpr const char* subfolder = "accuracy";
 
 std::string text_of(const fs::path& file)
@@ -34,7 +35,7 @@ std::string text_of(const fs::path& file)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Size of the first cells of a series.
+/// Relative cell size of the first run of a series.
 double first_cells(const io::Case& c)
 {
   const simulation::Resolution resolution =
@@ -45,7 +46,7 @@ double first_cells(const io::Case& c)
   return std::clamp(cells / fewest_cells, 1.0, coarsest);
 }
 
-/// A run of the series that is complete in its folder, computed by this program.
+/// A run of the series that an earlier process with the same build has completed in its folder.
 std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& c, double cells)
 {
   const std::string summary = text_of(folder / "summary.json");
@@ -61,7 +62,7 @@ std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& 
   return level;
 }
 
-/// Whether a run was stopped there that can go on.
+/// Whether to resume a run that was stopped in a folder, or to replace it.
 Mode mode_in(const fs::path& folder, const io::Case& c, bool resume)
 {
   const bool same = resume && text_of(folder / "resolved.toml") == io::resolved_files(c.values).text;
@@ -84,7 +85,7 @@ void move_up(const fs::path& from, const fs::path& to)
   fs::remove(from, error);        // stays if somebody has put something else there
 }
 
-/// Earlier series may have had more runs.
+/// Removes runs of an earlier series, which may have been longer.
 void remove_level(const fs::path& folder)
 {
   std::error_code error;
@@ -106,9 +107,9 @@ public:
 
   RunReport run()
   {
-    static_cast<void>(io::plan_case(case_)); // is refused before anything is written
+    static_cast<void>(io::plan_case(case_)); // throws before anything is written if the case cannot be computed
     {
-      // Holds the folder for this process and takes away what was there; on --resume it refuses another case.
+      // Locks the folder for this process and removes an earlier result; with --resume it refuses another case.
       const io::ResultDirectory folder(options_.folder, case_, options_.mode);
       replaced_ = folder.replaced();
       levels();
@@ -137,12 +138,12 @@ private:
     }
   }
 
-  /// @returns false if there can be no finer run, and the one before is the result
+  /// @returns false if a finer run is not possible, so that the previous one is the result
   bool next(int number, double cells)
   {
     const io::Case c = io::with_cells(case_, cells);
     const bool resume = options_.mode == Mode::resume;
-    const bool may_fail = number > 3 && cells < 1.0; // a result is there already
+    const bool may_fail = number > 3 && cells < 1.0; // there is a result already
     const LevelsBefore before{cells, done_};
     try
     {
@@ -179,7 +180,7 @@ private:
     }
   }
 
-  /// The last run is computed again: what it tells of the series stands in its own summary.
+  /// Repeats the last run, because its own summary has to contain the errors of the series.
   bool take_over(int number, const io::Case& c, const io::Level& level)
   {
     std::vector<io::Level> levels = done_;
@@ -201,7 +202,7 @@ private:
   const RunOptions& options_;
   const RunMonitor& monitor_;
   bool replaced_ = false;
-  int number_ = 0; ///< of the last finished run
+  int number_ = 0; ///< number of the last finished run
   std::vector<io::Level> done_;
   std::optional<io::Accuracy> accuracy_;
   RunReport report_;

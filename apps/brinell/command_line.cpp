@@ -36,7 +36,7 @@ A first run:
   brinell check first.toml
   brinell run first.toml --set tugging.interference=2 -o results/first)";
 
-/// For who only types the name of the program.
+/// Printed if the program is called without arguments.
 constexpr std::string_view usage =
     R"(brinell computes the elastic-plastic contact of bodies that are pressed, rolled or slid.
 
@@ -49,7 +49,7 @@ constexpr std::string_view usage =
 brinell --help lists all commands, brinell COMMAND --help the options of one.
 )";
 
-/// An error's lines on stderr, each with the name of the program.
+/// Prints the lines of an error on stderr, each with the name of the program.
 int report(std::string_view text, int exit_code)
 {
   for (std::size_t begin = 0; begin <= text.size();)
@@ -68,7 +68,7 @@ int guarded(const std::function<int()>& command)
   {
     return command();
   }
-  catch (const GridError& error) // of a grid that grew in the course of a run: what was given is good
+  catch (const GridError& error) // of a grid that grew during a run: the input is valid
   {
     return report(error.what(), exit_failure);
   }
@@ -94,7 +94,8 @@ int guarded(const std::function<int()>& command)
   }
 }
 
-/// What CLI11 refuses, as any other error. @returns the exit code, that of success for --help and --version
+/// Reports errors of CLI11 like any other error.
+/// @returns the exit code, which is success for --help and --version
 int parsing_ended(const CLI::App& app, const CLI::ParseError& error)
 {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
@@ -105,7 +106,7 @@ int parsing_ended(const CLI::App& app, const CLI::ParseError& error)
                 exit_input);
 }
 
-/// CLI11 would only say that there is no command.
+/// Reports an unknown command; CLI11 would only say that a command is missing.
 int unknown_command(const std::string& word, const std::vector<std::string>& names)
 {
   return report(fmt::format("unknown command {}; there are {}", word, fmt::join(names, ", ")), exit_input);

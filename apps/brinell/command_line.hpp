@@ -7,8 +7,8 @@
 namespace brinell::app
 {
 
-/// The program, but for its start: prints, and turns errors into messages.
-/// @param words  its arguments, without the program's name
+/// The program: runs a command, prints its output, and turns errors into messages.
+/// @param words  command-line arguments, without the program's name
 /// @returns the exit code
 [[nodiscard]] int command_line(std::vector<std::string> words);
 

@@ -26,7 +26,7 @@ void print_warnings(const io::Case& c, const std::vector<io::Warning>& warnings)
     fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning.text);
 }
 
-/// Those on the result: the ones on the case have been told before the run.
+/// Prints the warnings about the result; those about the case were printed before the run.
 std::vector<io::Warning> new_warnings(const io::Case& c, const std::vector<io::Warning>& all)
 {
   std::vector<io::Warning> warnings;
@@ -36,7 +36,7 @@ std::vector<io::Warning> new_warnings(const io::Case& c, const std::vector<io::W
   return warnings;
 }
 
-/// Options that are keys of the case, too.
+/// Overrides of the case, including those from options.
 std::vector<std::string> overrides_of(const RunArguments& arguments)
 {
   std::vector<std::string> overrides = arguments.input.overrides;
@@ -45,7 +45,7 @@ std::vector<std::string> overrides_of(const RunArguments& arguments)
   return overrides;
 }
 
-/// The case; a problem with an accuracy names its option.
+/// Reads the case. Messages about solver.accuracy are changed to name the option --accuracy if this was given.
 io::Case case_of(const RunArguments& arguments)
 try
 {
@@ -108,9 +108,9 @@ int run_command(const RunArguments& arguments)
     fmt::print(stderr, "brinell: interrupted; the finished steps are in {}, and --resume goes on\n", folder);
     return 128 + InterruptGuard::signal();
   }
-  catch (const std::runtime_error&) // no convergence, the grid turned out too small, the disk is full
+  catch (const std::runtime_error&) // such as no convergence, a grid that is too small, a full disk
   {
-    if (progress) // else nothing has been written
+    if (progress) // otherwise nothing has been written
     {
       progress.reset();
       fmt::print(stderr, "brinell: the finished steps are in {}\n", folder);

@@ -7,7 +7,7 @@ namespace brinell::app
 namespace
 {
 
-// A signal handler can reach nothing but globals.
+// Global, because a signal handler can access nothing else.
 volatile std::sig_atomic_t noted_signal = 0;
 
 /// The next one of any kind kills.

@@ -11,26 +11,28 @@
 namespace
 {
 
-/// How often a thread looks whether the others are done before it sleeps: for some 30 us, about as long as it takes to sleep and
-/// be woken. Threads that never sleep make a run many times slower as soon as another program needs a core; threads that sleep
-/// at once come too late for the next piece of work: docs/performance.md. The same number stands in python/brinell/__init__.py.
+/// Number of checks (spins) of a waiting thread before it sleeps: about 30 us, as long as it takes to sleep and wake up. Threads
+/// that never sleep make a run many times slower as soon as another program needs a core; threads that sleep at once wake up too
+/// late for the next piece of work: docs/performance.md. The same number is used in python/brinell/__init__.py.
 constexpr const char* looks_before_sleep = "1000";
 
-/// OpenMP reads its environment before main: the program starts itself again. What a user has set stays.
+/// Sets how OpenMP threads wait. OpenMP reads its environment before main, so that the program restarts itself. Settings of the
+/// user stay.
 void wait_a_moment_then_sleep(char** argv)
 {
   constexpr const char* policy = "OMP_WAIT_POLICY";
   if (std::getenv(policy) == nullptr && setenv("GOMP_SPINCOUNT", looks_before_sleep, 0) == 0 &&
       setenv(policy, "passive", 0) == 0)
-    execv("/proc/self/exe", argv); // comes back only if that is not possible: then as it is
+    execv("/proc/self/exe", argv); // returns only on failure; the program then continues with the default
 }
 
-/// What a step frees the next one asks for again. Given back to the system in between, it came as new pages, which one thread has to
-/// clear: 5 to 9 % of a run (docs/performance.md). What a user has set stays.
+/// Makes the allocator keep freed memory, because each step allocates again what the previous one freed. If the memory went back
+/// to the system, new pages would have to be cleared by one thread: 5 to 9 % of a run (docs/performance.md). Settings of the user
+/// stay.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
-  constexpr int largest_kept_block = 32 << 20; // that glibc itself may come to keep
+  constexpr int largest_kept_block = 32 << 20; // the largest threshold to which glibc itself adapts
   constexpr int most_kept = 1 << 30;
   if (std::getenv("MALLOC_TRIM_THRESHOLD_") == nullptr && std::getenv("MALLOC_MMAP_THRESHOLD_") == nullptr &&
       mallopt(M_MMAP_THRESHOLD, largest_kept_block) == 1)
@@ -44,6 +46,6 @@ int main(int argc, char** argv)
 {
   wait_a_moment_then_sleep(argv);
   keep_freed_memory();
-  std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is told as one that cannot be written
+  std::signal(SIGXFSZ, SIG_IGN); // a file larger than `ulimit -f` is then reported as an error of writing
   return brinell::app::command_line({argv + 1, argv + argc});
 }

@@ -44,22 +44,21 @@ void declare_run(CLI::App& app, RunArguments& arguments)
   run->add_option("-o,--output", arguments.directory,
                   "Folder of the results; default: the case's, or results/<name of the case>")
       ->type_name("DIR");
-  run->add_option(
-         "--accuracy", arguments.accuracy,
-         "Run with coarser cells first and with finer ones as long as the key numbers are not yet that close to "
-         "their limit, and tell the interval of each: --accuracy 1%")
+  run->add_option("--accuracy", arguments.accuracy,
+                  "Run a series from coarser to finer cells until the estimated error of the key numbers is below this "
+                  "share, and report the interval of each: --accuracy 1%")
       ->type_name("SHARE");
   run->add_option("--threads", arguments.threads, "Number of threads; default: all cores, or OMP_NUM_THREADS")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
-  run->add_flag("--resume", arguments.resume, "Go on with a run of this case that was stopped in that folder");
+  run->add_flag("--resume", arguments.resume, "Continue a run of this case that was stopped in that folder");
   run->add_flag("-q,--quiet", arguments.quiet, "Print nothing but warnings and errors");
 }
 
 void declare_new(CLI::App& app, NewArguments& arguments)
 {
-  auto* create =
-      app.add_subcommand("new", "Write a case file to begin with: it runs, and its comments tell of all keys");
+  auto* create = app.add_subcommand(
+      "new", "Write a template of a case file: it runs as it is, and its comments describe all keys");
   create->add_option("scenario", arguments.scenario, fmt::format("{}", fmt::join(io::scenario_names(), ", ")))
       ->required()
       ->type_name("SCENARIO");

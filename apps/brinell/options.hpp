@@ -14,7 +14,7 @@ class App;
 namespace brinell::app
 {
 
-/// What the options of all commands are written to.
+/// Values of the options of all commands.
 struct Arguments
 {
   RunArguments run;
@@ -29,14 +29,14 @@ void declare_commands(CLI::App& app, Arguments& arguments);
 
 [[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
 
-/// Whether a command is one of the Python package, which this library does not run.
+/// Whether a command belongs to the Python package; this library does not run it.
 [[nodiscard]] bool is_python_command(const std::string& name);
 
-/// An option, or a value that stands by itself.
+/// An option, or a positional argument.
 struct OptionInfo
 {
-  std::vector<std::string> flags; ///< "-o", "--output"; empty: a value by itself
-  std::string value;              ///< name of what follows the flag, "DIR"; empty: nothing does
+  std::vector<std::string> flags; ///< "-o", "--output"; empty: a positional argument
+  std::string value;              ///< name of the option's value, "DIR"; empty: it has none
   std::string help;
 };
 

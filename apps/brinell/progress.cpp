@@ -16,7 +16,7 @@ namespace
 
 constexpr std::size_t longest_bar = 24, shortest_bar = 8;
 
-/// Columns of the terminal behind stderr; a common width if it does not tell.
+/// Number of columns of the terminal on stderr; a common width if it is unknown.
 std::size_t terminal_width()
 {
   winsize size{};
@@ -33,7 +33,7 @@ std::string duration_text(double seconds)
   return fmt::format("{} h {:02} min", total / 3600, total / 60 % 60);
 }
 
-/// The text without as many of its parts as are too much; the last one stays.
+/// Drops parts of the text until it fits; the last part always stays.
 std::string fitting_text(std::string_view text, std::size_t width)
 {
   constexpr std::string_view between = "  ";
@@ -93,7 +93,7 @@ void Progress::step(int step, int step_count, const std::string& where, int eval
                                        evaluations, evaluations == 1 ? "" : "s", duration_text(left));
   if (terminal_)
   {
-    // A line that fills the last column would go on in the next one.
+    // A line that fills the last column would wrap into the next line.
     fmt::print(stderr, "\r{}\x1b[K", progress_line(static_cast<double>(done) / total, text, terminal_width() - 1));
     bar_is_shown_ = true;
   }

@@ -9,12 +9,12 @@
 namespace brinell::app
 {
 
-/// A bar with text behind it, of at most `width` characters: first the bar becomes shorter, then parts of the text are left
-/// out, those before the last one first, as the last one, the time left, is what matters most; then the bar.
+/// A progress bar followed by text, of at most `width` characters. If there is not enough room the bar is shortened first, then
+/// parts of the text are left out, except the last one (the time left), and finally the bar.
 /// @param text  in parts with two blanks between them
 [[nodiscard]] std::string progress_line(double share, std::string_view text, std::size_t width);
 
-/// Shows on stderr how far a run is: a bar on a terminal, one line per tenth of the steps elsewhere, nothing if quiet.
+/// Shows the progress of a run on stderr: a bar on a terminal, otherwise one line per tenth of the steps; nothing if quiet.
 class Progress
 {
 public:
@@ -24,9 +24,9 @@ public:
   Progress& operator=(const Progress&) = delete;
 
   /// @param step   counts from 0
-  /// @param where  what the step was about
+  /// @param where  position of the step in the motion
   void step(int step, int step_count, const std::string& where, int evaluations);
-  /// A line of its own.
+  /// Prints a message on a line of its own.
   void remark(const std::string& text);
 
 private:

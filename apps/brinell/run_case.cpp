@@ -30,7 +30,7 @@ double seconds_since(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A wish to stop: fulfilled after the step, or in the midst of it if that lasts too long.
+/// A request to stop: honoured after the current step, or within the step if it takes too long.
 class Stop
 {
 public:
@@ -57,7 +57,7 @@ private:
   Clock::time_point since_;
 };
 
-/// What the program prints of a finished run.
+/// Text that the program prints about a finished run.
 template <typename Summary>
 std::string told(const io::Case& c, const Summary& summary, const io::RunInfo& info)
 {
@@ -127,7 +127,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   const auto summary = going->totals();
   const double seconds = seconds_since(start);
   results.add_final(going->fields(), io::columns(summary.last));
-  going.reset(); // its memory is not needed any more
+  going.reset(); // frees its memory
   const auto plan = simulation::plan(scenario);
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
@@ -141,7 +141,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   return report;
 }
 
-/// As many threads as asked for, as long as it lives.
+/// Sets the number of threads for its lifetime.
 class Threads
 {
 public:
@@ -168,7 +168,7 @@ std::filesystem::path default_folder(const io::Case& c)
 LevelReport run_level(const io::Case& c, const std::filesystem::path& folder, io::ResultDirectory::Mode mode,
                       const RunMonitor& monitor, const LevelsBefore& before)
 {
-  static_cast<void>(io::plan_case(c)); // is refused before anything is written
+  static_cast<void>(io::plan_case(c)); // throws before anything is written if the case cannot be computed
   io::ResultDirectory results(folder, c, mode);
   if (monitor.on_start)
     monitor.on_start(results.replaced(), results.finished_steps());

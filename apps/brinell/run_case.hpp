@@ -9,33 +9,33 @@
 #include <string>
 #include <vector>
 
-/// One way to run a case, for the command line and for Python.
+/// Running a case, for the command line and for Python.
 namespace brinell::app
 {
 
-/// Who watches a run; empty functions are skipped.
+/// Callbacks of a run; empty functions are skipped.
 struct RunMonitor
 {
-  /// The folder is taken and what was there is known.
+  /// Called when the folder has been locked and its earlier content is known.
   std::function<void(bool replaced, int finished_steps)> on_start;
   /// @param step   counts from 0
-  /// @param count  of all steps, an estimate
+  /// @param count  estimated number of all steps
   std::function<void(int step, int count, const std::string& where, int evaluations)> on_step;
-  /// Something happened that is worth a line.
+  /// Reports an event as one line of text.
   std::function<void(const std::string& text)> on_remark;
-  /// Asked between two evaluations. The run then ends with `Interrupted`: after the step, with a checkpoint, if that takes no
-  /// longer than a moment; else at once.
+  /// Asked between two evaluations. If it returns true the run ends with `Interrupted`: after the current step, with a
+  /// checkpoint, or at once if the step takes more than a moment.
   std::function<bool()> wants_stop;
-  /// Of a series for an accuracy: the next run begins, or was taken over as it had been finished before.
+  /// Called in a series for an accuracy when the next run begins, or was taken over because it had been finished before.
   /// @param number  counts from 1
-  /// @param cells   their size, over that of the case
+  /// @param cells   cell size relative to that of the case
   std::function<void(int number, double cells, bool taken_over)> on_level;
 };
 
-/// For the user, at the end of a run.
+/// Report for the user at the end of a run.
 struct RunReport
 {
-  std::string text;                    ///< some lines about what came out
+  std::string text;                    ///< some lines about the results
   std::vector<io::Warning> warnings{}; ///< as in the summary
 };
 
@@ -46,16 +46,16 @@ struct RunOptions
   int threads = 0; ///< 0: as OpenMP decides
 };
 
-/// Where the results of a case go if nobody says otherwise.
+/// Default folder of the results of a case.
 [[nodiscard]] std::filesystem::path default_folder(const io::Case& c);
 
-/// Runs a case and writes its results; with an accuracy asked for, a series of it.
-/// @throws InputError, ConvergenceError, IoError, Interrupted; the finished steps are in the folder then
+/// Runs a case, or a series of runs if an accuracy is requested, and writes the results.
+/// @throws InputError, ConvergenceError, IoError, Interrupted; the finished steps are then in the folder
 RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor = {});
 
 /// Runs a case without a folder.
-/// @returns the bytes of a result.vtkhdf, without what is for ParaView
-/// @throws as `run_case`; the finished steps are lost then
+/// @returns the bytes of a result.vtkhdf, without the group for ParaView
+/// @throws as `run_case`; the finished steps are then lost
 [[nodiscard]] std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& monitor = {});
 
 } // namespace brinell::app

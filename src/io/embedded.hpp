@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-/// Text files of the source tree that the library carries inside: CMake writes them into it (embedded.cpp.in).
+/// Text files of the source tree that CMake embeds in the library (embedded.cpp.in).
 namespace brinell::io
 {
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
-/// What comes behind the content of a sealed file.
+/// The seal after the content of a sealed file.
 std::string seal(std::string_view mark, std::string_view sum)
 {
   return fmt::format("\n{} {}\n", mark, sum);
@@ -38,7 +38,7 @@ void read_blocks(const fs::path& file, std::size_t largest, const std::function<
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status))
     throw InputError("is a folder; allowed: a file");
-  if (fs::exists(status) && !fs::is_regular_file(status)) // a pipe would keep us waiting
+  if (fs::exists(status) && !fs::is_regular_file(status)) // reading a pipe could block
     throw InputError("is a device or a pipe; allowed: a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -53,7 +53,7 @@ void read_blocks(const fs::path& file, std::size_t largest, const std::function<
   {
     const auto got = static_cast<std::size_t>(stream.gcount());
     size += got;
-    if (size > largest) // some of /proc tell no size
+    if (size > largest) // checked while reading, as files in /proc report no size
       throw too_large();
     take({block.data(), got});
   }
@@ -109,7 +109,7 @@ void Replacement::require_room(std::uintmax_t bytes) const
   const int file = open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0)
     throw failed(std::strerror(errno));
-  // Unlike the free space of the disk, this knows the limits of users and processes.
+  // Unlike a query of the free disk space, this respects the limits of users and processes.
   const int cause = fallocate(file, 0, 0, static_cast<off_t>(bytes)) == 0 ? 0 : errno;
   close(file);
   std::error_code unknown;
@@ -169,7 +169,7 @@ void require_seal(const fs::path& path, std::string_view mark)
 {
   const std::size_t length = seal(mark, checksum("")).size();
   Checksum sum;
-  std::string end; // what may be the seal
+  std::string end; // last bytes, which may be the seal
   try
   {
     read_blocks(path, no_limit,
@@ -181,7 +181,7 @@ void require_seal(const fs::path& path, std::string_view mark)
                   end.erase(0, inside);
                 });
   }
-  catch (const InputError& error) // no regular file
+  catch (const InputError& error) // not a regular file
   {
     throw damaged_file(path, fmt::format("it {}", error.what()));
   }

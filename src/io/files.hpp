@@ -12,28 +12,31 @@
 #include <string>
 #include <string_view>
 
-/// Files as a whole: read, replaced in one piece, recognised as undamaged.
+/// Whole files: reading, atomic replacement, checksums.
 namespace brinell::io
 {
 
-/// Files of a case are read whole, with all that is made of them: far beyond any that a person writes or an instrument measures.
+/// Limit for files of a case, which are read into memory: far larger than any file written by a person or measured by an
+/// instrument.
 inline constexpr std::size_t largest_input = 100'000'000; // bytes
 
-/// Hands the content to `take`, block by block. Devices and pipes may have no end, or never begin: they are refused.
-/// @throws InputError if there is no such file, it is not a regular one or larger than `largest`: says so after the file's
-/// name, that the caller puts before it; IoError, with the name, if it cannot be read
+/// Passes the content to `take`, block by block. Devices and pipes are refused, because they may have no end, or never deliver
+/// data.
+/// @throws InputError if there is no such file, or if it is not a regular file or larger than `largest`; the text is meant to
+/// follow the file's name, which the caller adds. IoError, with the name, if it cannot be read
 void read_blocks(const std::filesystem::path& file, std::size_t largest,
                  const std::function<void(std::string_view)>& take);
 
-/// The content, without the mark that may say that it is UTF-8 (BOM).
+/// The content, without a byte order mark of UTF-8 (BOM).
 /// @throws as read_blocks
 [[nodiscard]] std::string input_text(const std::filesystem::path& file, std::size_t largest = largest_input);
 
-/// Replaces a file in one piece: readers see the old content or the new one. @throws IoError
+/// Replaces a file atomically: readers see the old content or the new one.
+/// @throws IoError
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// 64 bits of what has been added, in whatever pieces: XXH3, which leaves one damage in 2^64 unnoticed. It is no signature: who damages
-/// on purpose can mend the checksum too.
+/// 64-bit checksum (XXH3) of the added data, independent of how they are split. Damage goes unnoticed with a probability of
+/// 2^-64. It is not a signature and does not protect against manipulation.
 class Checksum
 {
 public:
@@ -53,7 +56,7 @@ private:
 
 [[nodiscard]] std::string checksum(std::string_view bytes);
 
-/// A file that is written under its name with .part, and takes its name when it is complete.
+/// A file that is written under its name with the suffix .part, and renamed when it is complete.
 /// @throws IoError (all members)
 class Replacement
 {
@@ -82,12 +85,13 @@ private:
   bool is_committed_ = false;
 };
 
-/// @throws IoError unless the file is as it was written
+/// Checks the checksum of a sealed file.
+/// @throws IoError if the file is damaged
 void require_seal(const std::filesystem::path& path, std::string_view mark);
 
 [[nodiscard]] IoError damaged_file(const std::filesystem::path& path, std::string_view how = "");
 
-/// Where the first byte is that is not UTF-8; the size if there is none.
+/// Position of the first byte that is not valid UTF-8; the size of the text if there is none.
 [[nodiscard]] std::size_t valid_utf8(std::string_view text);
 
 } // namespace brinell::io

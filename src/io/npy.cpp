@@ -23,7 +23,7 @@ constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::size_t largest_table = 1'000'000'000; // bytes, as for texts far beyond any instrument
 constexpr std::size_t largest_header = 10'000;       // as NumPy itself allows
 
-/// What the head of a file says of its numbers.
+/// Information from the header of a file.
 struct Head
 {
   std::string type; ///< "<f8": float64

@@ -7,12 +7,12 @@
 #include <span>
 #include <string>
 
-/// Files of NumPy with one table of numbers (.npy): measured heights, which as text take three times the room and a hundred times
+/// NumPy files (.npy) with one table of numbers, for measured heights; text would take three times the space and a hundred times
 /// the time.
 namespace brinell::io
 {
 
-/// @throws InputError without the file's name: it is no such file, has no rows and columns of real numbers, or numbers that are
+/// @throws InputError (without the file's name) if it is not such a file, is not a table of real numbers, or has numbers that are
 /// not finite; IoError
 [[nodiscard]] HeightTable read_npy(const std::filesystem::path& file);
 

@@ -8,7 +8,7 @@
 namespace brinell::io
 {
 
-/// Without the characters of `around` at either end.
+/// The text without the characters of `around` at either end.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text, std::string_view around = " \t")
 {
   text.remove_prefix(std::min(text.find_first_not_of(around), text.size()));

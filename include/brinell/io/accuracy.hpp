@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// A case with finer and finer cells, and what its numbers tell of their error.
+/// Discretization errors of the numbers of a case, estimated from a series of runs with successively finer cells.
 namespace brinell::io
 {
 
@@ -18,17 +18,17 @@ using Numbers = std::map<std::string, double>;
 /// One run of a series.
 struct Level
 {
-  double cells = 1.0; ///< size, over that of the case as given
+  double cells = 1.0; ///< cell size relative to that of the case as given
   Vector3 spacing{};  ///< [m]
   Numbers numbers;
 };
 
-/// What a series has come to.
+/// Result of a series.
 struct Accuracy
 {
   double asked = 0.0;
   bool reached = false;
-  double error = 0.0; ///< largest relative one of the key numbers
+  double error = 0.0; ///< largest relative error of the key numbers
   std::vector<std::string> key_numbers;
   std::vector<Level> levels; ///< coarsest first
   std::map<std::string, simulation::Convergence> numbers;
@@ -37,18 +37,18 @@ struct Accuracy
 /// A finished run of a series, from its summary's text.
 [[nodiscard]] Level level_of(const std::string& summary, double cells);
 
-/// The results in a summary's text, without what is given, counted or is an error itself; those that are no number are left
-/// out, and so are those over their values at first yield, which differ by a factor only.
+/// The results in a summary's text. Left out are input values, counts, errors, values that are not numbers, and values normalised
+/// by those at first yield, which only differ by a factor.
 [[nodiscard]] Numbers numbers_of(const std::string& summary);
 
-/// The same case with cells of that size, over the size they have; a shift that is not given goes with them. Its values, and so
-/// its resolved text, stay those of the case as given: they define the series.
+/// The same case with its cell sizes multiplied by a factor; a shift that is not given scales with the cells. The values of the
+/// case, and so its resolved text, stay those of the case as given, because they identify the series.
 [[nodiscard]] Case with_cells(const Case& c, double size);
 
 /// Estimates from two levels or more.
 [[nodiscard]] Accuracy accuracy_of(const Case& c, std::vector<Level> levels);
 
-/// Which of the key numbers is known least, and what would help: a clause for people.
+/// The key number with the largest error, and what would reduce it: a clause for people.
 [[nodiscard]] std::string accuracy_advice(const Case& c, const Accuracy& accuracy);
 
 } // namespace brinell::io

@@ -22,13 +22,14 @@ class CaseValues
 {
 public:
   void set(std::string_view key, Value value) { values_.emplace_back(key, std::move(value)); }
-  /// Puts other keys of the same table where `key` stands: the resolved case needs those of a table together.
+  /// Replaces `key` by other keys of the same table at the same position, as the resolved case needs the keys of a table
+  /// together.
   void replace(std::string_view key, std::vector<std::pair<std::string, Value>> by);
 
   /// nullptr if unset.
   [[nodiscard]] const Value* find(std::string_view key) const;
 
-  /// @throws InternalError if unset or of another type: a key that the schema does not declare that way.
+  /// @throws InternalError if the key is unset or of another type than the schema declares.
   template <class T>
   [[nodiscard]] const T& get(std::string_view key) const
   {
@@ -55,15 +56,15 @@ using Scenario = simulation::AnyCase;
 struct Case
 {
   std::filesystem::path file;
-  std::string name;  ///< of the folder if the file is called case.toml, else of the file
+  std::string name;  ///< name of the file, or of its folder if the file is called case.toml
   std::string title; ///< may be empty
   Scenario scenario;
   SnapshotRule snapshots;
   double checkpoint_interval = 30.0;              ///< [s]
-  std::optional<double> accuracy;                 ///< to be reached by a series of finer and finer cells
+  std::optional<double> accuracy;                 ///< relative error to be reached by a series of runs with finer cells
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one
-  /// 1 / (1/R1 + 1/R2) [m] if it is the same in all directions, or of cylinders in plane strain; of a tugging that in the plane
-  /// of motion.
+  /// Equivalent radius 1 / (1/R1 + 1/R2) [m], if it is the same in all directions, or for cylinders in plane strain; for tugging,
+  /// the one in the plane of motion.
   std::optional<double> equivalent_radius;
   double contact_modulus = 0.0;          ///< E' [Pa]
   std::optional<FirstYield> first_yield; ///< nominal; empty if there is a reason against it
@@ -77,36 +78,36 @@ struct Case
 /// @throws InputError with all problems found, one per line, each with its place.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// Its text: of a file of up to 100 MB, which is no device and no pipe.
+/// The text of a case file: a regular file of up to 100 MB.
 /// @throws InputError, IoError
 [[nodiscard]] std::string case_file_text(const std::filesystem::path& file);
 
-/// Heights that a case names as if they were a file: a program that has them in memory need not write them.
+/// Heights in memory that a case may name like a file, so that a program need not write them.
 struct HeightTable
 {
-  std::vector<double> heights; ///< row after row [m]
+  std::vector<double> heights; ///< row by row [m]
   std::size_t columns = 0;
 };
 using HeightTables = std::map<std::string, HeightTable, std::less<>>;
 
-/// Whether messages name file and line: a program that has made the text itself has none to look at.
+/// Whether messages name file and line; not useful if a program has made the text itself.
 enum class Places
 {
   lines,
   none
 };
 
-/// The same from text; `file` is only named in messages, and the paths in the case begin in its folder.
-/// @param tables  what texture.file may name beside files
+/// Reads a case from text. `file` is only named in messages, and paths in the case are relative to its folder.
+/// @param tables  tables in memory that texture.file may name
 [[nodiscard]] Case parse_case(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& overrides = {}, Places places = Places::lines,
                               const HeightTables& tables = {});
 
-/// The resolved case as a case file, which needs no other one.
+/// The resolved case as a case file, which needs no further files.
 [[nodiscard]] std::string resolved_text(const CaseValues& values);
 
-/// The resolved case for a folder: long height maps are files of their own there, binary ones, and their names tell their content, so
-/// that equal texts are equal cases.
+/// The resolved case for a folder. Long height maps become separate binary files, whose names contain a checksum of the content,
+/// so that equal texts mean equal cases.
 struct ResolvedFiles
 {
   std::string text;
@@ -116,15 +117,17 @@ struct ResolvedFiles
     const std::vector<double>* heights;
     std::size_t columns;
   };
-  std::vector<Map> maps; ///< as long as the values
+  std::vector<Map> maps; ///< refer to values of the case, which must outlive them
 };
-/// @param stem  of the file that the text is for
+/// @param stem  name, without extension, of the file that will contain the text
 [[nodiscard]] ResolvedFiles resolved_files(const CaseValues& values, std::string_view stem = "resolved");
 
-/// Writes them: first the maps, then the text. @throws IoError
+/// Writes first the maps, then the text.
+/// @throws IoError
 void write_resolved(const std::filesystem::path& text_file, const CaseValues& values);
 
-/// Removes the maps that belong to resolved.toml in a folder. @throws IoError
+/// Removes the maps that belong to resolved.toml in a folder.
+/// @throws IoError
 void remove_resolved_maps(const std::filesystem::path& folder);
 
 } // namespace brinell::io

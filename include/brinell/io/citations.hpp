@@ -28,7 +28,7 @@ struct Citation
   std::string use;
 };
 
-/// What a case is computed with; each source once.
+/// Sources of the models that a case uses, each once.
 [[nodiscard]] std::vector<Citation> citations(const Case& c);
 
 /// All sources that a case may use, and brinell itself: src/io/cite/references.bib.

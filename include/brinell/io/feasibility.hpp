@@ -10,7 +10,7 @@ namespace brinell::io
 
 using ScenarioPlan = simulation::AnyPlan;
 
-/// Memory that a program can get here [bytes]: that of the machine, or of its control group if that is less.
+/// Memory available to this program [bytes]: that of the machine, or the limit of its control group if that is smaller.
 [[nodiscard]] double machine_memory();
 
 /// The plan of a case.
@@ -18,7 +18,7 @@ using ScenarioPlan = simulation::AnyPlan;
 /// @throws InputError with place and value of the grid if it has an absurd number of cells or does not fit
 [[nodiscard]] ScenarioPlan plan_case(const Case& c, double available_memory = machine_memory());
 
-/// What can be told of the case before it runs: its own warnings, and those on what its cells will resolve.
+/// Warnings and expected errors of a case before it runs: its own warnings, and those about the resolution of its cells.
 [[nodiscard]] std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan);
 
 /// What `brinell check` prints: the resolved case, and as comments its critical values, grids, steps, memory, rough cost and

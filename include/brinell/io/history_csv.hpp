@@ -17,7 +17,7 @@ namespace brinell::io
 
 class Checksum;
 
-/// A number of a history with what files tell of its column.
+/// A number of a history with the description of its column in files.
 struct NamedNumber
 {
   std::string_view name, unit, text; ///< from static storage
@@ -35,7 +35,7 @@ template <typename Record>
   return row;
 }
 
-/// The columns of the histories by the names of the scenarios, and of the lists in summary.json by their keys.
+/// All columns: of the histories by the names of the scenarios, and of the lists in summary.json by their keys.
 [[nodiscard]] std::map<std::string, std::vector<NamedNumber>> all_columns();
 
 /// Header line of history.csv, without the end of line.
@@ -51,18 +51,18 @@ struct HistoryColumn
   std::vector<double> values;
 };
 
-/// Appends a row; the columns of an empty table are made.
+/// Appends a row; in an empty table the columns are created first.
 void add_row(std::vector<HistoryColumn>& table, const std::vector<NamedNumber>& row);
 
-/// Writes history.csv row by row; each row is with the operating system when `add` returns.
+/// Writes history.csv row by row; each row has been handed to the operating system when `add` returns.
 class HistoryWriter
 {
 public:
-  /// Replaces the file, or goes on after the rows of its first steps.
+  /// Replaces the file, or continues after its first rows.
   /// @param record  of any step, for the names of the columns
-  /// @param kept    how many rows; 0: a new file.
-  /// @param sum     checksum that the file had when it ended with these rows; empty: not compared
-  /// @throws IoError, also if what is kept has changed since
+  /// @param kept    number of rows to keep; 0: a new file.
+  /// @param sum     checksum of the file up to these rows; empty: not compared
+  /// @throws IoError, also if the kept rows have changed
   HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
                 std::string_view sum = {});
   ~HistoryWriter();
@@ -70,9 +70,9 @@ public:
   /// @throws IoError
   void add(const std::vector<NamedNumber>& row);
 
-  /// All rows that are in the file.
+  /// The columns, with all rows in the file.
   [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return columns_; }
-  /// Of the file as it is now.
+  /// Checksum of the present file.
   [[nodiscard]] std::string checksum() const;
 
 private:

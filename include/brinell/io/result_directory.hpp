@@ -13,17 +13,17 @@
 namespace brinell::io
 {
 
-/// What the program knows of a finished run and the simulation does not.
+/// Information about a finished run that the program has and the simulation does not.
 struct RunInfo
 {
   double wall_time = 0.0; ///< [s]
   int threads = 1;
   simulation::Quality quality{};      ///< with the warnings of the case
-  std::optional<Accuracy> accuracy{}; ///< of a series of finer and finer cells
+  std::optional<Accuracy> accuracy{}; ///< of a series of runs with finer cells
 };
 
-/// The folder of a run, docs/reference/results-format.md. Whenever the process ends, the finished steps can be read, and the
-/// run can go on from its last checkpoint.
+/// The folder of a run, docs/reference/results-format.md. Even if the process is killed at any time, the finished steps can be
+/// read and the run can be resumed from its last checkpoint.
 class ResultDirectory
 {
 public:
@@ -35,8 +35,8 @@ public:
     resume   ///< the run that was stopped there
   };
 
-  /// Makes the folder, takes it for this process, removes an earlier result (its summary first) and writes what is known
-  /// before the first step. With `resume` it keeps what was finished at the checkpoint instead, if there is one.
+  /// Creates the folder, locks it for this process, removes an earlier result (its summary first) and writes the files that are
+  /// known before the first step. With `resume` it keeps the steps up to the checkpoint instead, if there is one.
   /// @throws IoError, also if another run is writing there; InputError if the run there is of another case or is complete
   ResultDirectory(const std::filesystem::path& path, const Case& c, Mode mode = Mode::replace);
   ResultDirectory(ResultDirectory&&) noexcept;
@@ -45,21 +45,26 @@ public:
 
   /// Whether an earlier result was removed.
   [[nodiscard]] bool replaced() const;
-  /// The state to go on from; none from the second call on.
+  /// The checkpoint to resume from; none from the second call on.
   [[nodiscard]] std::optional<Archive::Fields> take_checkpoint();
-  /// Steps that were finished there; 0 without one.
+  /// Number of steps finished at the checkpoint; 0 without one.
   [[nodiscard]] int finished_steps() const;
 
-  /// A finished step. @throws IoError
+  /// Stores the row of a finished step.
+  /// @throws IoError
   void add(const std::vector<NamedNumber>& columns);
-  /// Its fields, with the columns as attributes. @throws IoError
+  /// Stores the fields of a step, with the columns as attributes.
+  /// @throws IoError
   void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
-  /// The state after a step, replacing the one before. @throws IoError
+  /// Stores a checkpoint after a step, replacing the previous one.
+  /// @throws IoError
   void add_checkpoint(int step, const std::function<void(Archive&)>& state);
 
-  /// The state after the last step. @throws IoError
+  /// Stores the fields after the last step.
+  /// @throws IoError
   void add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns);
-  /// result.vtkhdf in one piece and, last of all, the summary; the checkpoint goes. @throws IoError
+  /// Completes the results: merges result.vtkhdf into one file, writes the summary last, and removes the checkpoint.
+  /// @throws IoError
   void finish(const std::string& summary);
 
 private:

@@ -14,8 +14,8 @@
 namespace brinell::io
 {
 
-/// The results of a run in memory: the bytes of a result.vtkhdf that never was on a disk, for loops of small runs. What
-/// `ResultDirectory` does, without what makes a run on a disk safe.
+/// The results of a run in memory: the bytes of a result.vtkhdf, for loops of many small runs. It has the interface of
+/// `ResultDirectory`, without checkpoints.
 class ResultImage
 {
 public:
@@ -26,18 +26,19 @@ public:
   ResultImage(ResultImage&&) noexcept;
   ResultImage& operator=(ResultImage&&) noexcept;
 
-  /// None: nothing can be resumed.
+  /// Always none: such a run cannot be resumed.
   [[nodiscard]] static std::optional<Archive::Fields> take_checkpoint() { return std::nullopt; }
   void add_checkpoint(int, const std::function<void(Archive&)>&) {}
 
-  /// A row of the history.
+  /// Stores a row of the history.
   void add(const std::vector<NamedNumber>& columns);
-  /// The fields of a step.
+  /// Stores the fields of a step.
   void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   void add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns);
   void finish(const std::string& summary);
 
-  /// The bytes of the file. @throws IoError (all members)
+  /// The bytes of the file.
+  /// @throws IoError (all members)
   [[nodiscard]] std::string bytes() &&;
 
 private:

@@ -5,11 +5,11 @@
 
 #include <string>
 
-/// What the program prints of a run.
+/// Texts that the program prints about a run.
 namespace brinell::io
 {
 
-/// Where a step was, for the progress.
+/// Position of a step in the motion, for the progress display.
 [[nodiscard]] std::string step_text(const Case& c, const simulation::AnyRecord& record);
 
 /// Key results, several lines.

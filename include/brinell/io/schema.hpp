@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
-/// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and
-/// docs/reference/case-file.md all come from the table `case_schema()`. A new key is a new entry there (src/io/case/schema_*.cpp; those
-/// of a scenario: src/io/scenarios), which also says which member it fills; only what takes judgement is read by functions.
+/// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and docs/reference/case-file.md
+/// all come from the table `case_schema()`. A new key is a new entry there (src/io/case/schema_*.cpp; those of a scenario:
+/// src/io/scenarios), which also says which member it fills; only what takes judgement is read by functions.
 namespace brinell::io
 {
 
@@ -34,7 +34,7 @@ struct SnapshotRule
   int every = 1;
   std::vector<int> steps{}; ///< ascending
 
-  /// @param is_key_step  one of those that are meant by "aligned"
+  /// @param is_key_step  whether "aligned" selects this step
   [[nodiscard]] bool stores(int step, bool is_key_step) const;
   bool operator==(const SnapshotRule&) const = default;
 };
@@ -70,7 +70,7 @@ struct Range
   [[nodiscard]] std::string text() const;
 };
 
-/// What a number without dimension may be given as, too.
+/// Further notations allowed for a number without dimension.
 enum class Notation
 {
   plain,
@@ -92,7 +92,7 @@ struct ValueKind
   [[nodiscard]] constexpr ValueKind above(double min) const { return in({.min = min, .min_allowed = false}); }
   [[nodiscard]] constexpr ValueKind at_least(double min) const { return in({.min = min}); }
   [[nodiscard]] constexpr ValueKind between(double min, double max) const { return in({.min = min, .max = max}); }
-  /// More than `min`, up to `max`.
+  /// Interval (min, max].
   [[nodiscard]] constexpr ValueKind up_to(double min, double max) const
   {
     return in({.min = min, .max = max, .min_allowed = false});
@@ -120,33 +120,34 @@ struct Entry
   ValueKind of{};
   std::vector<std::string> choices{}; ///< if there are any, the value is one of them
   bool per_axis = false;              ///< a choice that may also be given as a list, along x and along y
-  bool required = false;              ///< where the condition holds
+  bool required = false;              ///< if the condition holds
   std::optional<Value> fallback{};    ///< default; a key without one and not required may stay unset
-  std::vector<std::pair<std::string, Value>> fallback_in{}; ///< defaults that a scenario has instead
-  std::string unset{};                                      ///< what happens then
+  std::vector<std::pair<std::string, Value>> fallback_in{}; ///< other defaults in some scenarios
+  std::string unset{};                                      ///< effect of leaving the key unset
   std::string text;                                         ///< meaning
-  std::string hint{};                                       ///< what a usual value is, for messages
+  std::string hint{};                                       ///< usual values, for messages
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
-  std::string one_of{};   ///< name of a group of keys of which one is given: one on the command line counts alone
-  std::string list{};     ///< its table, if there may be several of them, as in [[lower.texture]]
-  std::string pure_if{};  ///< boolean key: if true the value is a pure number, not a quantity
-  std::function<void(Case&, const Value&)> fill{}; ///< puts the value where it belongs; empty: a reader does
+  std::string
+      one_of{}; ///< group of keys of which exactly one is given; one on the command line overrides one in the file
+  std::string list{};    ///< name of its table, if the table may be repeated, as in [[lower.texture]]
+  std::string pure_if{}; ///< boolean key: if true the value is a pure number, not a quantity
+  std::function<void(Case&, const Value&)> fill{}; ///< stores the value in the case; empty: a separate reader does so
 };
 
 /// The default of a key in a scenario.
 [[nodiscard]] std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario);
 
-/// All keys, parents before children, keys that others depend on before these.
+/// All keys: parents before children, and keys before those that depend on them.
 [[nodiscard]] const std::vector<Entry>& case_schema();
 
-/// Key or table without the number that it has in a list of tables: lower.texture.type of lower.texture[0].type.
+/// Key or table without its number in a list of tables: lower.texture.type for lower.texture[0].type.
 [[nodiscard]] std::string plain_key(std::string_view key);
 
-/// Entry of a key, or nullptr; also of one in a list of tables.
+/// Entry of a key, also of a key in a list of tables; nullptr if there is none.
 [[nodiscard]] const Entry* find_entry(std::string_view key);
 
-/// A key that had another name before. That goes on working for a version, with a warning.
+/// A key that was renamed. Its old name works for one more version, with a warning.
 struct OldName
 {
   std::string_view old_key;
@@ -154,30 +155,30 @@ struct OldName
   std::string_view key;
 };
 
-/// All of them. Nothing else has to be said of a new name, but in docs/user-guide.md.
+/// All renamed keys. A new entry is all that renaming needs, apart from docs/user-guide.md.
 [[nodiscard]] const std::vector<OldName>& old_names();
 
-/// What stands under an old name; nullptr if it is none.
+/// The entry of an old name; nullptr if there is none.
 [[nodiscard]] const OldName* find_old_name(std::string_view key);
 
-/// What to write instead, for messages.
+/// The new name to use, for messages.
 [[nodiscard]] std::string new_name_text(const OldName& name);
 
 /// Whether some entry lies in the table `key`.
 [[nodiscard]] bool is_table(std::string_view key);
 
-/// Whether there may be several of that table, counted from 0: lower.texture[0].type.
+/// Whether a table may be repeated; its instances are numbered from 0: lower.texture[0].type.
 [[nodiscard]] bool is_list_of_tables(std::string_view key);
 
-/// What may stand there: "length > 0, in m or with a unit, such as \"3.85 mm\"".
+/// Allowed values of a key as text: "length > 0, in m or with a unit as in \"3.85 mm\"".
 [[nodiscard]] std::string allowed_values(const Entry& entry);
 
 /// The table for a terminal.
-/// @param part  a key, or a table of which all keys are told; empty: everything
+/// @param part  a key, or a table, whose keys are all described; empty: everything
 /// @throws InputError if there is no such key
 [[nodiscard]] std::string schema_text(std::string_view part = {});
 
-/// The table as a JSON Schema, for editors that check and complete TOML by one.
+/// The table as a JSON Schema, with which editors check and complete TOML files.
 [[nodiscard]] std::string schema_json();
 
 /// The page docs/reference/case-file.md.

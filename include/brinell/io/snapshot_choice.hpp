@@ -8,22 +8,22 @@
 namespace brinell::io
 {
 
-/// The step nearest to the middle of each pass, known when it comes.
+/// Finds the step nearest to the middle of each pass, while the steps come in.
 class NearestToMiddle
 {
 public:
-  /// Asked once per step, in order.
+  /// To be called once per step, in order.
   /// @param x  position, ascending in a pass, 0 in its middle
   [[nodiscard]] bool operator()(int pass, double x);
   void exchange(Archive& archive);
 
 private:
-  int pass_ = -1;          ///< of the step before
-  double x_ = 0.0;         ///< and its position
-  bool is_stored_ = false; ///< in this pass
+  int pass_ = -1;          ///< pass of the previous step
+  double x_ = 0.0;         ///< position of the previous step
+  bool is_stored_ = false; ///< whether a step of this pass is stored already
 };
 
-/// Says after each step whether its fields are to be stored. Asked once per step, in order.
+/// Decides after each step whether its fields are to be stored. To be called once per step, in order.
 class SnapshotChoice
 {
 public:

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// Case files in, results out. Units exist only here: everything below computes in SI.
+/// Reading of case files and writing of results. Units exist only in this layer: everything below computes in SI.
 namespace brinell::io
 {
 
@@ -46,8 +46,8 @@ struct Quantity
   Dimension dimension;
 };
 
-/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/(m K)", "12e-6 1/K", "2 µm". Every factor is a power of ten and is put into the exponent
-/// of the number before that is read, so "3.85 mm" is the same double as 0.00385.
+/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/(m K)", "12e-6 1/K", "2 µm". Every unit is a power of ten of the SI unit. This
+/// power is added to the exponent of the number before the number is parsed, so that "3.85 mm" is the same double as 0.00385.
 /// @throws InputError; its text continues a sentence that begins with the value ("has the unknown unit ...").
 [[nodiscard]] Quantity quantity(std::string_view text);
 

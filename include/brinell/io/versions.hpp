@@ -6,10 +6,11 @@
 namespace brinell::io
 {
 
-/// Of the files of a run: docs/reference/results-format.md. It changes with the names and the meaning of what they hold.
+/// Format version of the files of a run: docs/reference/results-format.md. It changes when names or meanings of their contents
+/// change.
 inline constexpr int format_version = 3;
 
-/// What computed a result.
+/// Versions of the program and libraries that computed a result.
 struct Versions
 {
   std::string brinell, git_hash, fftw, hdf5;

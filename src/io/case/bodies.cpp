@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-/// Shape and material of a body, and the files that they may come from.
+/// Reading of shape and material of a body, including measured curves from files.
 namespace brinell::io
 {
 
@@ -36,7 +36,8 @@ constitutive::HardeningLaw hardening_law(const CaseReader& reader, const std::st
   }
 }
 
-/// One term per table of the list; a table without a modulus is a problem, none at all is none.
+/// Reads one term of kinematic hardening per table of the list. A table without a modulus is a problem; without tables there are
+/// no terms.
 std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseReader& reader, const std::string& list)
 {
   std::vector<constitutive::KinematicTerm> terms;
@@ -60,7 +61,8 @@ constitutive::DepthProfile profile(const CaseReader& reader, const std::string& 
   return {reader.get_or(table + "depth", std::vector<double>()), reader.get_or(table + value, std::vector<double>())};
 }
 
-/// A material that yields before it is loaded is none. Both profiles are linear between their points: look at these.
+/// Checks that a material does not yield under its initial stress. Both profiles are linear between their points, so that
+/// checking these points is enough.
 void require_elastic_at_start(const constitutive::Material& material)
 {
   std::vector<double> depths = material.initial_stress.depth();
@@ -76,7 +78,7 @@ void require_elastic_at_start(const constitutive::Material& material)
   }
 }
 
-/// A law that cannot be made is a problem, at the place of its key.
+/// Makes the hardening law; if this fails, adds a problem at the place of its key.
 constitutive::Material material(const CaseReader& reader, const std::string& table)
 {
   constitutive::Material result{{std::numeric_limits<double>::infinity(), 0.0}, {}};
@@ -89,7 +91,7 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
   const std::string hardening = table + "hardening.", law = hardening + "law";
   if (reader.get<std::string>(law) == "none")
     return result;
-  // What does not fit together is reported at the line of `at`, or at its partner if that is missing.
+  // Inconsistencies are reported at the line of `at`, or of its partner if `at` is missing.
   const auto attempt = [&](const std::string& at, const std::string& partner, const auto& make)
   {
     try
@@ -115,7 +117,7 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
   return result;
 }
 
-/// Puts the points of hardening.file in its place.
+/// Replaces hardening.file by the points that it contains.
 void load_curve(CaseValues& values, const CaseReader& reader, const std::string& table)
 {
   const auto word = [&](const char* key, std::string otherwise)

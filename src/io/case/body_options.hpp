@@ -10,7 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// What a body may be in the case file: the schema has the words and the keys from here, the reader what they make.
+/// Shapes, textures and hardening laws of the case file. The schema takes names and keys from here, the reader the factory
+/// functions.
 namespace brinell::io
 {
 
@@ -19,8 +20,8 @@ template <typename Product>
 struct Option
 {
   std::string name;                                ///< the choice in the case file
-  std::vector<std::string> keys;                   ///< its numbers
-  Product (*make)(const double* number) = nullptr; ///< of these numbers; nullptr: not of numbers alone
+  std::vector<std::string> keys;                   ///< keys of its parameters
+  Product (*make)(const double* number) = nullptr; ///< from these parameters; nullptr: needs more than numbers
   std::string source{};                            ///< its entry in references.bib
 };
 

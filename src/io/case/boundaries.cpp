@@ -12,7 +12,7 @@ namespace brinell::io
 namespace
 {
 
-/// One number for each axis that is periodic, or one for all of them.
+/// Reads one number for each periodic axis, or a single one for all of them.
 void set_axes(const CaseReader& reader, const std::string& key, std::vector<simulation::Domain::Axis*> axes,
               const std::function<void(simulation::Domain::Axis&, double)>& set)
 {

@@ -25,7 +25,7 @@ std::string case_name(const std::filesystem::path& file)
   return folder.empty() ? "case" : folder;
 }
 
-/// Unit of a value, as a comment; none for what has no dimension.
+/// Unit of a value as a comment; empty for pure numbers.
 std::string unit_comment(const CaseValues& values, const Entry& entry)
 {
   if (entry.of.notation == Notation::temperature)
@@ -86,7 +86,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   result.grid_source = grid ? at_place(grid->place, reader.cited(grid_key))
                             : at_place(raw.file, reader.cited(grid_key) + " (the default)");
   complete(reader, result);
-  if (!problems.empty()) // a forgotten unit may be the reason
+  if (!problems.empty()) // warnings are listed too, since a forgotten unit may be the cause of the problems
     for (const Warning& warning : result.warnings)
       problems.add_cause(raw.file, "the reason may be: " + warning.text);
   problems.throw_if_any();
@@ -117,10 +117,10 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
 namespace
 {
 
-constexpr std::size_t most_inline = 1000; ///< heights; a line of text that a person may still scroll through
+constexpr std::size_t most_inline = 1000; ///< largest number of heights on a line of text; longer maps become files
 constexpr std::string_view map_infix = "-heights-", map_ending = ".npy";
 
-/// The rows of a case file, without the ones for which `replaced` has others.
+/// The lines of a case file, except those replaced by lines in `replaced`.
 std::string text_of(const CaseValues& values,
                     const std::function<std::optional<std::string>(std::string_view, const Value&)>& replaced)
 {
@@ -142,7 +142,7 @@ std::string text_of(const CaseValues& values,
   return text;
 }
 
-/// Whether a file is one that `write_resolved` has made for resolved.toml, or has begun to.
+/// Whether a file was written, or begun, by `write_resolved` for resolved.toml.
 bool is_resolved_map(const std::filesystem::path& file)
 {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -191,7 +191,7 @@ void write_resolved(const std::filesystem::path& text_file, const CaseValues& va
   const ResolvedFiles files = resolved_files(values, text_file.stem().string());
   for (const ResolvedFiles::Map& map : files.maps)
     replace_file(text_file.parent_path() / map.name, npy_content(*map.heights, map.columns));
-  replace_file(text_file, files.text); // the last one: what it names is there
+  replace_file(text_file, files.text); // last, so that the files it names exist
 }
 
 void remove_resolved_maps(const std::filesystem::path& folder)

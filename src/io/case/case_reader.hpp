@@ -14,11 +14,11 @@
 namespace brinell::io
 {
 
-/// Compares what is given with the schema: conditions, exclusions, types, units, ranges; fills in the defaults.
-/// What is wrong goes into `problems`; if there are any, the values are incomplete.
+/// Checks the given keys against the schema (conditions, exclusions, types, units, ranges) and fills in the defaults.
+/// Errors are added to `problems`; if there are any, the values are incomplete.
 [[nodiscard]] CaseValues resolved_values(const RawCase& raw_case, Problems& problems);
 
-/// What the readers of the parts of a case share.
+/// State shared by the readers of the parts of a case.
 struct CaseReader
 {
   const CaseValues& values;
@@ -30,7 +30,7 @@ struct CaseReader
   {
     return values.get<T>(key);
   }
-  /// Of a key that may stay unset.
+  /// Value of a key that may be unset.
   template <class T>
   [[nodiscard]] T get_or(std::string_view key, T otherwise) const
   {
@@ -43,7 +43,7 @@ struct CaseReader
   /// @param advice  goes on with "one is needed"
   [[nodiscard]] std::string only_one_of(std::string_view group, std::string_view advice = "") const;
 
-  /// Where a key stands, or is missed.
+  /// Place of a key, or of the table in which it is missing.
   [[nodiscard]] std::string place(const std::string& key) const;
   /// "key = value" for checks that come after the reading.
   [[nodiscard]] std::string cited(const std::string& key) const;
@@ -91,7 +91,7 @@ catch (const InputError& error)
   reader.add(key, "does not fit: {}", error.what());
 }
 
-/// The option that a key names.
+/// The option selected by a key.
 template <typename Product>
 const Option<Product>& chosen(const CaseReader& reader, const std::string& key,
                               const std::vector<Option<Product>>& options)
@@ -103,7 +103,7 @@ const Option<Product>& chosen(const CaseReader& reader, const std::string& key,
   throw InternalError(fmt::format("{} = {} is in the schema, but is not built", key, name));
 }
 
-/// What it makes of its numbers in a table, which ends with a dot.
+/// The object that an option makes from its parameters in a table, whose name ends with a dot.
 template <typename Product>
 Product made(const CaseReader& reader, const std::string& table, const Option<Product>& option)
 {
@@ -138,7 +138,8 @@ void warn_of_thermal(const CaseReader& reader, const std::string& body, const co
 /// @param both  whether the scenario can be computed with both axes periodic, or with x alone
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);
 
-/// Put the content of hardening.file and of each texture.file of a body in their place, so that the resolved case stands for itself.
+/// Put the content of hardening.file and of each texture.file of a body in their place, so that the resolved case stands for
+/// itself.
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 

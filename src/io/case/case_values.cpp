@@ -14,7 +14,7 @@ namespace brinell::io
 namespace
 {
 
-/// What may stand there, with the usual value behind it.
+/// Text of the allowed values of a key, followed by the hint about usual values.
 std::string allowed(const Entry& entry, bool pure)
 {
   Entry plain = entry;
@@ -142,7 +142,7 @@ Vector3 vector3(const Raw& raw, const Entry& entry)
   return {items[0], items[1], items[2]};
 }
 
-/// Of ["open", "periodic"] the word for both axes, "periodic_y".
+/// Combines a choice per axis, ["open", "periodic"], into the word for both axes, "periodic_y".
 std::string choice_per_axis(const std::vector<Raw>& axes, const Raw& raw, const Entry& entry)
 {
   const auto* x = axes.size() == 2 ? std::get_if<std::string>(&axes[0].value) : nullptr;
@@ -205,8 +205,8 @@ SnapshotRule snapshot_rule(const Raw& raw, const Entry& entry)
   return rule;
 }
 
-/// A written value as the entry wants it, in SI.
-/// @param pure  the number carries no dimension here (Entry::pure_if holds)
+/// Converts a written value to the type of the entry, in SI.
+/// @param pure  whether the number is dimensionless here (Entry::pure_if holds)
 /// @throws InputError; its text continues a sentence that begins with "key = value"
 Value converted(const Raw& raw, const Entry& entry, bool pure)
 {
@@ -261,7 +261,7 @@ public:
   }
 
 private:
-  /// Table after table, each with the conditions among its own keys.
+  /// Reads table after table, with the conditions among the keys of each.
   void resolve_list(const std::string& list)
   {
     for (const std::string& table : raw_.tables_of(list))
@@ -279,7 +279,7 @@ private:
   {
     const Given* given = raw_.find(entry.key);
     if (broken_.contains(entry.when.key))
-      return; // whether the key applies is not known: its parent has been reported
+      return; // it is unknown whether the key applies, since the key that decides this has a problem already
     if (!applies(entry.when))
     {
       if (given && !overridden(*given, entry.when.key))
@@ -321,14 +321,14 @@ private:
     return std::find(when.values.begin(), when.values.end(), given) != when.values.end();
   }
 
-  /// Whether `given` of the file loses its meaning because the command line sets `other`.
+  /// Whether the key `given` of the file is to be ignored because the command line sets `other`.
   [[nodiscard]] bool overridden(const Given& given, std::string_view other) const
   {
     const Given* rival = raw_.find(other);
     return !given.from_command_line && rival && rival->from_command_line;
   }
 
-  /// Whether the command line sets another key of which only one is given.
+  /// Whether the command line sets another key of the same group, of which only one may be given.
   [[nodiscard]] bool is_pushed_out(const Entry& entry, const Given& given) const
   {
     if (entry.one_of.empty())
@@ -337,7 +337,7 @@ private:
     return std::any_of(rivals.begin(), rivals.end(), [&](const std::string& key) { return overridden(given, key); });
   }
 
-  /// Whether the number carries no dimension here.
+  /// Whether the number is dimensionless here.
   [[nodiscard]] bool is_pure(const Entry& entry) const
   {
     const Value* flag = entry.pure_if.empty() ? nullptr : values_.find(entry.pure_if);
@@ -360,7 +360,7 @@ private:
 
   void missing(const Entry& entry)
   {
-    if (!broken_.contains("scenario")) // else nobody knows what is needed
+    if (!broken_.contains("scenario")) // otherwise it is unknown which keys are needed
       problems_.add(raw_.place_for(entry.key),
                     fmt::format("{} is missing; {}", entry.key, allowed(entry, is_pure(entry))));
     broken_.insert(entry.key);
@@ -383,7 +383,7 @@ private:
   const RawCase& raw_;
   Problems& problems_;
   CaseValues values_;
-  std::set<std::string, std::less<>> broken_; ///< keys that have been reported
+  std::set<std::string, std::less<>> broken_; ///< keys with a reported problem
   std::set<std::string, std::less<>> reported_rivals_;
 };
 

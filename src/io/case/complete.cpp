@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-/// What of any scenario takes judgement: bodies that go together, grids that fit them.
+/// Checks that need more than the schema, for all scenarios: bodies that can be in contact, grids that fit them, suspicious
+/// values.
 namespace brinell::io
 {
 
@@ -15,11 +16,11 @@ namespace
 
 using simulation::ShapedBody;
 
-/// What can be computed, but is seldom meant.
+/// Warns of values that can be computed but are rarely intended.
 void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c)
 {
-  constexpr double softest = 1e5;   // a gel
-  constexpr double stiffest = 1e15; // a thousand times diamond; far beyond it small numbers of the fields are lost
+  constexpr double softest = 1e5;   // [Pa], a gel
+  constexpr double stiffest = 1e15; // [Pa], a thousand times diamond; far beyond it fields lose small numbers
   const double E = material.elastic.young_modulus;
   if (E < softest)
     warn(c, "soft_material",
@@ -44,7 +45,7 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
          name);
 }
 
-/// Strains in percent make a material that hardly hardens.
+/// Warns of strains that were probably given in percent, which makes a material that hardly hardens.
 void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
 {
   constexpr double largest_strain = 1.0; // that a tension or compression test reaches
@@ -58,7 +59,8 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
          key, last, 100.0 * last);
 }
 
-/// Heights in nm or um that are taken for m make walls. As in Python: brinell/surfaces/heightmap.py.
+/// Warns of heights that were probably given in nm or um without a unit, which makes extremely steep surfaces. As in Python:
+/// brinell/surfaces/heightmap.py.
 void warn_of_heights(const CaseReader& reader, const std::string& name, const simulation::Texture& texture, Case& c)
 {
   constexpr double steepest = 10.0; // root mean square slope
@@ -80,7 +82,7 @@ void warn_of_heights(const CaseReader& reader, const std::string& name, const si
       }
 }
 
-/// Coefficients that no solid has.
+/// Warns of wear coefficients that no solid has.
 void warn_of_wear(const elastoplastic::WearLaw& wear, Case& c)
 {
   constexpr double most = 1e-9; // [1/Pa], 1 mm^3/(N m): a thousand times what soft metals lose
@@ -102,12 +104,12 @@ void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const sim
   c.first_yield = simulation::nominal_first_yield(lower, upper, domain);
 }
 
-/// Both bodies, and what follows from them alone.
-/// @param against_shape  why the scenario cannot be with a shape; empty if it can
+/// Reads both bodies, and derives the quantities that depend on them alone.
+/// @param against_shape  why the scenario does not allow a shape; empty if it does
 void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody& upper, simulation::Domain& domain,
                std::string_view (*against_shape)(const simulation::Shape& shape))
 {
-  const bool domain_is_known = reader.problems.empty(); // else its sizes are defaults that nobody has given
+  const bool domain_is_known = reader.problems.empty(); // otherwise its sizes may be meaningless defaults
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
   {
     *body = read_body(reader, name, domain_is_known ? &domain : nullptr);
@@ -146,8 +148,8 @@ double smallest_radius(const ShapedBody& body)
   return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
 }
 
-/// The plan tells apart grids beyond all measure, and lengths that do not go together: these stand at `key`. Then the size of
-/// the contact is known: the bodies are computed as half spaces, and neither cells nor steps may be larger than it.
+/// Makes the plan, which detects absurd grids and inconsistent lengths (reported at `key`). With the size of the contact from the
+/// plan it checks that the bodies can be treated as half spaces, and that neither cells nor steps are larger than the contact.
 template <typename ScenarioCase>
 void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
 {
@@ -171,7 +173,7 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
         reader.add(fmt::format("{}.shift", io.name), *reason);
 }
 
-/// Keys that say something of the heat where none is computed; defaults say nothing.
+/// Warns of keys about heat that differ from their defaults although heat is not computed.
 void warn_of_keys_without_heat(const CaseReader& reader, Case& c, const std::string& speed)
 {
   const auto differs = [&](const std::string& key)
@@ -190,7 +192,7 @@ void warn_of_keys_without_heat(const CaseReader& reader, Case& c, const std::str
       warn(c, "no_heat", "{} has no effect: heat takes interface.friction and the thermal constants of a body", key);
 }
 
-/// Keys that something else is missing for.
+/// Warns of everything about heat and softening in a case that has no effect.
 template <typename ScenarioCase>
 void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
 {

@@ -20,7 +20,7 @@ inline std::string at_place(std::string_view place, std::string_view what)
   return place.empty() ? std::string(what) : fmt::format("{}: {}", place, what);
 }
 
-/// Collects what is wrong with a case, so that the user sees all of it at once.
+/// Collects the problems of a case, so that the user sees all of them at once.
 class Problems
 {
 public:
@@ -30,7 +30,7 @@ public:
     problems_.push_back({line_number(place), at_place(place, what)});
   }
 
-  /// What may be the reason of all others: it comes before them.
+  /// Adds a problem that may be the cause of all others, and is listed first.
   void add_cause(std::string_view place, std::string_view what) { problems_.push_back({0, at_place(place, what)}); }
 
   [[nodiscard]] bool empty() const { return problems_.empty(); }
@@ -58,7 +58,7 @@ private:
     std::string text;
   };
 
-  /// What has no line comes last: missing tables and the command line.
+  /// Order of the messages: problems without a line (missing tables, command line) come last.
   static int line_number(std::string_view place)
   {
     int line = std::numeric_limits<int>::max();

@@ -37,7 +37,7 @@ struct Given
   Raw raw;
   std::string place; ///< "file:line" or "--set key=value"; empty as in RawCase::file
   bool from_command_line = false;
-  std::string_view old_name{}; ///< by which it was given; empty if by its own
+  std::string_view old_name{}; ///< old name under which it was given; empty if given by its present name
 };
 
 /// The keys of a case file that the schema knows, with the overrides applied. Those of a list of tables are numbered from 0:
@@ -49,11 +49,11 @@ struct RawCase
   std::map<std::string, Given, std::less<>> values;
   std::map<std::string, std::string, std::less<>> tables; ///< places of the tables, for keys that are missing in them
 
-  const HeightTables* height_tables = nullptr; ///< what texture.file may name beside files
+  const HeightTables* height_tables = nullptr; ///< tables in memory that texture.file may name
 
-  std::map<std::string, int, std::less<>> lists; ///< tables that stand several times, and how often
+  std::map<std::string, int, std::less<>> lists; ///< repeated tables with their numbers
 
-  std::vector<simulation::Warning> warnings; ///< of old names
+  std::vector<simulation::Warning> warnings; ///< about old names
 
   [[nodiscard]] const Given* find(std::string_view key) const;
   /// The table itself, or each one of its list.

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-/// What lies on the surface of a body, and the files that it may come from.
+/// Reading of the textures of a body, including height maps from files.
 namespace brinell::io
 {
 
@@ -44,11 +44,11 @@ simulation::Texture height_map(const CaseReader& reader, const std::string& tabl
                                .periodic = reader.get<bool>(table + "periodic")};
 }
 
-/// Period of a random surface; none, with the problem told, if it cannot be known.
+/// Period of a random surface; if it cannot be determined, none, and a problem is added.
 std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const std::string& table,
                                                  const simulation::Domain* domain)
 {
-  constexpr double rolloffs = 8.0; // so that the longest waves are many
+  constexpr double rolloffs = 8.0; // period over roll-off, so that there are many of the longest waves
   if (reader.has(table + "size"))
   {
     const auto& size = reader.get<std::vector<double>>(table + "size");
@@ -173,7 +173,7 @@ void load_heights(CaseValues& values, const RawCase& raw, const std::string& tab
   const auto name = reader.get<std::string>(table + "file");
   if (reader.has(table + "columns"))
   {
-    // As with keys that exclude each other: what the command line sets makes that of the file pointless.
+    // As with mutually exclusive keys, the command line overrides the file.
     if (!raw.find(table + "file")->from_command_line || raw.find(table + "columns")->from_command_line)
       reader.add(table + "columns", "cannot stand together with {}file; keep one of them", table);
     values.replace(table + "columns", {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_reader.hpp"
 
-/// What a material has to do with heat.
+/// Reading of the thermal constants and the softening law of a material.
 namespace brinell::io
 {
 
@@ -48,7 +48,7 @@ std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader
 namespace
 {
 
-/// What solids have, from foams to metals and diamond.
+/// Ranges of the constants of solids, from foams to metals and diamond.
 struct Usual
 {
   const char* key;

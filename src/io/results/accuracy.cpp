@@ -16,7 +16,7 @@ namespace brinell::io
 namespace
 {
 
-/// What of a summary are results.
+/// Decides which numbers of a summary are results.
 struct Results
 {
   std::vector<std::string> parts{"energy", "residual", "wear"};
@@ -55,7 +55,7 @@ void collect(const Json& json, const std::string& name, const Results& results, 
         collect(value, fmt::format("{}.{}", name, key), results, numbers);
 }
 
-/// How many entries a list has.
+/// Number of entries in a list.
 int size_of(const std::string& list, const Numbers& numbers)
 {
   int count = 0;
@@ -69,7 +69,7 @@ int size_of(const std::string& list, const Numbers& numbers)
   return count;
 }
 
-/// What one looks for first; "indents[].hardness_Pa" in the last one of the list.
+/// The key numbers; "indents[].hardness_Pa" refers to the last entry of the list.
 std::vector<std::string> key_names(const Scenario& scenario, const Numbers& numbers)
 {
   std::vector<std::string> names = std::visit([](const auto& s) { return io_of(s).key_numbers(s); }, scenario);
@@ -108,8 +108,8 @@ std::map<std::string_view, double> largest_by_unit(const Case& c, const Numbers&
   return largest;
 }
 
-/// What is large for a number: a small share of the largest one of its unit. Below it a number is as good as zero, as the net energy
-/// of elastic bodies.
+/// Scale of a number: a small share of the largest number with the same unit. Smaller numbers count as zero, for example the net
+/// energy of elastic bodies.
 double scale_of_number(const std::string& name, const std::map<std::string_view, double>& largest)
 {
   constexpr double strain = 1e-4, ratio = 1e-3;
@@ -118,7 +118,7 @@ double scale_of_number(const std::string& name, const std::map<std::string_view,
   return name.starts_with("load_ratio") ? ratio : strain;
 }
 
-/// What a number of such a run is usually off by, from the tables that every run tells its error from.
+/// Usual error of a number of such a run, from the tables that also give the expected errors of every run.
 double expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
 {
   for (const auto& [quantity, pattern, relative] : errors)
@@ -198,7 +198,7 @@ std::string accuracy_advice(const Case& c, const Accuracy& accuracy)
   text +=
       c.values.find("grid.spacing") ? "a smaller grid.spacing to begin with" : "a larger grid.resolution to begin with";
   const std::string steps(std::visit([](const auto& scenario) { return io_of(scenario).steps; }, c.scenario));
-  if (const Value* given = c.values.find(steps)) // else the steps go with the cells
+  if (const Value* given = c.values.find(steps)) // otherwise the steps scale with the cells
     text += fmt::format(", or {} than {} = {}, which the series keeps,",
                         steps.ends_with("shift") ? "a smaller step" : "more steps", steps, toml_text(*given));
   return text + " would bring it closer";

@@ -4,22 +4,22 @@
 #include <filesystem>
 #include <string_view>
 
-/// What a run may remove: its own files and those of an earlier run, nothing else.
+/// Removal of an earlier result: a run removes only files of runs, nothing else.
 namespace brinell::io
 {
 
-/// Names in the folder of a run.
+/// Names of the files and folders of a run.
 inline constexpr const char* checkpoint_file = "checkpoint.h5";
 inline constexpr const char* pieces_folder = "snapshots";
 inline constexpr const char* final_piece = "final.h5";
 
-/// In the files by which they are known again.
+/// Marks in the files by which they are recognised.
 inline constexpr std::string_view result_mark = "brinell-result";
 inline constexpr std::string_view checkpoint_mark = "brinell-checkpoint";
 inline constexpr std::string_view piece_mark = "brinell-piece";
 
-/// Removes what an earlier run has left in a folder. Its summary goes first: without it what is left can never look like a
-/// complete result.
+/// Removes the files of an earlier run from a folder. The summary is removed first, because without it the remaining files cannot
+/// look like a complete result.
 /// @returns whether there was anything
 /// @throws InputError, before anything goes, if a file of such a name was not written by a run; IoError
 bool remove_earlier_result(const std::filesystem::path& folder);

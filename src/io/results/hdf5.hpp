@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// The little of HDF5 that the results need: handles that close themselves, errors as exceptions.
+/// A small wrapper for the part of HDF5 that the results need: handles that close themselves, errors as exceptions.
 namespace brinell::io::h5
 {
 
@@ -36,8 +36,9 @@ private:
   hid_t id_;
 };
 
-/// Errors of HDF5 as exceptions. @param what  was to be done: "read the dataset X"
-/// @throws IoError always, with what HDF5 tells
+/// Turns an error of HDF5 into an exception.
+/// @param what  the failed action: "read the dataset X"
+/// @throws IoError always, with the message of HDF5
 [[noreturn]] void fail(std::string_view what);
 [[nodiscard]] Handle checked(hid_t id, std::string_view what);
 void check(herr_t status, std::string_view what);
@@ -68,10 +69,10 @@ void write_attribute(const Handle& object, const char* name, std::span<const int
 /// Text of fixed length in ASCII, for readers that know no other; not empty.
 void write_fixed_attribute(const Handle& object, const char* name, std::string_view text);
 
-/// How a dataset is stored. Of chunks a reader sees whether they are damaged: both kinds have a checksum.
+/// Storage layout of a dataset. Both chunked layouts have checksums, so that a reader detects damage.
 enum class Storage
 {
-  deflated, ///< chunks, for what is zero in most places, or smooth
+  deflated, ///< compressed chunks, for fields that are mostly zero, or smooth
   plain, ///< chunks, for stresses: deflating them takes most of the time of writing, and saves a quarter of their size
   contiguous ///< no chunks: for files that stay in memory
 };
@@ -114,12 +115,12 @@ struct VirtualPart
   Box source;
 };
 
-/// A dataset of doubles that stores nothing: it shows parts of others.
-/// @param fill  where there is none
+/// A virtual dataset of doubles, which stores no data but refers to parts of other datasets.
+/// @param fill  value where no other dataset is referred to
 void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
                            std::span<const VirtualPart> parts);
 
-/// Plain numbers, as they are. What is read is trusted in nothing: types and sizes are checked.
+/// Reading and writing of plain numbers. Files are not trusted: types and sizes are checked on reading.
 void write_numbers(const Handle& group, const std::string& name, std::span<const double> values);
 [[nodiscard]] std::vector<double> read_numbers(const Handle& group, const std::string& name);
 /// Names of the objects in a group.

@@ -29,7 +29,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Holds a folder for this process; the lock ends with the process, however that ends.
+/// Locks a folder for this process; the lock ends with the process, even if it is killed.
 class FolderLock
 {
 public:
@@ -67,12 +67,12 @@ fs::path made_folder(const fs::path& path)
 
 struct Checkpoint
 {
-  int step = 0;            ///< the last one that is finished
-  std::string history_sum; ///< checksum of history.csv up to there
+  int step = 0;            ///< last finished step
+  std::string history_sum; ///< checksum of history.csv up to this step
   Archive::Fields fields;
 };
 
-/// Another build may compute other digits, or know another state.
+/// Identifies the build, because a checkpoint of another build may lead to other digits or have another state.
 std::string program()
 {
   const Versions versions = library_versions();
@@ -127,7 +127,7 @@ Checkpoint content_of_checkpoint(const fs::path& path)
   return checkpoint;
 }
 
-/// HDF5 itself trusts what it reads: a file goes to it only if it is as it was written.
+/// Checks the seal of a file before HDF5 opens it, because HDF5 does not protect itself against damaged files.
 std::optional<Checkpoint> read_checkpoint(const fs::path& path)
 {
   if (!fs::exists(path))
@@ -149,7 +149,7 @@ InputError nothing_to_resume(const fs::path& folder)
   return InputError(fmt::format("{}: no run was stopped there that could be resumed", folder.string()));
 }
 
-/// What a run can go on from: nothing if it was stopped before its first checkpoint.
+/// The checkpoint from which a run can resume; none if it was stopped before the first one.
 std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
 {
   const bool is_complete = fs::exists(folder / "summary.json");
@@ -266,7 +266,7 @@ void ResultDirectory::finish(const std::string& summary)
     remove_pieces(state_->path);
     fs::remove(state_->path / checkpoint_file);
   }
-  catch (const std::exception&) // what stays behind of a complete run does no harm
+  catch (const std::exception&) // leftover files of a complete run are harmless
   {
   }
 }

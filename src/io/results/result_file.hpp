@@ -13,7 +13,7 @@
 namespace brinell::io
 {
 
-/// Of a case, what its results tell.
+/// Description of a case that is stored with its results.
 struct Description
 {
   explicit Description(const Case& c);
@@ -36,7 +36,7 @@ public:
   void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   /// The state after the last step.
   void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
-  /// The pieces stay: nothing else can be resumed from.
+  /// The pieces stay, because a run is resumed from them.
   void merge(const std::string& summary);
 
   /// The steps that are stored.

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-/// The group /VTKHDF, by which ParaView opens a result file. It shows the fields of the stored states without storing them
+/// The group /VTKHDF, with which ParaView opens a result file. It refers to the fields of the stored states without storing them
 /// again.
 namespace brinell::io
 {
 
-/// Where a body's fields lie, and which it has.
+/// Grid of a body's fields, and which fields exist.
 struct BodyLayout
 {
   VolumeGrid grid;

@@ -19,8 +19,8 @@ struct CaseReader;
 class Sources;
 using Json = nlohmann::ordered_json;
 
-/// Everything that files and messages know of one scenario, described in src/io/scenarios/NAME.cpp. What all scenarios share is
-/// done where it belongs (case, results, cite), and names none of them.
+/// Everything about one scenario that files and messages need, defined in src/io/scenarios/NAME.cpp. The code that treats all
+/// scenarios alike (case, results, cite) names none of them.
 template <typename ScenarioCase>
 struct ScenarioIo
 {
@@ -30,10 +30,10 @@ struct ScenarioIo
 
   // --- The case file ---
   std::string_view name; ///< the word of the key `scenario`; also its table and its template
-  std::string_view text; ///< what it computes, a clause
+  std::string_view text; ///< description of the scenario, a clause
   std::vector<Entry> (*keys)();
-  /// Reads what takes judgement, once bodies and domain are there.
-  /// @returns the key at which it is told that there can be no plan
+  /// Reads the keys that need more than the schema, after bodies and domain have been read.
+  /// @returns the key to which problems of the plan are attributed
   std::string (*read)(const CaseReader& reader, Case& c, ScenarioCase& scenario);
   double Plan::*half_x; ///< half-lengths of the contact, estimates [m]
   double Plan::*half_y;
@@ -42,7 +42,7 @@ struct ScenarioIo
   std::string_view (*against_shape)(const simulation::Shape& shape) = [](const simulation::Shape&)
   { return std::string_view(); };
 
-  // --- What `brinell check` tells ---
+  // --- Output of `brinell check` ---
   std::string (*motion)(const ScenarioCase& scenario, const Plan& plan); ///< lines that begin with #
   /// Goes on with the line that tells E', and with those of first yield.
   std::string (*drive)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return std::string(); };
@@ -52,9 +52,9 @@ struct ScenarioIo
 
   // --- Steps and results ---
   bool (*is_key_step)(const ScenarioCase& scenario, const Record& record, NearestToMiddle& middle); ///< "aligned"
-  double (*key_steps)(const ScenarioCase& scenario, const Plan& plan);                              ///< how many
-  std::string_view aligned{}; ///< which ones, if not the middles of the passes: a clause for the schema
-  std::string (*place)(const Case& c, const Record& record);     ///< where a step was, for the progress
+  double (*key_steps)(const ScenarioCase& scenario, const Plan& plan);                              ///< number of them
+  std::string_view aligned{}; ///< description of these steps, if not the middles of the passes: a clause for the schema
+  std::string (*place)(const Case& c, const Record& record);     ///< position of a step, for the progress display
   std::string (*results)(const Case& c, const Summary& summary); ///< lines for a terminal
   /// Puts its numbers into summary.json, between what every summary begins with and what it ends with: energies, heat, wear and
   /// residual displacement. What it says of "energy" itself comes last there.
@@ -64,11 +64,11 @@ struct ScenarioIo
 
   // --- Accuracy ---
   std::vector<std::string> result_parts{}; ///< of the summary, beside energy, residual and the lists
-  /// What one looks for first: "forces.peak_F_X_N"; "indents[].hardness_Pa" is of the last one in a list.
+  /// Names of the key numbers: "forces.peak_F_X_N"; "indents[].hardness_Pa" refers to the last entry of a list.
   std::vector<std::string> (*key_numbers)(const ScenarioCase& scenario);
   /// The key by which steps become finer; those that it leaves alone go with the cells if it is not given.
   std::string_view steps{};
-  /// What is imposed all the time, if it is one drive: beside a load another force may be small.
+  /// The drive that is imposed throughout, if there is a single one; other forces may be small compared with an imposed load.
   contact::Drive ScenarioCase::*drive_kept = nullptr;
 
   // --- Papers ---
@@ -113,7 +113,7 @@ void for_each_scenario(const Action& action)
   simulation::Scenarios<EachScenario>::take(action);
 }
 
-/// Names of those for which it holds.
+/// Names of the scenarios for which a condition holds.
 template <typename Predicate>
 [[nodiscard]] std::vector<std::string> scenarios_with(const Predicate& holds)
 {
