@@ -127,7 +127,7 @@ Checkpoint content_of_checkpoint(const fs::path& path)
   return checkpoint;
 }
 
-/// Checks the seal of a file before HDF5 opens it, because HDF5 does not protect itself against damaged files.
+/// Reads a checkpoint. Its seal is checked before HDF5 opens it, because HDF5 does not protect itself against damaged files.
 std::optional<Checkpoint> read_checkpoint(const fs::path& path)
 {
   if (!fs::exists(path))
