@@ -3,8 +3,8 @@
 Ten minutes: from nothing to a figure
 =====================================
 
-Two steel asperities slide past each other. They push each other aside, flow, and part with a dent in each of them. This
-page computes the forces, looks at the dent, and asks where the work has gone.
+Two steel asperities slide past each other. They push each other aside, yield, and part with a dent in each of them.
+This page computes the forces, looks at the dent, and shows where the work has gone.
 
 You need the package: in the source tree, ``pip install .`` in a virtual environment (:doc:`/docs/install`). Then save
 this page as a script, with the button at its end, or type along.
@@ -13,7 +13,7 @@ this page as a script, with the button at its end, or type along.
 # %%
 # Two bodies
 # ----------
-# A body is a shape and a material. A number is in SI; a text carries its unit. The steel yields at 600 MPa and hardens
+# A body is a shape and a material. A number is in SI; text carries its unit. The steel yields at 600 MPa and hardens
 # by 2 GPa per unit of plastic strain.
 
 import matplotlib.pyplot as plt
@@ -28,8 +28,8 @@ asperity = brinell.Body(brinell.Sphere("10 um"), steel)
 # %%
 # A case
 # ------
-# The upper asperity is carried along x past the lower one, at a constant height: where the centres are aligned, the
-# undeformed spheres would overlap by nine times the interference at which the first point yields.
+# The upper asperity is carried along x past the lower one, at a constant height. When the centres are aligned, the
+# undeformed spheres overlap by nine times the interference at which the first point yields.
 
 case = brinell.Tugging(
     lower=asperity,
@@ -40,8 +40,8 @@ case = brinell.Tugging(
 )
 
 # %%
-# Nothing has been computed yet. ``check`` says what would be: the case with every default filled in, and below it, as
-# comments, the values at first yield, the grids, and what the run will cost.
+# Nothing has been computed yet. ``check`` shows the case with every default filled in and, as comments below it, the
+# values at first yield, the grids, and the cost of the run.
 
 report = case.check()
 print(report[report.index("# Contact") :])
@@ -49,8 +49,8 @@ print(report[report.index("# Contact") :])
 # %%
 # Run it
 # ------
-# ``run`` computes, writes the results into a folder, and opens them. Without a folder they are temporary; with
-# ``progress=True`` there is a bar.
+# ``run`` computes the case, writes the results into a folder, and opens them. Without a folder the results are
+# temporary; ``progress=True`` shows a progress bar.
 
 run = case.run()
 print(f"{run.history.steps} steps")
@@ -58,10 +58,10 @@ print(f"{run.history.steps} steps")
 # %%
 # The forces
 # ----------
-# The history has a column per quantity and a row per step. Forces are best read in units of the load at first yield,
-# :math:`P_c`. :math:`F_X` resists the motion: positive before the centres are aligned, where the drive must push. Two
-# elastic spheres would give back on the way out, mirrored, what they took on the way in (dashed). These do not: they
-# have flowed, and push forwards with less force and for a shorter time.
+# The history has a column per quantity and a row per step. The figure shows forces in units of the load at first yield,
+# :math:`P_c`. :math:`F_X` resists the motion: it is positive before the centres are aligned, where the drive must push.
+# Two elastic spheres would return on the way out, mirrored, the work that they took on the way in (dashed). These
+# spheres have yielded, and push forwards with less force and for a shorter time.
 
 history = run.history
 radius = run.equivalent_radius
@@ -90,9 +90,9 @@ plt.show()
 # %%
 # The dent
 # --------
-# The fields of some steps are stored, and those of the final, unloaded state always. The residual displacement of a
-# surface is positive into the body, so a dent is a positive number. In front of the dent there is a pile-up: the upper
-# asperity has moved to the right.
+# The fields of some steps are stored, and always those of the final, unloaded state. The residual displacement of a
+# surface is positive into the body, so a dent is a positive number. There is a pile-up in front of the dent, since the
+# upper asperity has moved to the right.
 
 final = run.snapshot("final").lower
 middle = np.argmin(np.abs(final.y))
@@ -117,7 +117,7 @@ print(f"deepest: {depth.max() * 1e9:.2f} nm, {share:.0%} of the interference")
 # Where the work has gone
 # -----------------------
 # The net work of the drive has been dissipated by plastic flow in both bodies, or is locked in as elastic energy of
-# their residual stresses. What is left over is the error of mesh and step: it falls if the resolution grows.
+# their residual stresses. The rest is the error of mesh and step, which falls as the resolution grows.
 
 work = history["work"][-1]
 dissipated = history["dissipation_lower"][-1] + history["dissipation_upper"][-1]
@@ -130,11 +130,11 @@ print(f"left over    {(work - dissipated - locked_in) / work:7.1%}")
 # %%
 # The same as a case file
 # -----------------------
-# Everything above is also a file, ``case.to_toml("steel.toml")``, which the command line computes::
+# ``case.to_toml("steel.toml")`` writes the case above as a file, which the command line computes::
 #
 #     brinell run steel.toml -o results/steel
 #
-# and ``brinell.open("results/steel")`` reads. What each key means: :doc:`/docs/reference/case-file`.
+# ``brinell.open("results/steel")`` reads its results. The meaning of each key: :doc:`/docs/reference/case-file`.
 #
-# From here: the same asperities pass after pass, ``brinell.Tugging(..., passes=3)``; or
+# Next steps: the same asperities pass after pass, ``brinell.Tugging(..., passes=3)``; or
 # :doc:`indentation with a hardening law of your own </docs/_tutorials/02_indentation>`.

@@ -4,14 +4,14 @@ Indentation with a hardening law of your own
 ============================================
 
 A steel ball is pressed against a rigid flat and lifted off. The yield stress is a Python function of the equivalent
-plastic strain. How much load does hardening add, and where do elastic and perfectly plastic theory stand?
+plastic strain. How much load does hardening add, compared with elastic and perfectly plastic theory?
 """
 
 # %%
 # A law as a function
 # -------------------
-# Any function of the equivalent plastic strain is a hardening law, if it is positive, continuous and does not fall.
-# This one rises fast at first and slowly later, as many steels do.
+# Any function of the equivalent plastic strain is a hardening law if it is positive, continuous and does not decrease.
+# This one rises fast at first and slowly later, as for many steels.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -28,8 +28,8 @@ def hardening(e):
 
 
 # %%
-# The engine takes it as a table, which is refined until it differs from the function by less than one part in ten
-# thousand. For comparison, a steel that does not harden.
+# The engine converts the function to a table, which is refined until it differs from the function by less than one part
+# in ten thousand. A steel that does not harden serves for comparison.
 
 hardening_steel = brinell.Material(young_modulus, poisson_ratio, hardening)
 perfect_steel = brinell.Material(young_modulus, poisson_ratio, brinell.Perfect(yield_stress))
@@ -56,8 +56,8 @@ plt.show()
 # %%
 # Press and lift off
 # ------------------
-# The approach is imposed, in units of the one at which the first point yields: up to 25 of them, and back to nothing.
-# :math:`P_c` and :math:`\alpha_c`, load and approach at first yield, are the same for both steels.
+# The approach is imposed in units of the approach at first yield: up to 25 of them, and back to zero. Load and approach
+# at first yield, :math:`P_c` and :math:`\alpha_c`, are the same for both steels.
 
 
 def indentation(material):
@@ -80,9 +80,9 @@ runs = {
 # %%
 # Load over approach
 # ------------------
-# Hertz' elastic ball would carry :math:`(\alpha/\alpha_c)^{3/2}`. Jackson and Green (2005) have fitted the load of a
-# perfectly plastic ball, loading only, to finite-element computations. Off the load, both balls spring back: what is
-# left at the end is the depth of the flattened spot.
+# Hertz' elastic ball would carry :math:`(\alpha/\alpha_c)^{3/2}`. Jackson and Green (2005) fitted the load of a
+# perfectly plastic ball, loading only, to finite-element computations. When unloaded, both balls spring back; the
+# approach that remains at the end is the depth of the flattened spot.
 
 alpha = np.linspace(0.01, 25, 300)
 figure, axes = plt.subplots(figsize=(6.5, 4.2), layout="constrained")
@@ -107,7 +107,7 @@ plt.show()
 # %%
 # In numbers
 # ----------
-# The perfectly plastic ball against the fit, and what hardening changes at the largest approach.
+# The perfectly plastic ball compared with the fit, and the effect of hardening at the largest approach.
 
 perfect, hard = runs["perfectly plastic"], runs["hardening"]
 loading = slice(0, 15)
@@ -125,8 +125,8 @@ for name, indent in indents.items():
     )
 
 # %%
-# The mean pressure of the hardening ball is above that of the other one, and less of the approach stays. How both fits
-# compare on finer grids: :doc:`/docs/verification`.
+# The mean pressure of the hardening ball is above that of the other one, and less of the approach remains. Comparisons
+# with published fits on finer grids: :doc:`/docs/verification`.
 #
-# From here: ``load=["2 N", "0.5 N", "2 N", 0]`` imposes loads instead, ``cycles`` repeats them, ``places`` makes
+# Next steps: ``load=["2 N", "0.5 N", "2 N", 0]`` imposes loads instead, ``cycles`` repeats them, ``places`` makes
 # several indents; ``brinell.Vickers("1 um")`` and ``brinell.Cone(70.3, "1 um")`` are other indenters.

@@ -3,17 +3,17 @@
 A scenario of your own, from the floors
 =======================================
 
-Tugging, indentation and rolling are loops over a few building blocks, and the blocks are there to be used: contact,
-half space, plasticity, and both coupled. This page goes up floor by floor, checks each against a closed form, and ends
-with a scenario that brinell does not have: a ball that is pressed in twice, side by side, so closely that the second
-dent runs into the first.
+The scenarios are loops over a few building blocks, which you can use yourself: contact, half space, plasticity, and
+the coupled contact. This page introduces the floors of the code one by one, checks the elastic ones against closed
+forms, and ends with a scenario made of these blocks: a ball that is pressed in twice, so closely side by side that the
+second dent runs into the first.
 """
 
 # %%
 # The contact: who presses where
 # ------------------------------
-# A grid of cells carries the pressure. The ball enters by its distance to the flat; a body without a hardening law is
-# elastic, and only its elastic constants count here.
+# A grid of cells carries the pressure. The ball enters by its distance from the flat. The elastic contact only uses the
+# elastic constants of a material.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -46,8 +46,8 @@ print(f"approach over Hertz': {elastic.approach / hertz.approach:.4f}")
 print(f"peak pressure over Hertz': {elastic.pressure.max() / hertz.peak_pressure:.4f}")
 
 # %%
-# ``grid.x`` is a row and ``grid.y`` a column, so that an expression of both is a field on the grid. Hertz' pressure is
-# half an ellipsoid:
+# ``grid.x`` is a row and ``grid.y`` a column, so that an expression of both is a field on the grid. Hertz' pressure
+# distribution is half an ellipsoid:
 
 middle = grid.ny // 2
 figure, axes = plt.subplots(figsize=(5.5, 3.2), layout="constrained")
@@ -65,11 +65,11 @@ axes.legend()
 plt.show()
 
 # %%
-# The half space: what the pressure does below
-# --------------------------------------------
-# An operator is planned once for a grid and a material, and applied as often as you like. The tensor comes first: xx,
-# yy, zz, yz, xz, xy. Below, von Mises' stress on the axis, beside Huber's closed form: largest about half a contact
-# radius below the surface, where the first point yields.
+# The half space: stress below the surface
+# ----------------------------------------
+# An operator is planned once for a grid and a material, and applied as often as you like. The first axis of a stress
+# field has the components xx, yy, zz, yz, xz, xy. The figure compares the von Mises stress on the axis with Huber's
+# closed form; it is largest about half a contact radius below the surface, where the first point yields.
 
 volume = VolumeGrid(grid, nz=20, dz=cell)
 half_space = HalfSpace(volume, steel)
@@ -104,15 +104,16 @@ axes.legend()
 plt.show()
 
 # %%
-# The stress is far beyond yield, so this elastic answer is not what would happen.
+# The stress is far beyond yield, so this elastic solution is not the real one.
 #
-# Both together: press, lift, move, press again
-# ---------------------------------------------
-# ``CoupledContact`` has the history of both bodies. An increment is one call: the distance of the smooth surfaces, and
-# a load or an approach. Contact, plastic strain and residual displacement agree when it returns, or it says why not.
+# Coupled contact: press, lift, move, press again
+# -----------------------------------------------
+# ``CoupledContact`` keeps the history of both bodies. An increment is one call, with the distance of the smooth
+# surfaces and a load or an approach. When the call returns, contact, plastic strain and residual displacement agree;
+# otherwise it raises an error with the reason.
 #
-# The scenario is the loop: six steps up, three down, at two places 1.5 contact radii apart. The steps are even in
-# load\ :sup:`2/3`, so nearly even in depth.
+# The scenario is the loop: six steps of loading and three of unloading, at two places 1.5 contact radii apart. The
+# steps are equal in load\ :sup:`2/3`, and thus nearly equal in depth.
 
 pair = CoupledContact(
     grid, volume, volume, steel, brinell.RIGID, scale=first_yield.interference
@@ -134,10 +135,11 @@ print(f"{evaluations} evaluations for the {len(loads)} increments of the second 
 print(f"dissipated: {dissipated[0] * 1e6:.3f} and {dissipated[1] * 1e6:.3f} µJ")
 
 # %%
-# What it shows
-# -------------
-# The second ball meets the rim of the first dent, so its contact begins earlier. At full load it has sunk in deeper, as
-# on one side the first dent bears nothing. It pushes material into that dent, which becomes shallower.
+# The result
+# ----------
+# The second ball meets the rim of the first dent, so its contact begins earlier. At full load the ball has sunk in
+# deeper, since the first dent bears no load on one side. The ball pushes material into that dent, which becomes
+# shallower.
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
 for dent, name in zip(dents, ("after the first", "after the second"), strict=True):
@@ -155,8 +157,8 @@ right.legend()
 plt.show()
 
 # %%
-# And what stays below: the residual stress along x, in the plane of symmetry. ``pair.lower.stress`` is that of the
-# pressure and of the plastic strain together, and the pressure is gone.
+# The residual stress along x below the surface, in the plane of symmetry: ``pair.lower.stress`` is the stress due to
+# the pressure and the plastic strain, and the pressure is zero now.
 
 residual = pair.lower.stress[0, :, middle, :]
 limit = np.abs(residual).max() / 1e6
@@ -175,8 +177,8 @@ figure.colorbar(mesh, label=r"residual $\sigma_{xx}$ [MPa]")
 plt.show()
 
 # %%
-# Is the grid large enough? Pressure must not reach its edge, nor plastic strain. The scenarios watch that for you; in a
-# scenario of your own it is yours to watch.
+# Is the grid large enough? Neither pressure nor plastic strain may reach its edge. The scenarios of brinell check that;
+# in a scenario of your own you have to check it.
 
 strain = pair.lower.equivalent_plastic_strain
 edge = max(strain[-1].max(), strain[:, [0, -1]].max(), strain[:, :, [0, -1]].max())
@@ -184,7 +186,7 @@ print(f"pressure at the edge: {pair.reaches_edge}")
 print(f"strain at the edge over the largest: {edge / strain.max():.1e}")
 
 # %%
-# From here: ``Place`` moves the contact grid over bodies that are longer than it, ``twin`` halves the work of two
-# bodies that are alike, and the pages of the theory say what each block solves: :doc:`the half space
+# Next steps: ``Place`` moves the contact grid over bodies that are longer than the grid, ``twin`` halves the work for
+# two equal bodies, and the theory pages describe what each block solves: :doc:`the half space
 # </docs/theory/half-space>`, :doc:`the contact </docs/theory/contact>`, :doc:`the coupled increment
 # </docs/theory/elastoplastic>`.

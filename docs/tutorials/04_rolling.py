@@ -3,21 +3,21 @@
 Rolling passes and shakedown
 ============================
 
-A ball rolls again and again over the same track. The first pass leaves a rut and residual stresses. Do later passes
-still find something to deform? If not, the track has *shaken down*: residual stresses, a rut that makes the contact
-conform, and hardening together keep every later pass elastic. If yes, the strain may run to and fro in a closed cycle,
-or the rut deepens with every pass.
+A ball rolls repeatedly over the same track. The first pass leaves a rut and residual stresses. Do later passes still
+cause plastic strain? If not, the track has *shaken down*: residual stresses, a rut that makes the contact conform, and
+hardening together keep every later pass elastic. If they do, the strain goes to and fro in a closed cycle, or the rut
+deepens with every pass.
 """
 
 # %%
 # Two materials, two loads
 # ------------------------
 # Both flats begin to yield at the same stress. One does not harden at all. The other has a back stress (Prager): its
-# yield surface moves with the plastic strain and remembers the direction in which it has flowed.
+# yield surface moves with the plastic strain and so depends on the direction of earlier flow.
 #
-# The load is given by the peak pressure :math:`p_0` of its elastic contact. A ball's track yields at :math:`p_0 =
+# The load is given by the peak pressure :math:`p_0` of the elastic contact. The track of a ball yields at :math:`p_0 =
 # 1.6\,S_y`, and the published limit of elastic shakedown is :math:`p_0 = 4.7\,k` with the shear yield stress :math:`k =
-# S_y/\sqrt{3}` (Johnson 1985): 2.6 and 4.3 GPa here. One load is below that limit, one well above it.
+# S_y/\sqrt{3}` (Johnson 1985): 2.6 and 4.3 GPa here. One load is below that limit, the other well above it.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -34,7 +34,7 @@ loads = {
 }  # with the length of the track, six half-widths of the contact
 
 # %%
-# Five passes of each. With six cells per half-width the rut is right to some two percent; the default has eight.
+# Five passes of each case. With six cells per half-width the rut is right to some two per cent; the default has eight.
 
 
 def rolling(name, pressure):
@@ -58,12 +58,12 @@ runs = {
 # %%
 # Pass by pass
 # ------------
-# ``run.passes`` has what each pass has left under the middle of the track: the depth of the rut, and how much
-# equivalent plastic strain the pass has added there.
+# ``run.passes`` has the state after each pass in the middle of the track: the depth of the rut, and the equivalent
+# plastic strain that the pass has added there.
 #
-# At 4 GPa the strain added falls by an order of magnitude per pass with either law: elastic shakedown. At 6 GPa every
-# pass adds as much as the one before. But the rut tells two cases apart: with kinematic hardening it no longer
-# deepens, the strain goes to and fro (plastic shakedown); without hardening it goes on (ratchetting).
+# At 4 GPa the added strain falls by an order of magnitude per pass with either law: elastic shakedown. At 6 GPa every
+# pass adds as much as the previous one. The rut distinguishes two cases: with kinematic hardening it no longer deepens
+# and the strain goes to and fro (plastic shakedown); without hardening it continues to deepen (ratchetting).
 
 styles = dict(zip(runs, ("C0o-", "C0s--", "C1o-", "C1s--"), strict=True))
 number = np.arange(1, 6)
@@ -78,10 +78,10 @@ left.legend(fontsize="small")
 plt.show()
 
 # %%
-# What stays in the depth
-# -----------------------
-# After the last pass the track is unloaded. ``run.profile`` is the residual stress under its middle. Compression under
-# the surface is what a designer hopes for: it closes cracks.
+# Residual stress over the depth
+# ------------------------------
+# After the last pass the track is unloaded. ``run.profile`` is the residual stress under its middle. Compression below
+# the surface is welcome, since it closes cracks.
 
 figure, axes = plt.subplots(figsize=(5, 4), layout="constrained")
 for (name, pressure), run in runs.items():
@@ -108,14 +108,14 @@ plt.show()
 # %%
 # The price of a pass
 # -------------------
-# A track that flows takes work. Once it has shaken down nothing is dissipated any more: there is no friction in
-# this contact.
+# Plastic flow in the track takes work. Once the track has shaken down nothing is dissipated any more, since this
+# contact has no friction.
 
 for run in runs.values():
     losses = ", ".join(f"{p.dissipation * 1e3:.3g}" for p in run.passes)
     print(f"{run.title}: {losses} mJ")
 
 # %%
-# From here: ``slide_to_roll`` lets the ball slide as well; ``texture=brinell.Dent("1 um", "200 um")`` on a body lets it
-# roll over a dent; ``cases/rolling-passes`` has both bodies of the same steel. How the limit of shakedown compares with
-# the published one: :doc:`/docs/verification`.
+# Next steps: with ``slide_to_roll`` the ball slides as well; with ``texture=brinell.Dent("1 um", "200 um")`` on a body
+# it rolls over a dent; in ``cases/rolling-passes`` both bodies are of the same steel. The computed shakedown limit
+# compared with the published one: :doc:`/docs/verification`.

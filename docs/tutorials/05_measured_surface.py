@@ -4,14 +4,14 @@ From a measured surface to its friction
 =======================================
 
 An instrument has measured the heights of a bronze surface. A hard, smooth-ground counter body slides over it under a
-given pressure. Which friction do the peaks add by ploughing, how do they run in, and how far can the number be trusted?
+given pressure. How much friction do the peaks add by ploughing, how do they run in, and how accurate is the number?
 """
 
 # %%
 # The measurement
 # ---------------
-# So that this page needs no file of an instrument, it makes one: a rough surface that lies askew, as a table of heights
-# in micrometres with points that the instrument did not see. With a map of your own begin below, with `read`.
+# This page makes its own measurement: a tilted rough surface, as a table of heights in micrometres with points that
+# the instrument did not see. With a map of your own, begin below with `read`.
 
 import tempfile
 from pathlib import Path
@@ -29,7 +29,7 @@ file = Path(tempfile.mkdtemp(), "measured.txt")
 np.savetxt(file, 1e6 * askew)
 
 # %%
-# Read with its unit and its spacing, filled by a smooth surface where nothing was measured, and levelled.
+# The map is read with its unit and its spacing, filled by a smooth surface where nothing was measured, and levelled.
 
 measured = brinell.surfaces.read(file, spacing="1 um", unit="um", fill=True).levelled()
 for name in ("Sq", "Sk", "Spk", "Svk"):
@@ -39,9 +39,9 @@ print(f"Sdq  {measured.Sdq:.3f}")
 # %%
 # Four samples
 # ------------
-# Sliding computes one period of surfaces that go on without end. A measured map does not repeat: its ends are made to
-# fade into each other over a strip. Four parts of the map make four samples of the surface, and their scatter says how
-# well they stand for it.
+# Sliding computes one period of periodic surfaces. A measured map is not periodic, so its opposite ends are blended
+# over a strip. Four parts of the map give four samples of the surface, and their scatter says how representative they
+# are.
 
 half = 47e-6
 parts = [
@@ -54,9 +54,9 @@ print([f"{1e9 * part.Sq:.0f} nm" for part in parts], parts[0].heights.shape)
 # %%
 # Slide
 # -----
-# The counter body is steel, rough on a longer scale and harder. One cell per point of the map. Each stroke goes once
-# round the period: what the elastic deformation takes on the way up a peak has then come back on the way down, and what
-# is left is friction. The second stroke meets the same peaks again, after they have run in.
+# The counter body is steel, harder and rough on a longer scale. The grid has one cell per point of the map. Each stroke
+# goes once round the period: the elastic work on the way up a peak is recovered on the way down, and the rest is
+# friction. The second stroke meets the same peaks after they have run in.
 
 steel = brinell.Material("210 GPa", 0.3)  # no hardening law: stays elastic
 bronze = brinell.Material("110 GPa", 0.34, brinell.Linear("350 MPa", "2 GPa"))
@@ -84,7 +84,7 @@ def sliding(number, cells):
 runs = [sliding(number, 32).run() for number in range(len(parts))]
 
 # %%
-# The friction by ploughing of each sample, in the first stroke and in the second:
+# Friction by ploughing of each sample, in the first and in the second stroke:
 
 
 def ploughing_of(run):
@@ -96,11 +96,11 @@ ploughing = np.array([ploughing_of(run) for run in runs])
 print(np.round(ploughing, 5))
 
 # %%
-# How far to trust it
-# -------------------
+# How accurate it is
+# ------------------
 # Two errors remain beside that of the model. *Sampling*: the standard error of the mean over the samples. *Cells and
-# steps*: one sample on cells, and with steps, of twice the size; with errors of second order a third of the difference
-# is left. (The coarse run warns of its few cells.) The two have nothing to do with each other.
+# steps*: one sample is computed again with cells and steps of twice the size; for errors of second order, the remaining
+# error is a third of the difference. (The coarse run warns of its few cells.) The two errors are independent.
 
 mean = ploughing.mean(axis=0)
 sampling = ploughing.std(axis=0, ddof=1) / np.sqrt(len(runs))
@@ -115,8 +115,8 @@ for stroke, value in enumerate(mean):
 print(f"friction of the pair: {0.1 + mean[0]:.4f} at first, {0.1 + mean[1]:.4f} run in")
 
 # %%
-# Halve the spacing, or take a larger map, whichever of the two is the larger share. What the samples do in the course
-# of the way:
+# To reduce the error, halve the spacing or take a larger map, whichever of the two errors is larger. The samples over
+# the sliding distance:
 
 figure = brinell.plot.along_way(runs)
 plt.show()
@@ -124,13 +124,13 @@ plt.show()
 # %%
 # Running in
 # ----------
-# Both surfaces before and after, and their bearing-area curves: peaks are lower, valleys are as they were.
+# Both surfaces before and after, and their bearing-area curves: peaks are lower, valleys are unchanged.
 
 figure = brinell.plot.surfaces_before_and_after(runs[:1])
 plt.show()
 
 # %%
-# And the contact in patches: how many, how large, and where.
+# Number, size and position of the contact patches:
 
 figure = brinell.plot.contact_patches(runs[:1])
 plt.show()
