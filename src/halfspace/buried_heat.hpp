@@ -13,8 +13,8 @@
 namespace brinell::halfspace
 {
 
-/// Heat generated in the layers of a body with a periodic surface: for each wave along the surface, the temperatures of the layers.
-/// Exact in time for heat generated at a constant rate over a step, and of second order in the thickness of the layers:
+/// Heat generated in the layers of a body with a periodic surface: for each wave along the surface, the temperatures of the
+/// layers. Exact in time for heat generated at a constant rate over a step, and of second order in the thickness of the layers:
 /// docs/theory/heat.md (buried).
 class BuriedHeat
 {
@@ -86,7 +86,7 @@ private:
     AlignedVector<double> rates, left; ///< [plane]
   };
   void plan_step(double duration);
-  void take_up_from(std::size_t wave, const Step& step, std::array<Scratch, 2>& halves);
+  void step_waves(std::size_t wave, const Step& step, std::array<Scratch, 2>& halves);
   void find_temperature_from(std::size_t wave, Scratch& scratch);
   void find_temperature();
   void find_decay_over_layers(std::size_t begin, std::size_t parts, std::size_t pitch, double* left, double* sum) const;

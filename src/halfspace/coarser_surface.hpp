@@ -12,8 +12,8 @@ namespace brinell::halfspace
 
 /// A grid with the same middle as a finer one and cells twice as long along open axes. Smooth fields are interpolated from the
 /// coarse to the fine cells by cubics; loads are transferred from the fine to the coarse cells by the transpose of the
-/// interpolation, which conserves all moments up to the third. Loads on the fine cells reach `margin` coarse cells beyond the ends
-/// of the fine grid. The coarse cells are symmetric about the middle, so that even and odd fields stay even and odd.
+/// interpolation, which conserves all moments up to the third. Loads on the fine cells reach `margin` coarse cells beyond the
+/// ends of the fine grid. The coarse cells are symmetric about the middle, so that even and odd fields stay even and odd.
 class CoarserSurface
 {
 public:

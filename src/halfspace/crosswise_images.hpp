@@ -48,7 +48,8 @@ public:
 
   /// As in ImageCorrection: moments of the strain, then the response to them.
   /// @param first, end  cells along the grid that are read; the strain is zero in the others
-  void take(const Columns& strain, int first, int end, int component, int layer, Response& response) const;
+  void find_moments_of_layer(const Columns& strain, int first, int end, int component, int layer,
+                             Response& response) const;
   void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
   /// Amplitudes of the waves of the stress of the images in one layer, [power][wave].
   [[nodiscard]] Eigen::VectorXd amplitudes(const Response& response, int component, int layer) const;

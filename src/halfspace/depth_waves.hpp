@@ -36,8 +36,8 @@ struct DepthWaves
   [[nodiscard]] DepthWaves slower_than(double number) const;
   /// Sum of weight * k/(k^2 + s^2) over the waves that the last one represents; 1 for k = 0.
   [[nodiscard]] double slow_share(double k) const;
-  /// Contribution of waves faster than the first one to a sum of terms proportional to weight/s^power, relative to the term of the
-  /// first one.
+  /// Contribution of waves faster than the first one to a sum of terms proportional to weight/s^power, relative to the term of
+  /// the first one.
   [[nodiscard]] double beyond(int power) const;
 };
 

@@ -22,7 +22,7 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
   const double deviators = 5.0 * grid.nz; // planes
   const double kernels = 6.0 * grid.nz * along_y;
 
-  // ImageCorrection hardly depends on the grid.
+  // The memory of ImageCorrection is almost independent of the grid.
   constexpr double images = 2.5e6;
   const double strain_and_stress =
       deviators * (blocks + 2.0) * pitch; // strain of two blocks, if there are several threads

@@ -112,8 +112,8 @@ private:
                         Work::Buffers::Scratch& scratch) const;
   void transform_strain_mirrored(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                  MirroredFft::Scratch& scratch) const;
-  int take_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
-                Work::Buffers& work) const;
+  int prepare_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
+                   Work::Buffers& work) const;
   [[nodiscard]] CellRectangle strained_rows(int layer, const Work::Buffers& work) const;
   /// The same plane of the spectra in the next block; for the last block, the plane itself.
   [[nodiscard]] static const ComplexLanes* next_block(const BlockedFft& fft, int block, const ComplexLanes* plane)
@@ -136,15 +136,15 @@ private:
   }
   /// Position of a part in `displacement_parts`.
   [[nodiscard]] ComplexLanes* displacement_part(int block, int part, Work::Buffers& work) const;
-  void pass_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
-                   ComplexLanes* trace) const;
-  void pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, const Team& team,
-                  Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
+  void process_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
+                      ComplexLanes* trace) const;
+  void process_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, const Team& team,
+                     Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
   void transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels, const Team& team,
                         Work::Buffers& work, Work::Buffers::Scratch& scratch) const;
-  [[nodiscard]] const ComplexLanes* loaded(int block, const MirroredFft::Part& part,
-                                           const OfTraction<const TractionStress*>& kernels, const Work::Buffers& work,
-                                           ComplexLanes* sum) const;
+  [[nodiscard]] const ComplexLanes* total_stress(int block, const MirroredFft::Part& part,
+                                                 const OfTraction<const TractionStress*>& kernels,
+                                                 const Work::Buffers& work, ComplexLanes* sum) const;
   /// Spectra of the traction in one block.
   [[nodiscard]] OfTraction<const ComplexLanes*> surface_spectra(int block, const Work::Buffers& work) const;
   /// Number of rows of a spectrum that are computed: with symmetry those of the wavenumbers ky >= 0.

@@ -43,9 +43,9 @@ public:
              const DepthFactors& surface, Symmetry symmetry,
              const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
-  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.all().grid(); }
-  [[nodiscard]] int period_x() const { return fft_.all().px(); } ///< [cells]
-  [[nodiscard]] int period_y() const { return fft_.all().py(); }
+  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.full_plane().grid(); }
+  [[nodiscard]] int period_x() const { return fft_.full_plane().px(); } ///< [cells]
+  [[nodiscard]] int period_y() const { return fft_.full_plane().py(); }
   [[nodiscard]] std::size_t spectrum_bytes() const { return fft_.plane() * sizeof(Complex); } ///< of one field
 
   /// Adds `factor` times the temperature of the surface that remains after `duration`, for a flux that is uniform in each cell.
@@ -94,7 +94,7 @@ public:
   void set_whole_heat_in_body(std::span<const double> values);
 
 private:
-  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.all().kx()); }
+  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.full_plane().kx()); }
   /// Index of the first wave of a row.
   [[nodiscard]] std::size_t begin_of(int row) const { return static_cast<std::size_t>(row) * columns(); }
   [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
@@ -129,18 +129,18 @@ private:
   };
   [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
   void add_row(int row, const RowOfFields& wanted, Row& sums) const;
-  void put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
+  void write_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
   [[nodiscard]] std::vector<int> significant_columns(std::span<const DepthFactors> depths, bool has_buried) const;
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   [[nodiscard]] AlignedVector<Complex> independent_rows_of(std::span<const double> values) const;
-  void finish_surface(int row, const Complex* potential, Row& sums) const;
+  void find_surface_potential(int row, const Complex* potential, Row& sums) const;
   [[nodiscard]] AlignedVector<Complex> planes() const;
 
   /// Decay and shift of neighbouring waves along the surface in a step.
   struct StepOfBlock
   {
-    Lanes rate, turn;             ///< z = rate + i turn, both times the duration
+    Lanes rate, phase;            ///< z = rate + i phase, both times the duration
     Lanes left, left_re, left_im; ///< e^{-rate} and e^{-z}
   };
   struct Step
@@ -148,8 +148,8 @@ private:
     HeatMotion motion;
     AlignedVector<StepOfBlock> blocks; ///< [row][block]
   };
-  /// Sums over the waves in depth at the surface, without the factors that are the same for all of them; [row][column]. Valid until
-  /// the next step.
+  /// Sums over the waves in depth at the surface, without the factors that are the same for all of them; [row][column]. Valid
+  /// until the next step.
   struct SurfaceSums
   {
     double duration;
@@ -164,8 +164,8 @@ private:
     std::vector<double> temperature, potential, potential_now;
   };
   void plan_step(const HeatMotion& motion);
-  void take_up_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
-                    bool is_settled);
+  void step_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
+                 bool sums_surface);
   [[nodiscard]] Lanes left_along(std::size_t block, double duration) const;
   [[nodiscard]] SurfaceWeights surface_weights(double duration) const;
   [[nodiscard]] SurfaceSums empty_sums(double duration) const;

@@ -17,7 +17,8 @@ namespace brinell::contact
 [[nodiscard]] double edge_position(double gap_over_pressure);
 
 /// Area of the contact [m^2], enclosed by the line that runs through the edge between each cell under pressure and its
-/// neighbours without: docs/theory/contact.md (contact-area). A contact that reaches the end of the grid ends there with its cells.
+/// neighbours without: docs/theory/contact.md (contact-area). A contact that reaches the end of the grid ends there with its
+/// cells.
 /// @param pressure, gap    of a solved contact, one value per cell [Pa], [m]
 /// @param contact_modulus  E' of the pair [Pa]
 [[nodiscard]] double contact_area(const SurfaceGrid& grid, std::span<const double> pressure,

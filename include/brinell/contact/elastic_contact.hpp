@@ -87,7 +87,7 @@ private:
     const std::function<bool()>& wants_stop;
   };
   [[nodiscard]] Report iterate(const Problem& problem, std::span<double> pressure, std::span<double> gap);
-  [[nodiscard]] Report keep_gap(const Problem& problem, std::span<double> pressure, std::span<double> gap);
+  [[nodiscard]] Report solve_mean_gap(const Problem& problem, std::span<double> pressure, std::span<double> gap);
   /// Result of a step of the pressure.
   struct Step
   {
@@ -99,8 +99,8 @@ private:
              const std::function<bool()>& wants_stop);
   void start(std::span<const double> distance, const Drive& drive, std::span<double> pressure);
   void scale_to_load(double load, double sum, std::span<double> pressure);
-  [[nodiscard]] Report settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
-                              std::span<double> gap) const;
+  [[nodiscard]] Report evaluate(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
+                                std::span<double> gap) const;
   [[nodiscard]] double descend(double& slope, bool load_given, std::span<const double> pressure,
                                std::span<const double> gap);
   [[nodiscard]] Step advance(double step, std::span<const double> gap, std::span<double> pressure);

@@ -49,8 +49,9 @@ public:
   /// The returned `Loaded` refers to `plastic_strain`, `work` and this object, and is valid until `work` is used again:
   /// later calls of its functions throw InternalError. The order of the calls: docs/theory/half-space.md.
   /// @param displacements  components of the displacement that the `Loaded` can compute
-  /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, the independent rows of the strain
-  ///                       (`independent_rows`) are read and those of the stress are written; the displacement has all rows.
+  /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, only the independent rows
+  ///                       (`independent_rows`) of the strain are read and those of the stress are written; the displacement
+  ///                       has all rows.
   [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work,
                             Displacements displacements = Displacements::normal,
                             Symmetry symmetry = Symmetry::none) const;

@@ -29,8 +29,8 @@ struct HeatMotion
 class HeatResponse
 {
 public:
-  /// @throws InputError if the duration is infinite but no steady state exists (on a grid with a periodic axis, for a flux that is
-  ///         at rest or moves along periodic axes only), or if a constant or the duration is not above 0
+  /// @throws InputError if the duration is infinite but no steady state exists (on a grid with a periodic axis, for a flux that
+  ///         is at rest or moves along periodic axes only), or if a constant or the duration is not above 0
   HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion);
 
   /// Response of two bodies to the same flux: the sum of their temperature rises.

@@ -23,7 +23,8 @@ struct SteadyMotion
 };
 
 /// Flux into the surface of an elastic half space -> displacement of the surface, and temperature and stress in the body, for a
-/// flux that has acted for an infinite time and moved over the surface at a constant velocity: docs/theory/heat.md (steady-waves).
+/// flux that has acted for an infinite time and moved over the surface at a constant velocity: docs/theory/heat.md
+/// (steady-waves).
 ///
 /// The surface is free of traction, and insulated outside the flux. The flux is the trigonometric interpolant of its cell values.
 /// Images of open axes are removed, to about 1e-5 of the largest value.

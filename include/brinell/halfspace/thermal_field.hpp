@@ -64,9 +64,9 @@ public:
   /// Adds more flux to the last step, with the same motion: the state becomes the one after a step with the sum of both fluxes.
   void amend(std::span<const double> flux, const HeatMotion& motion);
 
-  /// Adds heat that is generated in the body at a constant rate during the step that begins; heat generated earlier spreads during
-  /// that step. To be called before `take_up` of the same step. `layers` and `displacement` include this heat at once as it is at
-  /// the end of the step, for any duration passed to them; `remaining_temperature` does not include it.
+  /// Adds heat that is generated in the body at a constant rate during the step that begins; heat generated earlier spreads
+  /// during that step. To be called before `take_up` of the same step. `layers` and `displacement` include this heat at once as
+  /// it is at the end of the step, for any duration passed to them; `remaining_temperature` does not include it.
   /// docs/theory/heat.md (buried)
   /// @param heat  [J/m^3] per cell, [layer][cell]; layers beyond the heated ones are stored in the thicker layers beneath
   void take_up_in_body(std::span<const double> heat, double duration);
@@ -92,7 +92,8 @@ public:
   /// @param layer     index into `depths`
   /// @param duration  as for `displacement`
   void layer(std::size_t layer, const ThermalLayer& out, double duration = 0.0) const;
-  /// Fields in the layers `first`, `first + 1`, ..., at less cost than one by one. All elements of `out` must have the same parts.
+  /// Fields in the layers `first`, `first + 1`, ..., at less cost than one by one. All elements of `out` must have the same
+  /// parts.
   void layers(std::size_t first, std::span<const ThermalLayer> out, double duration = 0.0) const;
   /// Fields of a body at the end of the last step; its layers are the first ones of `depths`. Each component has all layers one
   /// after the other.

@@ -9,8 +9,8 @@
 namespace brinell::halfspace
 {
 
-/// Flux into the surface of an elastic half space -> displacement of the surface along z at the end of the motion, for a flux that
-/// has been constant while it moved over an initially cold body.
+/// Flux into the surface of an elastic half space -> displacement of the surface along z at the end of the motion, for a flux
+/// that has been constant while it moved over an initially cold body.
 ///
 /// For a step whose flux is still unknown, this is the part of the displacement that depends on the flux: added to the
 /// displacement that remains of the steps before (`ThermalField::displacement`), it is the displacement after the step. The
