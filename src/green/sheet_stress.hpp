@@ -9,7 +9,7 @@
 namespace brinell::green
 {
 
-/// Between the sheet, the surface and the point: what does not depend on the strain.
+/// Factors that depend on the depths of the sheet and of the point, but not on the strain.
 template <typename Real>
 struct SheetPath
 {
@@ -17,7 +17,7 @@ struct SheetPath
   Real kz, kz_source;        ///< wavenumber times the depths of the point and of the sheet
   Real direct, from_image;   ///< e^{-s} from the sheet, and e^{-k z} from the surface
   Real to_surface;           ///< e^{-k z'}
-  Real down_share, up_share; ///< of the two sides of the sheet: in its plane, half of each
+  Real down_share, up_share; ///< weights of the waves below and above the sheet: 1 and 0, in its plane 1/2 each
 };
 
 /// Stiffness of the waves [Pa/m per unit strain].
@@ -31,7 +31,7 @@ struct SheetStiffness
   }
 };
 
-/// What a sheet sends down and up.
+/// Waves that a sheet emits downwards and upwards.
 template <typename Cplx>
 struct SheetSource
 {
