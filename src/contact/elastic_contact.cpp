@@ -228,8 +228,8 @@ Report ElasticContact::iterate(const Problem& problem, std::span<double> pressur
   const auto is_good = [most = tolerance](const Report& r)
   { return r.gap_error <= most && r.penetration <= most && std::isfinite(r.approach); };
   constexpr int few = 8; // iterations between calls of `wants_stop`
-  constexpr int many =
-      32;              // most iterations between two products with the pressure itself, which limits rounding errors
+  // Most iterations between two products with the pressure itself, which limits rounding errors.
+  constexpr int many = 32;
   int followed = many; // updates of the displacement since the last such product; `many`: the displacement is not valid
   double slope = 0.0;  // of the preconditioned gap in the last iteration; 0: restart
   int products = 0;

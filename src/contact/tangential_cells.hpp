@@ -38,7 +38,7 @@ auto sum_of_cells(std::size_t cells, const Part& part)
                        });
 }
 
-/// The largest of values, under +=; a NaN stays.
+/// Maximum of values, accumulated by +=; NaN if any value is NaN.
 struct Largest
 {
   double value = 0.0;

@@ -53,8 +53,8 @@ void require_force_below(double carried, const TangentialDrive& drive)
   const auto force = [](const TangentialDrive::Axis& axis)
   { return axis.kind == TangentialDrive::Kind::force ? axis.value : 0.0; };
   const double size = std::hypot(force(drive.x), force(drive.y));
-  constexpr double margin =
-      1e-9; // relative: closer to gross sliding, sticking cells cannot be identified because of rounding
+  // Relative margin: closer to gross sliding, sticking cells cannot be identified because of rounding.
+  constexpr double margin = 1e-9;
   const bool is_forced = drive.x.kind == TangentialDrive::Kind::force || drive.y.kind == TangentialDrive::Kind::force;
   if (is_forced && !(size < (1.0 - margin) * carried) && size > 0.0)
     throw InputError(
@@ -124,8 +124,8 @@ TangentialReport TangentialContact::solve(const TangentialStep& step, double tol
   require_force_below(sum(step.bound) * compliance_.grid().cell_area(), step.drive);
 
   constexpr int few = 8; // iterations between calls of `wants_stop`
-  constexpr int many =
-      32; // most iterations between two products with the shears themselves, which limits rounding errors
+  // Most iterations between two products with the shears themselves, which limits rounding errors.
+  constexpr int many = 32;
   it.start(step, shear);
   TangentialReport report;
   improve_guess(step, tolerance, report, shear, wants_stop);

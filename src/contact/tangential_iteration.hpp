@@ -120,7 +120,7 @@ private:
   Along shift_;   ///< that it takes, found [m]
   Along imposed_; ///< the rest of the shift [m]
   Unbalanced unbalanced_;
-  double threshold_ = 0.0; ///< share of its bound from which on a shear counts as bound
+  double threshold_ = 0.0; ///< fraction of the bound from which on a shear counts as being at its bound
   double slope_ = 0.0;     ///< of the last direction, without the ones before it; 0 to begin anew
   int products_ = 0;
 };

@@ -138,8 +138,8 @@ bool TangentialContact::Iteration::retreat()
     return Along{dot(added, target_.at(i) + shift_ - saved_displacement_.at(i)),
                  dot(added, displacement_.at(i) - saved_displacement_.at(i))};
   };
-  const Along work =
-      sum_of_cells(cells(), of_cell); // of the added shears: x: on the slip; y: on their own displacement
+  // Work of the added shears: x: on the slip; y: on their own displacement.
+  const Along work = sum_of_cells(cells(), of_cell);
   if (work.x > 0.0 && work.y > work.x)
   {
     const double share = work.x / work.y;

@@ -14,8 +14,8 @@ namespace brinell
 struct SpectrumRows
 {
   int first = 0, count = 0;
-  static constexpr int most =
-      4; ///< processed together, so that memory is read and written in pieces of four ComplexLanes
+  /// Processed together, so that memory is read and written in pieces of four ComplexLanes.
+  static constexpr int most = 4;
 };
 
 /// Zero-padded transforms (as PaddedFft) of many planes at once: the components of a field in every layer of a volume.

@@ -28,7 +28,7 @@ struct ComplexLanes
   Lanes re{}, im{};
 };
 
-inline constexpr std::size_t cached_bytes =
-    32 * 1024 * 1024; ///< largest size of an array that may stay in the last-level cache
+/// Largest size of an array that may stay in the last-level cache.
+inline constexpr std::size_t cached_bytes = 32 * 1024 * 1024;
 
 } // namespace brinell

@@ -47,7 +47,7 @@ struct SheetField
   Cplx ll, zz, lz, lt;
 };
 
-/// Stress of a wave at a distance of s = k |z - z'| from where it started.
+/// Stress of a wave at the distance s = k |z - z'| from its source.
 template <typename Real, typename Cplx>
 SheetField<Cplx> emitted(const SheetWave<Cplx>& wave, const Real& s, const Real& decay, const SheetStiffness& stiffness)
 {

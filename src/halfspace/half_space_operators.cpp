@@ -15,8 +15,8 @@ namespace brinell::halfspace
 namespace
 {
 
-constexpr int layers_of_a_part =
-    2; ///< a compromise: many parts to share among the threads, but little memory for their sums
+/// A compromise: many parts to share among the threads, but little memory for their sums.
+constexpr int layers_of_a_part = 2;
 static_assert(layers_of_a_part == MirroredFft::layers_of_group);
 
 int parts_for(int layers)

@@ -72,12 +72,12 @@ void HeatMemory::plan_step(const HeatMotion& motion)
                const SurfaceWave& wave = row_of_waves(row)[i];
                StepOfBlock& block = step_->blocks[block_of(row) + i / lane_count];
                const std::size_t lane = i % lane_count;
-               const double phase = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
+               const double angle = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
                block.rate[lane] = diffusivity_ * wave.k * wave.k * motion.duration;
-               block.phase[lane] = -phase;
+               block.phase[lane] = -angle;
                block.left[lane] = std::exp(-block.rate[lane]);
-               block.left_re[lane] = block.left[lane] * std::cos(phase);
-               block.left_im[lane] = block.left[lane] * std::sin(phase);
+               block.left_re[lane] = block.left[lane] * std::cos(angle);
+               block.left_im[lane] = block.left[lane] * std::sin(angle);
              }
            });
 }

@@ -82,7 +82,7 @@ struct HeatResponse::Operator
       {
         const double weight = factor * past.weight * of_y[j];
         if (weight == 0.0)
-          continue; // heat has not come so far
+          continue; // the heat has not reached this row
         double* row = response.data() + j * px;
 #pragma omp simd
         for (std::size_t i = 0; i < px; ++i)

@@ -53,8 +53,8 @@ void ImageCorrection::sum_powers(const double* strain, const CellRectangle& cell
   const SurfaceGrid& s = grid_.surface;
   CrosswiseImages::Columns columns = CrosswiseImages::Columns::Zero(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
   std::array<Lanes, powers> sum{};
-  const int begin =
-      cells.first_x / lane_count * lane_count; // the same lanes, and so the same sums, as for the whole row
+  // The same lanes, and so the same sums, as for the whole row.
+  const int begin = cells.first_x / lane_count * lane_count;
   const int first_row = has == PowersOfY::all ? std::min(cells.first_y, s.ny - cells.end_y) : cells.first_y;
   for (int first = begin; first < cells.end_x; first += lane_count)
   {

@@ -75,7 +75,7 @@ private:
   struct Lattices
   {
     HeatMemory twice, once;
-    std::shared_ptr<const LayeredConduction> layers; ///< of both; nullptr: no heat arises in the body
+    std::shared_ptr<const LayeredConduction> layers; ///< of both; nullptr: no heat is generated in the body
   };
   struct FartherImages
   {
@@ -98,7 +98,7 @@ private:
 
   HeatTimes times_;
   HeatedLayers heated_;
-  std::shared_ptr<const LayeredConduction> layers_; ///< nullptr: no heat arises in the body
+  std::shared_ptr<const LayeredConduction> layers_; ///< nullptr: no heat is generated in the body
   Symmetry symmetry_;
   double time_ = 0.0;
   DepthWaves waves_;

@@ -93,8 +93,8 @@ SteadyLattices::SteadyLattices(const SurfaceGrid& grid, const Thermal& thermal, 
   const double far_enough = last_kept / pi * (grid.is_periodic_y() ? grid.dx : std::max(grid.dx, grid.dy));
   const double length = std::max(grid.nx * grid.dx, far_enough), width = grid.ny * grid.dy;
   x_ = {fast_length(static_cast<int>(std::ceil(4.0 * length / grid.dx))), 1 - grid.nx, 2 * grid.nx - 1, grid.dx, true};
-  clear_ =
-      0.5 * x_.length * grid.dx - grid.nx * grid.dx; // to the omitted earlier heat, and to that of the nearest image
+  // Distance to the omitted earlier heat, and to that of the nearest image.
+  clear_ = 0.5 * x_.length * grid.dx - grid.nx * grid.dx;
   y_ = {grid.ny, 0, grid.ny, grid.dy, false};
   if (!grid.is_periodic_y())
   {

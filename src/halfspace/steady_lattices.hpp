@@ -70,8 +70,8 @@ private:
   double velocity_;
   Axis x_{}, y_{};
   SurfaceGrid offsets_;
-  double clear_ =
-      0.0; ///< distance from the heat that a lattice omits to the nearest offset; doubles with each level [m]
+  /// Distance from the heat that a lattice omits to the nearest offset; doubles with each level [m].
+  double clear_ = 0.0;
 };
 
 } // namespace brinell::halfspace

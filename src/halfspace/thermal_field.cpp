@@ -308,7 +308,7 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
 namespace
 {
 
-/// The parts of a layer that are wanted.
+/// The parts of a layer whose spans are not empty.
 std::vector<std::span<double>> wanted(const ThermalLayer& out, std::size_t cells)
 {
   require_part("ThermalField::layer", "temperature", out.temperature, cells);

@@ -61,8 +61,8 @@ struct TangentialReport
   int retreats = 0;              ///< steps that had to be replaced by one that certainly decreases the energy
   std::array<double, 2> shift{}; ///< in the step along x and y, imposed or found [m]
   std::array<double, 2> force{}; ///< sum of the shear [N]
-  double slip_error =
-      0.0; ///< largest slip where the surfaces stick; elsewhere largest slip across or against the shear [m]
+  /// Largest slip where the surfaces stick; elsewhere largest slip across or against the shear [m].
+  double slip_error = 0.0;
   double dissipated = 0.0; ///< sum of shear times slip of the step [J]
 };
 

@@ -39,7 +39,7 @@ class InternalError : public std::logic_error
   using std::logic_error::logic_error;
 };
 
-/// Not an error: the observer of a computation has asked for it to stop. Results finished before remain valid.
+/// Not an error: the observer of a computation has requested that it stop. Results finished before remain valid.
 class Interrupted : public std::exception
 {
 public:
