@@ -17,7 +17,7 @@ struct SheetPath
   Real kz, kz_source;        ///< wavenumber times the depths of the point and of the sheet
   Real direct, from_image;   ///< e^{-s} from the sheet, and e^{-k z} from the surface
   Real to_surface;           ///< e^{-k z'}
-  Real down_share, up_share; ///< weights of the waves below and above the sheet: 1 and 0, in its plane 1/2 each
+  Real down_share, up_share; ///< weights of the downward and upward wave: 1, 0 below the sheet; 0, 1 above; 1/2 in it
 };
 
 /// Stiffness of the waves [Pa/m per unit strain].
