@@ -10,7 +10,7 @@
 #include <cstring>
 #include <type_traits>
 
-/// The return mapping of several points at once, one per lane, for laws whose equations have a solution in closed form.
+/// Return mapping of several points at once, one per lane, for laws for which it has a closed-form solution.
 namespace brinell::constitutive
 {
 
@@ -18,14 +18,14 @@ namespace brinell::constitutive
 template <typename Law>
 inline constexpr bool is_linear = std::is_same_v<Law, PerfectPlasticity> || std::is_same_v<Law, LinearHardening>;
 
-/// What `path_return` takes and gives, of one point per lane.
+/// Arguments and results of `path_return`, for one point per lane.
 struct LanePoints
 {
   using Deviators = std::array<Lanes, Deviator::size>;
-  Deviators start{}, trial{};        ///< stress before the increment, trial [Pa]
+  Deviators start{}, trial{};        ///< stress deviator before the increment, trial deviator [Pa]
   Lanes yield{}, modulus{};          ///< yield stress before the increment, its slope [Pa]
   Deviators strain{};                ///< plastic strain of the increment
-  Lanes equivalent{}, dissipation{}; ///< of it, and plastic work [J/m^3]
+  Lanes equivalent{}, dissipation{}; ///< equivalent of this strain, and plastic work [J/m^3]
 
   void set(std::size_t lane, const Deviator& before, const Deviator& q, double yield_stress, double slope);
   [[nodiscard]] PlasticIncrement increment(std::size_t lane) const;
@@ -87,7 +87,7 @@ inline LanePoints::Deviators sum(const LanePoints::Deviators& a, const Lanes& f,
 
 } // namespace detail
 
-/// In which lanes the trial lies outside the yield surface, or is no number.
+/// Lanes in which the trial deviator lies outside the yield surface, or is NaN.
 [[nodiscard]] inline auto is_outside(const LanePoints& p)
 {
   return !(1.5 * detail::contract(p.trial, p.trial) - p.yield * p.yield <= 0.0);

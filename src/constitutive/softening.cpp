@@ -13,7 +13,7 @@ namespace brinell::constitutive
 namespace
 {
 
-/// (T - reference)/(melting - reference), kept between 0 and 1.
+/// (T - reference)/(melting - reference), clamped to [0, 1].
 double homologous(double temperature, double reference, double melting)
 {
   return std::clamp((temperature - reference) / (melting - reference), 0.0, 1.0);

@@ -49,7 +49,7 @@ UserHardening::UserHardening(std::function<double(double)> yield_stress, std::fu
 {
 }
 
-/// A look at some strains: not a proof, but what is most often wrong shows there.
+/// Checks the law at some strains: not a proof of validity, but it detects the most frequent errors.
 void UserHardening::require_valid() const
 {
   double before = 0.0;

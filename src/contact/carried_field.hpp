@@ -10,8 +10,8 @@
 namespace brinell::contact
 {
 
-/// A field that surfaces carry along by whole cells: what leaves a periodic axis comes in again; over the end of an open one
-/// what leaves is lost, and nothing comes in.
+/// Shifts a field by whole cells, as the moving surfaces carry it along. Along a periodic axis the values wrap around; along an
+/// open axis values that leave the grid are lost, and zeros enter.
 inline void carry(const SurfaceGrid& grid, const std::array<int, 2>& cells, std::span<const double> from,
                   std::span<double> to)
 {

@@ -7,7 +7,7 @@
 namespace brinell::contact
 {
 
-Under sum_under(Piece piece, const double* p, const double* displacement, const double* distance)
+PressedSum sum_of_pressed(Piece piece, const double* p, const double* displacement, const double* distance)
 {
   double sum = 0.0;
   double count = 0.0;
@@ -28,40 +28,40 @@ Errors errors_of(Piece piece, const double* p, const double* gap)
 #pragma omp simd reduction(+ : sum) reduction(max : gap_error, penetration)
   for (std::size_t i = piece.first; i < piece.last; ++i)
   {
-    const double under = p[i] > 0.0 ? gap[i] : 0.0;
+    const double pressed = p[i] > 0.0 ? gap[i] : 0.0;
     const double outside = p[i] > 0.0 ? 0.0 : -gap[i];
     sum += gap[i];
-    gap_error = std::max(gap_error, std::abs(under));
+    gap_error = std::max(gap_error, std::abs(pressed));
     penetration = std::max(penetration, outside);
   }
   const double none = std::isnan(sum) ? sum : 0.0;
   return {gap_error + none, penetration + none};
 }
 
-Slopes slopes_of(Piece piece, const double* p, const double* gap, const double* wanted, const double* direction)
+Slopes slopes_of(Piece piece, const double* p, const double* gap, const double* correction, const double* direction)
 {
-  double wanted_sum = 0.0;
-  double wanted_descent = 0.0;
+  double correction_sum = 0.0;
+  double correction_descent = 0.0;
   double before = 0.0;
   double before_descent = 0.0;
   double gap_sum = 0.0;
   double count = 0.0;
-#pragma omp simd reduction(+ : wanted_sum, wanted_descent, before, before_descent, gap_sum, count)
+#pragma omp simd reduction(+ : correction_sum, correction_descent, before, before_descent, gap_sum, count)
   for (std::size_t i = piece.first; i < piece.last; ++i)
   {
     const double free = is_free(p[i], gap[i]) ? 1.0 : 0.0;
-    wanted_sum += free * wanted[i];
-    wanted_descent += free * gap[i] * wanted[i];
+    correction_sum += free * correction[i];
+    correction_descent += free * gap[i] * correction[i];
     before += free * direction[i];
     before_descent += free * gap[i] * direction[i];
     gap_sum += free * gap[i];
     count += free;
   }
-  return {wanted_sum, wanted_descent, before, before_descent, gap_sum, count};
+  return {correction_sum, correction_descent, before, before_descent, gap_sum, count};
 }
 
-Taken taken(Piece piece, double step, const double* gap, const double* direction, const double* image, double* p,
-            double* displacement)
+StepSums take_step(Piece piece, double step, const double* gap, const double* direction, const double* image, double* p,
+                   double* displacement)
 {
   double sum = 0.0;
   double cut = 0.0; // GCC 12 counts wrongly, and reads beyond arrays, if this is an integer

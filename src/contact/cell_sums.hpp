@@ -5,28 +5,28 @@
 
 #include <cstddef>
 
-/// What the iteration of the elastic contact sums over the cells of a piece of the surface: each in one pass over the fields, in
+/// Sums over the cells of a piece of the surface in the iteration of the elastic contact: each in one pass over the fields, in
 /// loops without branches.
 namespace brinell::contact
 {
 
-/// Cells [first, last) of fields: shared out by sum_of_pieces and for_pieces.
+/// Cells [first, last) of the fields, as assigned by sum_of_pieces and for_pieces.
 struct Piece
 {
   std::size_t first, last;
 };
 
-/// Whether the iteration moves the pressure of a cell: it is pressed, or the surfaces overlap there.
+/// Whether the iteration changes the pressure of a cell: the cell is under pressure, or the surfaces overlap there.
 [[nodiscard]] inline bool is_free(double pressure, double gap)
 {
   return (pressure > 0.0) | (gap < 0.0); // without a branch, so that loops over cells need none
 }
 
-/// A sum over the cells under pressure, and how many they are.
-struct Under
+/// A sum over the cells under pressure, and their number.
+struct PressedSum
 {
   double sum = 0.0, count = 0.0;
-  Under& operator+=(const Under& other)
+  PressedSum& operator+=(const PressedSum& other)
   {
     sum += other.sum;
     count += other.count;
@@ -35,10 +35,11 @@ struct Under
   [[nodiscard]] double mean() const { return count > 0.0 ? sum / count : 0.0; }
 };
 
-/// Of the gap at no approach.
-[[nodiscard]] Under sum_under(Piece piece, const double* p, const double* displacement, const double* distance);
+/// Sum of the gap at zero approach over the cells under pressure.
+[[nodiscard]] PressedSum sum_of_pressed(Piece piece, const double* p, const double* displacement,
+                                        const double* distance);
 
-/// Both halves of the complementarity condition.
+/// Errors of both parts of the complementarity condition: largest |gap| under pressure, and largest penetration elsewhere [m].
 struct Errors
 {
   double gap = 0.0, penetration = 0.0;
@@ -55,13 +56,13 @@ struct Errors
 /// Sums over the free cells, from which the next direction follows.
 struct Slopes
 {
-  double wanted = 0.0, wanted_descent = 0.0; ///< pressure that would close the gap; with the gap
-  double before = 0.0, before_descent = 0.0; ///< direction before; with the gap
+  double correction = 0.0, correction_descent = 0.0; ///< sum of the pressure that would close the gap; with the gap
+  double before = 0.0, before_descent = 0.0;         ///< sum of the previous direction; with the gap
   double gap = 0.0, count = 0.0;
   Slopes& operator+=(const Slopes& other)
   {
-    wanted += other.wanted;
-    wanted_descent += other.wanted_descent;
+    correction += other.correction;
+    correction_descent += other.correction_descent;
     before += other.before;
     before_descent += other.before_descent;
     gap += other.gap;
@@ -70,16 +71,16 @@ struct Slopes
   }
 };
 
-/// @param wanted     pressure that would close the gap
-/// @param direction  of the iteration before
-[[nodiscard]] Slopes slopes_of(Piece piece, const double* p, const double* gap, const double* wanted,
+/// @param correction pressure that would close the gap
+/// @param direction  of the previous iteration
+[[nodiscard]] Slopes slopes_of(Piece piece, const double* p, const double* gap, const double* correction,
                                const double* direction);
 
-/// How many cells a step cuts off, and the sum of the pressure after it.
-struct Taken
+/// Number of cells whose pressure a step cuts off at zero, and the sum of the pressure after the step.
+struct StepSums
 {
   double cut = 0.0, pressure = 0.0;
-  Taken& operator+=(const Taken& other)
+  StepSums& operator+=(const StepSums& other)
   {
     cut += other.cut;
     pressure += other.pressure;
@@ -87,9 +88,8 @@ struct Taken
   }
 };
 
-/// Takes a step along a direction, and the displacement along with it by the image of the direction. What goes past zero is
-/// cut.
-[[nodiscard]] Taken taken(Piece piece, double step, const double* gap, const double* direction, const double* image,
-                          double* p, double* displacement);
+/// Takes a step along a direction and updates the displacement by the image of the direction. Pressures below zero are cut off.
+[[nodiscard]] StepSums take_step(Piece piece, double step, const double* gap, const double* direction,
+                                 const double* image, double* p, double* displacement);
 
 } // namespace brinell::contact

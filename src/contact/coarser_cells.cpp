@@ -10,9 +10,9 @@ namespace brinell::contact
 namespace
 {
 
-constexpr int fewest = 48; // cells along an axis: below, an iteration is as cheap as what it takes to plan a grid
+constexpr int fewest = 48; // cells along an axis: below, an iteration costs no more than planning a coarser grid
 
-/// Larger cells, with the same boundaries: of a period, as long together as the finer ones.
+/// The grid of larger cells, with the same boundaries; along a periodic axis it has the same length as the finer grid.
 SurfaceGrid coarser(const SurfaceGrid& fine, const CoarserAxis& x, const CoarserAxis& y)
 {
   const auto cell = [](int count, double length, int larger, bool is_periodic) {

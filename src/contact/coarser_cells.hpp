@@ -10,20 +10,20 @@
 namespace brinell::contact
 {
 
-/// How the cells along one axis lie on larger ones.
+/// Assignment of the cells along one axis to larger cells.
 struct CoarserAxis
 {
-  /// A finer cell: the larger one that its middle lies on, the nearest one beside, and how much that one counts.
+  /// For a finer cell: the larger cell that contains its middle, the nearest neighbour of that cell, and the neighbour's weight.
   struct Place
   {
     int own = 0, beside = 0;
     double share = 0.0;
   };
-  int cells = 0; ///< larger ones
+  int cells = 0; ///< number of larger cells
   std::vector<Place> places;
 
-  /// Larger cells cover two finer ones each, of which the last may stand out by one; those of a period, all of it. Few cells stay as
-  /// they are.
+  /// Each larger cell covers two finer ones; along an open axis the last may extend beyond the grid by one finer cell, along a
+  /// periodic axis the larger cells cover exactly the period. An axis with few cells is not coarsened.
   CoarserAxis(int fine, Boundary boundary);
 };
 
@@ -48,15 +48,15 @@ public:
     std::size_t cell = 0;
     double weight = 0.0;
   };
-  /// Those around a finer cell, between whose middles its own one lies; the first is that on which it lies. Beyond the grid a cell
-  /// weighs nothing and is the first one.
+  /// The larger cells around a finer cell, whose middles enclose its middle; the first one contains the finer cell. A neighbour
+  /// beyond the grid has the weight zero and the index of the first one.
   [[nodiscard]] std::array<Neighbour, 4> around(int i, int j) const;
 
 private:
   SurfaceGrid fine_;
   CoarserAxis x_, y_;
   SurfaceGrid coarse_;
-  std::vector<double> share_; ///< of a larger cell that each finer one on it has
+  std::vector<double> share_; ///< of each finer cell in the mean over its larger cell
 };
 
 } // namespace brinell::contact

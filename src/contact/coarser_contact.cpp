@@ -12,8 +12,8 @@ CoarserContact::CoarserContact(const halfspace::SurfaceCompliance& fine)
 {
 }
 
-/// Pressure at a finer cell, between those of the larger cells around it; none where its own one is not pressed, so that the
-/// contact does not become wider.
+/// Pressure at a finer cell, interpolated between the larger cells around it; zero if the larger cell that contains it is not
+/// under pressure, so that the contact does not become wider.
 double CoarserContact::interpolated(int i, int j) const
 {
   const std::array<CoarserCells::Neighbour, 4> around = cells_.around(i, j);
@@ -30,9 +30,9 @@ void CoarserContact::guess(std::span<const double> distance, const Drive& drive,
 {
   cells_.average(distance, distance_);
   std::fill(pressure_.begin(), pressure_.end(), 0.0);
-  constexpr double rougher = 100.0; // the cells differ by more than that
+  constexpr double rougher = 100.0; // looser tolerance: the discretisation error of the larger cells is larger anyway
   constexpr int most_iterations = 200;
-  // A guess need not have converged.
+  // The report is ignored: a guess need not have converged.
   (void)contact_.solve(distance_, drive, rougher * tolerance, most_iterations, pressure_, gap_, wants_stop);
   const SurfaceGrid& fine = cells_.fine();
   for (int j = 0; j < fine.ny; ++j)

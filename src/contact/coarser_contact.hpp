@@ -9,13 +9,13 @@
 namespace brinell::contact
 {
 
-/// The same contact on cells twice as large, which gives a guess of the pressure where there is none.
+/// The same contact on cells twice as large, solved for an initial guess of the pressure.
 class CoarserContact
 {
 public:
   explicit CoarserContact(const halfspace::SurfaceCompliance& fine);
 
-  /// @param tolerance  of the finer solution; this one is not solved as well
+  /// @param tolerance  of the finer solution [m]; the coarser one is solved less accurately
   /// @param pressure   out: on the finer grid [Pa]
   void guess(std::span<const double> distance, const Drive& drive, double tolerance, std::span<double> pressure,
              const std::function<bool()>& wants_stop);

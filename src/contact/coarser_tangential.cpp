@@ -19,8 +19,8 @@ CoarserTangential::CoarserTangential(const halfspace::TractionCompliance& fine)
       field.resize(cells_.coarse().size());
 }
 
-/// What the step has on the larger cells. What is carried is so already, and the spin is a part of the change: by whole larger
-/// cells, around their middle, it would not be the same.
+/// Averages the step on the larger cells. The shears `before` are carried along on the finer cells first, and the spin is
+/// included in the change: carried by whole larger cells and turned about the middle of the coarser grid, both would differ.
 void CoarserTangential::read(const TangentialStep& step)
 {
   const SurfaceGrid& fine = cells_.fine();
@@ -49,7 +49,7 @@ bool CoarserTangential::guess(const TangentialStep& step, double tolerance, cons
   const auto force = [](const TangentialDrive::Axis& axis)
   { return axis.kind == TangentialDrive::Kind::force ? axis.value : 0.0; };
   const double carried = sum(bound_) * cells_.coarse().cell_area();
-  constexpr double sliding = 0.999; // these cells need not carry quite as much
+  constexpr double sliding = 0.999; // the larger cells may carry slightly less than the finer ones
   if (!(Along{force(step.drive.x), force(step.drive.y)}.size() < sliding * carried))
     return false;
   for (std::size_t axis = 0; axis < 2; ++axis)
@@ -62,7 +62,7 @@ bool CoarserTangential::guess(const TangentialStep& step, double tolerance, cons
   coarser.before = {before_[0], before_[1]};
   coarser.change = {change_[0], change_[1]};
   coarser.drive = {step.drive.x, step.drive.y, 0.0};
-  constexpr double rougher = 100.0; // the cells differ by more than that
+  constexpr double rougher = 100.0; // looser tolerance: the discretisation error of the larger cells is larger anyway
   constexpr int most_iterations = 200;
   if (!contact_
            .solve(coarser, rougher * tolerance, most_iterations, {shear_[0], shear_[1]}, {slip_[0], slip_[1]},
@@ -73,8 +73,8 @@ bool CoarserTangential::guess(const TangentialStep& step, double tolerance, cons
   return true;
 }
 
-/// Shears over their bounds are interpolated. Where the larger cell slips, so do the finer ones on it; elsewhere the guess changes
-/// as it does on the larger cells, and keeps what these do not tell.
+/// Interpolates the ratio of shears to bounds. Finer cells on a slipping larger cell slip, too; elsewhere the guess is changed by
+/// the interpolated change of the larger cells, so that it retains its fine structure.
 void CoarserTangential::interpolate(std::span<const double> bound, const AlongSurface& shear) const
 {
   const SurfaceGrid& fine = cells_.fine();

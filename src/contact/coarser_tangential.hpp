@@ -9,19 +9,19 @@
 namespace brinell::contact
 {
 
-/// The same step of stick and slip on cells twice as large, which gives a guess of the shears.
+/// The same step of stick and slip on cells twice as large, solved for an initial guess of the shears.
 class CoarserTangential
 {
 public:
   explicit CoarserTangential(const halfspace::TractionCompliance& fine);
 
-  /// @param tolerance  of the finer solution [m]; this one is not solved as well
+  /// @param tolerance  of the finer solution [m]; the coarser one is solved less accurately
   /// @param shear      in: a guess on the finer cells; out: a better one [Pa]
-  /// @returns whether there is one
+  /// @returns whether a better guess was found
   [[nodiscard]] bool guess(const TangentialStep& step, double tolerance, const AlongSurface& shear,
                            const std::function<bool()>& wants_stop);
 
-  /// Slip error of a guess over the tolerance from which on this saves more than it costs.
+  /// Ratio of the slip error of a guess to the tolerance above which a coarser solution saves more than it costs.
   static constexpr double worth = 1000.0;
 
 private:

@@ -22,16 +22,16 @@ struct Cell
   int i = 0, j = 0;
 };
 
-/// Where the contact ends on the way between the centres of two neighbours.
+/// Position of the contact edge on the line between the centres of two neighbouring cells.
 struct Edge
 {
-  double covered = 0.0; ///< share of the way that is in contact
-  bool is_wall = false; ///< it follows the cells there
+  double covered = 0.0; ///< fraction of the line that is in contact
+  bool is_wall = false; ///< whether the edge coincides with that of the cells
 };
 
-/// How much of an edge is a kink that plastic strain has left in the surfaces, 0 to 1. Beside an elastic edge the slope of the gap,
-/// 2 K sqrt(s)/E', and the pressure, K sqrt(s), have a fixed ratio at one distance s: times E'/2 it is up to sqrt(3/2) where the
-/// cells lie, more in contacts of a few cells.
+/// Degree to which an edge is a kink left by plastic strain in the surfaces, 0 to 1. Beside an elastic edge the slope of the gap,
+/// 2 K sqrt(s)/E', and the pressure, K sqrt(s), have a fixed ratio at the same distance s: multiplied by E'/2 and evaluated at
+/// the cell centres it is at most sqrt(3/2), more in contacts of only a few cells.
 /// @param slope_over_pressure  E'/2 times the slope, over the pressure
 double kink_share(double slope_over_pressure)
 {
@@ -56,7 +56,7 @@ public:
     if (!touches(a))
       return edge(b, a);
     const double distance = a.j == b.j ? grid_.dx : grid_.dy;
-    // A gap that rises by more than 45 degrees is no surface of a half space: it is the side of a body.
+    // A gap that rises by more than 45 degrees is not the surface of a half space but the side of a body.
     if (!has(b) || gap_[at(b)] > distance)
       return {edge_position(wall), true};
     const double gap = std::max(0.0, gap_[at(b)]);
@@ -92,8 +92,8 @@ private:
   double modulus_;
 };
 
-/// Shares of the square between the centres of four cells that are in contact, each given to `add` with a cell under pressure whose
-/// patch has it; the first cell is (i, j). Corners that lie across from each other alone are apart.
+/// Area fractions in contact of the square between the centres of four cells, of which (i, j) is the first. `add` is called for
+/// each fraction, with a cell under pressure of the patch to which it belongs. Two diagonally opposite corners are not connected.
 template <typename Add>
 void add_square(const Field& field, int i, int j, const Add& add)
 {
@@ -115,7 +115,8 @@ void add_square(const Field& field, int i, int j, const Add& add)
         add(corner[k], 0.5 * (edge(k, k + 3).covered + edge((k + 1) % 4, k + 2).covered));
     return;
   }
-  // Corners one by one, those in contact, or of three the one that is not: triangles, beside a wall rectangles.
+  // Single corners: triangles, or rectangles beside a wall, at each corner in contact; of three, at the one that is not in
+  // contact.
   const bool odd_one = count != 3;
   for (std::size_t k = 0; k < 4; ++k)
     if (in[k] == odd_one)
@@ -128,7 +129,7 @@ void add_square(const Field& field, int i, int j, const Add& add)
     }
 }
 
-/// The same of all squares of a grid.
+/// Likewise for all squares of a grid.
 template <typename Add>
 void add_squares(const SurfaceGrid& grid, const Field& field, const Add& add)
 {
@@ -137,7 +138,7 @@ void add_squares(const SurfaceGrid& grid, const Field& field, const Add& add)
       add_square(field, i, j, add);
 }
 
-/// Cells that are joined, each group with its first cell as its root.
+/// Union-find structure of connected cells; the root of each group is its first cell.
 class Groups
 {
 public:
@@ -146,7 +147,7 @@ public:
   [[nodiscard]] std::size_t root(std::size_t cell)
   {
     while (parent_[cell] != cell)
-      cell = parent_[cell] = parent_[parent_[cell]]; // halves the way for the next question
+      cell = parent_[cell] = parent_[parent_[cell]]; // path halving, which shortens the next search
     return cell;
   }
   void join(std::size_t a, std::size_t b)
@@ -169,8 +170,8 @@ double edge_position(double gap_over_pressure)
   constexpr double too_large = 1e30; // t is below rounding
   if (!(r2 < too_large))
     return 0.0;
-  // (1 - t)^3 = r^2 t with s = 1 - t: s^3 + r^2 s - r^2 is convex and rises for s > 0, so that Newton's steps from above its root fall
-  // towards it, until rounding stops them.
+  // (1 - t)^3 = r^2 t with s = 1 - t: s^3 + r^2 s - r^2 is convex and rises for s > 0, so that Newton's steps from above its root
+  // fall towards it, until rounding stops them.
   double s = std::min(1.0, std::cbrt(r2));
   for (;;)
   {

@@ -21,8 +21,8 @@ double stiffness(const halfspace::SurfaceCompliance& compliance, std::span<const
     return 0.0;
   if (grid.is_periodic() && static_cast<std::size_t>(pressed) == grid.size())
     return std::numeric_limits<double>::infinity();
-  // The punch bears 1 Pa in the mean. No displacement is larger than the largest response times the sum of the pressure, so
-  // that nothing but the punch ever touches.
+  // The punch carries a mean pressure of 1 Pa. No displacement exceeds the largest response times the sum of the pressure, so the
+  // other cells, recessed by more than that, never touch.
   const double out_of_reach = 3.0 * compliance.largest() * count;
   std::vector<double> distance(grid.size());
   std::vector<double> punch(grid.size());
@@ -32,11 +32,11 @@ double stiffness(const halfspace::SurfaceCompliance& compliance, std::span<const
     distance[i] = pressure[i] > 0.0 ? 0.0 : out_of_reach;
     punch[i] = pressure[i] > 0.0 ? 1.0 : 0.0;
   }
-  constexpr double accuracy = 1e-5; // of the flat face; that of the stiffness is its square
+  constexpr double accuracy = 1e-5; // relative error of the flat face; that of the stiffness is its square
   constexpr int most_iterations = 2000;
   const double load = count * grid.cell_area();
   ElasticContact contact(compliance);
-  // How far the punch goes is known afterwards: nearly full contacts ask for a second turn.
+  // The approach of the punch is known only afterwards: nearly full contacts need a second solution.
   for (double tolerance = accuracy * compliance.largest();;)
   {
     const Report report = contact.solve(distance, {Drive::Kind::load, load}, tolerance, most_iterations, punch, gap);

@@ -31,8 +31,8 @@ bool touches(std::span<const double> pressure)
   return std::any_of(pressure.begin(), pressure.end(), [](double p) { return p > 0.0; });
 }
 
-/// Without load the surfaces just touch.
-Report touching(std::span<const double> distance, std::span<double> pressure, std::span<double> gap)
+/// Solution without load: the surfaces just touch.
+Report without_load(std::span<const double> distance, std::span<double> pressure, std::span<double> gap)
 {
   Report report;
   report.converged = true;
@@ -42,8 +42,8 @@ Report touching(std::span<const double> distance, std::span<double> pressure, st
   return report;
 }
 
-/// Load or approach that is imposed. The displacement of bodies without ends is counted from their mean plane, so that the mean
-/// gap is the mean distance less the approach, whatever the pressure.
+/// The imposed load or approach. The displacement of bodies that are periodic along both axes is relative to their mean plane, so
+/// the mean gap is the mean distance minus the approach, for any pressure.
 Drive imposed(const Drive& drive, const SurfaceGrid& grid, std::span<const double> distance, double tolerance)
 {
   const bool by_gap = drive.kind == Drive::Kind::mean_gap;
@@ -66,7 +66,7 @@ Drive imposed(const Drive& drive, const SurfaceGrid& grid, std::span<const doubl
 
 } // namespace
 
-/// Nothing presses yet: the pressure of the contact on larger cells, on large grids.
+/// If the pressure is zero everywhere: on large grids, takes the pressure of the contact on larger cells as a guess.
 void ElasticContact::guess(std::span<const double> distance, const Drive& drive, double tolerance,
                            std::span<double> pressure, const std::function<bool()>& wants_stop)
 {
@@ -77,8 +77,8 @@ void ElasticContact::guess(std::span<const double> distance, const Drive& drive,
   coarser_->guess(distance, drive, tolerance, pressure, wants_stop);
 }
 
-/// A pressure to begin with: the guess, or if there is none the cells that overlap, at the stiffness against the most
-/// compliant wave; under a load that has not pressed anything yet, the cell that touches first.
+/// Initial pressure: the guess if it is not zero. Otherwise, for an imposed approach, the overlap divided by the largest
+/// compliance of a wave; for an imposed load, a pressure on the cell that touches first.
 void ElasticContact::start(std::span<const double> distance, const Drive& drive, std::span<double> pressure)
 {
   for (double& p : pressure)
@@ -97,7 +97,7 @@ void ElasticContact::start(std::span<const double> distance, const Drive& drive,
     scale_to_load(drive.value, std::accumulate(pressure.begin(), pressure.end(), 0.0), pressure);
 }
 
-/// The load made what it should be; `sum` is that of the pressure. The displacement keeps pace.
+/// Scales the pressure, whose sum is `sum`, to the imposed load, and the displacement with it.
 void ElasticContact::scale_to_load(double load, double sum, std::span<double> pressure)
 {
   const double factor = load / (sum * compliance_.grid().cell_area());
@@ -112,18 +112,18 @@ void ElasticContact::scale_to_load(double load, double sum, std::span<double> pr
              });
 }
 
-/// Gap and errors of the displacement that is known.
-Report ElasticContact::settle(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
-                              std::span<double> gap) const
+/// Gap and errors from the current displacement.
+Report ElasticContact::evaluate(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
+                                std::span<double> gap) const
 {
   const std::size_t cells = gap.size();
   const double* p = pressure.data();
   const double* u = displacement_.data();
   Report report;
-  const auto under = [&](std::size_t first, std::size_t last) {
-    return sum_under({first, last}, p, u, distance.data());
+  const auto pressed = [&](std::size_t first, std::size_t last) {
+    return sum_of_pressed({first, last}, p, u, distance.data());
   };
-  const double approach = drive.kind == Drive::Kind::load ? sum_of_pieces(cells, under).mean() : drive.value;
+  const double approach = drive.kind == Drive::Kind::load ? sum_of_pieces(cells, pressed).mean() : drive.value;
   const auto close = [&](std::size_t first, std::size_t last)
   {
     for (std::size_t i = first; i < last; ++i)
@@ -137,7 +137,7 @@ Report ElasticContact::settle(std::span<const double> distance, const Drive& dri
   return report;
 }
 
-/// Of the bodies, and of a layer between them.
+/// Displacement by a pressure: of the bodies, and of a layer between them.
 void ElasticContact::displace(std::span<const double> pressure, std::span<double> out)
 {
   compliance_.apply({.pressure = pressure}, {.z = out}, scratch_);
@@ -145,40 +145,40 @@ void ElasticContact::displace(std::span<const double> pressure, std::span<double
     out[i] += layer_[i] * pressure[i];
 }
 
-/// Next direction of descent, and its image.
-/// @param slope  before: of the iteration before, 0 to begin anew; after: of this one
-/// @returns the step along it that makes the energy smallest
+/// Computes the next search direction and its image.
+/// @param slope  in: that of the previous iteration, 0 to restart; out: that of this iteration
+/// @returns the step along the direction that minimises the energy
 double ElasticContact::descend(double& slope, bool load_given, std::span<const double> pressure,
                                std::span<const double> gap)
 {
   const double* p = pressure.data();
   const double* g = gap.data();
   double* d = direction_.data();
-  double* wanted = image_.data();
+  double* correction = image_.data();
   for_pieces(gap.size(),
              [&](std::size_t first, std::size_t last)
              {
                for (std::size_t i = first; i < last; ++i)
-                 wanted[i] = is_free(p[i], g[i]) ? g[i] : 0.0;
+                 correction[i] = is_free(p[i], g[i]) ? g[i] : 0.0;
              });
   compliance_.apply_inverse(image_, image_, scratch_);
   const Slopes slopes = sum_of_pieces(gap.size(),
                                       [&](std::size_t first, std::size_t last) {
-                                        return slopes_of({first, last}, p, g, wanted, d);
+                                        return slopes_of({first, last}, p, g, correction, d);
                                       });
-  // A given load stays as it is: the mean over the free cells is taken off.
+  // An imposed load must not change: the mean over the free cells is subtracted.
   const double share = load_given && slopes.count > 0.0 ? 1.0 / slopes.count : 0.0;
-  const double new_slope = slopes.wanted_descent - share * slopes.wanted * slopes.gap;
+  const double new_slope = slopes.correction_descent - share * slopes.correction * slopes.gap;
   const double before = slopes.before_descent - share * slopes.before * slopes.gap;
   double beta = slope > 0.0 ? new_slope / slope : 0.0;
-  if (!(new_slope + beta * before > 0.0)) // other cells are free now: the directions begin anew
+  if (!(new_slope + beta * before > 0.0)) // the set of free cells has changed: restart
     beta = 0.0;
-  const double mean = share * (slopes.wanted + beta * slopes.before);
+  const double mean = share * (slopes.correction + beta * slopes.before);
   for_pieces(gap.size(),
              [&](std::size_t first, std::size_t last)
              {
                for (std::size_t i = first; i < last; ++i)
-                 d[i] = is_free(p[i], g[i]) ? wanted[i] + beta * d[i] - mean : 0.0;
+                 d[i] = is_free(p[i], g[i]) ? correction[i] + beta * d[i] - mean : 0.0;
              });
   displace(direction_, image_);
   const double curvature = dot(direction_, image_);
@@ -186,15 +186,15 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
   return curvature > 0.0 ? (new_slope + beta * before) / curvature : 0.0;
 }
 
-/// Takes the step, with the displacement as far as the image gives it. Steps past zero pressure are cut.
+/// Takes the step and updates the displacement by the image, which is exact only if no pressure is cut off at zero.
 ElasticContact::Step ElasticContact::advance(double step, std::span<const double> gap, std::span<double> pressure)
 {
-  const auto taken_here = [&](std::size_t first, std::size_t last)
+  const auto step_piece = [&](std::size_t first, std::size_t last)
   {
-    return taken({first, last}, step, gap.data(), direction_.data(), image_.data(), pressure.data(),
-                 displacement_.data());
+    return take_step({first, last}, step, gap.data(), direction_.data(), image_.data(), pressure.data(),
+                     displacement_.data());
   };
-  const Taken sums = sum_of_pieces(gap.size(), taken_here);
+  const StepSums sums = sum_of_pieces(gap.size(), step_piece);
   return {sums.cut > 0.0, sums.pressure};
 }
 
@@ -211,9 +211,9 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& give
   layer_ = layer;
   const Drive drive = imposed(given, compliance_.grid(), distance, tolerance);
   if (drive.kind == Drive::Kind::load && !(drive.value > 0.0))
-    return touching(distance, pressure, gap);
+    return without_load(distance, pressure, gap);
   const Problem problem{distance, drive, tolerance, max_iterations, wants_stop};
-  return given.kind == Drive::Kind::mean_gap && !layer.empty() ? keep_gap(problem, pressure, gap)
+  return given.kind == Drive::Kind::mean_gap && !layer.empty() ? solve_mean_gap(problem, pressure, gap)
                                                                : iterate(problem, pressure, gap);
 }
 
@@ -227,10 +227,11 @@ Report ElasticContact::iterate(const Problem& problem, std::span<double> pressur
   std::fill(direction_.begin(), direction_.end(), 0.0);
   const auto is_good = [most = tolerance](const Report& r)
   { return r.gap_error <= most && r.penetration <= most && std::isfinite(r.approach); };
-  constexpr int few = 8;   // iterations between questions whether to stop
-  constexpr int many = 32; // and at most between two products with the pressure itself: rounding does not pile up
-  int followed = many;     // steps that the displacement has followed since the last of these; `many`: it has not
-  double slope = 0.0;      // of the last direction, without the ones before it
+  constexpr int few = 8; // iterations between calls of `wants_stop`
+  // Most iterations between two products with the pressure itself, which limits rounding errors.
+  constexpr int many = 32;
+  int followed = many; // updates of the displacement since the last such product; `many`: the displacement is not valid
+  double slope = 0.0;  // of the preconditioned gap in the last iteration; 0: restart
   int products = 0;
   for (int iteration = 0;; ++iteration)
   {
@@ -241,15 +242,15 @@ Report ElasticContact::iterate(const Problem& problem, std::span<double> pressur
     Report report;
     if (!is_exact)
     {
-      report = settle(distance, drive, pressure, gap);
-      is_exact = is_good(report); // to be told apart from what rounding has made of it
+      report = evaluate(distance, drive, pressure, gap);
+      is_exact = is_good(report); // confirm convergence without the rounding errors of the updates
     }
     if (is_exact)
     {
       displace(pressure, displacement_);
       followed = 0;
       ++products;
-      report = settle(distance, drive, pressure, gap);
+      report = evaluate(distance, drive, pressure, gap);
     }
     report.iterations = iteration;
     report.products = products;
@@ -263,7 +264,7 @@ Report ElasticContact::iterate(const Problem& problem, std::span<double> pressur
     followed = done.cut ? many : followed + 1;
     if (load_given && done.sum > 0.0)
       scale_to_load(drive.value, done.sum, pressure);
-    else if (load_given) // everything was cut: begin anew
+    else if (load_given) // all pressures were cut off: restart
     {
       start(distance, drive, pressure);
       slope = 0.0;

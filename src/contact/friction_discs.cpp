@@ -12,7 +12,7 @@ Along Forced::solution(const AlongMatrix& m, const Along& right) const
 {
   if (!any())
     return {};
-  // Where all cells slip the same way nothing is known along it: what is added keeps that part at zero.
+  // If all cells slip in the same direction, m is singular along it: the regularisation sets this component to zero.
   const double regular = 1e-14 * (m.xx + m.yy);
   const double xx = m.xx + regular, yy = m.yy + regular;
   if (!(regular > 0.0))
@@ -28,7 +28,7 @@ Along Forced::solution(const AlongMatrix& m, const Along& right) const
 namespace
 {
 
-/// Sum of bounded shears, and by how much it grows with what is added.
+/// Sum of bounded shears, and its derivative with respect to the vector added to each shear.
 struct Total
 {
   Along shear;
@@ -88,7 +88,7 @@ bool balance(const Forced& forced, const Along& sum, bool of_slip, std::span<con
   for (int turn = 0; turn < most_turns && missing.size() > accuracy; ++turn)
   {
     Along step = forced.solution(now.growth, missing);
-    // Newton's step is the right one near the end; before, it may go too far.
+    // The full Newton step is right near the solution; farther away it may overshoot.
     bool is_nearer = false;
     for (int halving = 0; halving < most_turns && !is_nearer; ++halving)
     {

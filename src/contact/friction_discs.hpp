@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-/// Shears that are bounded in size, cell by cell: parts of the iteration of `TangentialContact`.
+/// Shears of bounded magnitude in each cell: parts of the iteration of `TangentialContact`.
 namespace brinell::contact
 {
 
@@ -41,7 +41,7 @@ struct Along
   return a.x * b.x + a.y * b.y;
 }
 
-/// A field of them: x and y apart, as the operators take them.
+/// A field of vectors along the surface: x and y in separate arrays, as the operators need them.
 struct AlongField
 {
   std::vector<double> x, y;
@@ -79,14 +79,14 @@ struct AlongMatrix
   }
 };
 
-/// Which directions a force is imposed in.
+/// Directions in which a force is imposed.
 struct Forced
 {
   bool x = false, y = false;
 
   [[nodiscard]] bool any() const { return x || y; }
   [[nodiscard]] Along part(const Along& a) const { return {x ? a.x : 0.0, y ? a.y : 0.0}; }
-  /// Solution of m times it = right in these directions, zero in others; about zero where m says nothing.
+  /// Solution u of m u = right in these directions, zero in the others; approximately zero along null directions of m.
   [[nodiscard]] Along solution(const AlongMatrix& m, const Along& right) const;
 };
 
@@ -97,17 +97,18 @@ enum class Zone : unsigned char
   slip
 };
 
-/// The nearest shear that the bound allows.
+/// Projection of a shear on the disc of its bound.
 [[nodiscard]] inline Along bounded(const Along& q, double bound)
 {
   const double size = q.size();
   return size > bound ? (bound / size) * q : q;
 }
 
-/// Adds the same to the shears of cells, and bounds them, so that they have a given sum: the nearest shears with this sum.
-/// @param of_slip  whether cells that slip take part, too; the bound must then be able to carry the sum
-/// @param sum      of all cells in the directions that are forced [Pa]
-/// @returns whether it could be met
+/// Adds the same vector to the shears of all cells and projects them on their bounds, such that they have a given sum: this gives
+/// the nearest shears with this sum.
+/// @param of_slip  whether slipping cells are changed, too; the sum of all bounds must then exceed the sum
+/// @param sum      prescribed sum over all cells in the directions with an imposed force [Pa]
+/// @returns whether the sum could be reached
 bool balance(const Forced& forced, const Along& sum, bool of_slip, std::span<const double> bound,
              std::span<const Zone> zone, std::span<double> x, std::span<double> y);
 

@@ -23,8 +23,8 @@ FrictionalContact::FrictionalContact(const halfspace::SurfaceCompliance& normal,
     throw InternalError("FrictionalContact: both operators must have the same grid");
 }
 
-/// What the shears do to the gap.
-/// @returns the largest change since they were computed last
+/// Computes the displacement along z by the shears.
+/// @returns its largest change since the previous call [m]
 double FrictionalContact::gap_change()
 {
   double change = 0.0;
@@ -33,7 +33,7 @@ double FrictionalContact::gap_change()
   return change;
 }
 
-/// What the pressure of the step does along the surface.
+/// Computes the displacement along the surface by the pressure added in this step.
 void FrictionalContact::couple(const FrictionState& state)
 {
   for (std::size_t i = 0; i < bound_.size(); ++i)

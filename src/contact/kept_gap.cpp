@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-/// A mean gap that is kept while a layer between the surfaces gives way.
+/// Solution for an imposed mean gap with a compressible layer between the surfaces.
 namespace brinell::contact
 {
 
-/// With a layer the mean gap is that of `imposed` and what the layer gives way in the mean, which grows more slowly than the
-/// approach: docs/theory/contact.md (kept gap).
-Report ElasticContact::keep_gap(const Problem& problem, std::span<double> pressure, std::span<double> gap)
+/// With a layer, the mean gap is that without a layer plus the mean compression of the layer. The compression grows more slowly
+/// than the approach, so the approach is found by a secant iteration: docs/theory/contact.md (kept gap).
+Report ElasticContact::solve_mean_gap(const Problem& problem, std::span<double> pressure, std::span<double> gap)
 {
   constexpr int most = 50;
-  constexpr double steepest = 0.95; // a slope of one is that of full contact, where the gap is none
+  constexpr double steepest = 0.95; // a slope of one is that of full contact, where the gap is zero
   const auto given_way = [&] { return dot(layer_, pressure) / static_cast<double>(layer_.size()); };
   Problem turn = problem;
   double before = 0.0, depth_before = 0.0, slope = 0.0;

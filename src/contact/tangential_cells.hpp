@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-/// What `TangentialContact` does with many cells at once: the same in each, and sums that do not depend on the threads.
+/// Loops of `TangentialContact` over many cells, and sums that do not depend on the number of threads.
 namespace brinell::contact
 {
 
@@ -38,7 +38,7 @@ auto sum_of_cells(std::size_t cells, const Part& part)
                        });
 }
 
-/// The largest of values, under +=; a NaN stays.
+/// Maximum of values, accumulated by +=; NaN if any value is NaN.
 struct Largest
 {
   double value = 0.0;
@@ -54,8 +54,8 @@ struct Largest
   return dot(a, a);
 }
 
-/// Whether a shear is as large as its bound.
-/// @param threshold  share of the bound from which on it counts as such
+/// Whether a shear is at its bound.
+/// @param threshold  fraction of the bound from which on the shear counts as being at its bound
 [[nodiscard]] inline bool is_bound(double square_of_shear, double bound, double threshold = slip_threshold)
 {
   return square_of_shear >= threshold * threshold * bound * bound;

@@ -47,13 +47,14 @@ void require_finite(const TangentialDrive& drive)
                                  drive.x.value, drive.y.value, drive.spin));
 }
 
-/// @param carried  sum of the bound [N]
+/// @param carried  largest force that the contact can carry: the integral of the bound [N]
 void require_force_below(double carried, const TangentialDrive& drive)
 {
   const auto force = [](const TangentialDrive::Axis& axis)
   { return axis.kind == TangentialDrive::Kind::force ? axis.value : 0.0; };
   const double size = std::hypot(force(drive.x), force(drive.y));
-  constexpr double margin = 1e-9; // of the force: nearer to sliding, the cells that stick are lost in rounding
+  // Relative margin: closer to gross sliding, sticking cells cannot be identified because of rounding.
+  constexpr double margin = 1e-9;
   const bool is_forced = drive.x.kind == TangentialDrive::Kind::force || drive.y.kind == TangentialDrive::Kind::force;
   if (is_forced && !(size < (1.0 - margin) * carried) && size > 0.0)
     throw InputError(
@@ -62,16 +63,18 @@ void require_force_below(double carried, const TangentialDrive& drive)
                     size, carried));
 }
 
-/// After a step that has made the energy larger.
-/// @param again  a step shortly before had, too: part of the way could lead here for ever, where a few cells have to cross their
-///               disc and the cut at its edge takes more than the way has gained
-/// @returns whether the displacement is that of the shears but for rounding: between two points of a disc's edge shears are within it
+/// Recovers from a step that has increased the energy.
+/// @param is_repeated  whether a recent step has, too: returning part of the way could then cycle forever, where a few cells have
+///          to
+///                     cross their disc and the projection on its edge increases the energy by more than the step has decreased
+///                     it
+/// @returns whether the displacement is only approximately that of the shears, because it was interpolated and not recomputed
 template <typename Iteration>
-bool go_back(Iteration& it, bool again)
+bool recover_descent(Iteration& it, bool is_repeated)
 {
-  if (!again && it.retreat())
+  if (!is_repeated && it.retreat())
     return true;
-  if (again)
+  if (is_repeated)
   {
     it.move_worst();
     it.displace();
@@ -85,13 +88,13 @@ bool go_back(Iteration& it, bool again)
 
 } // namespace
 
-/// By the same step on larger cells, on large grids.
+/// On large grids, improves the guess by solving the same step on larger cells.
 void TangentialContact::improve_guess(const TangentialStep& step, double tolerance, TangentialReport& report,
                                       const AlongSurface& shear, const std::function<bool()>& wants_stop)
 {
   Iteration& it = *iteration_;
-  it.keep();
-  it.settle(report);
+  it.save();
+  it.evaluate(report);
   if (!(report.slip_error > CoarserTangential::worth * tolerance) || !CoarserCells::helps(compliance_.grid()))
     return;
   if (!coarser_)
@@ -100,8 +103,8 @@ void TangentialContact::improve_guess(const TangentialStep& step, double toleran
     return;
   it.restart({shear[0], shear[1]});
   if (!it.has_descended())
-    it.take_back();
-  it.keep();
+    it.restore_saved();
+  it.save();
 }
 
 TangentialReport TangentialContact::solve(const TangentialStep& step, double tolerance, int max_iterations,
@@ -120,21 +123,22 @@ TangentialReport TangentialContact::solve(const TangentialStep& step, double tol
   require_finite(step.drive);
   require_force_below(sum(step.bound) * compliance_.grid().cell_area(), step.drive);
 
-  constexpr int few = 8;   // iterations between questions whether to stop
-  constexpr int many = 32; // and at most between two products with the shears themselves: rounding does not pile up
+  constexpr int few = 8; // iterations between calls of `wants_stop`
+  // Most iterations between two products with the shears themselves, which limits rounding errors.
+  constexpr int many = 32;
   it.start(step, shear);
   TangentialReport report;
   improve_guess(step, tolerance, report, shear, wants_stop);
-  constexpr int soon = 16; // iterations after a retreat within which another one is a sign of going in circles
-  int retreated = -soon;   // in which iteration
-  bool is_known = true;    // the displacement, but for rounding
+  constexpr int soon = 16; // number of iterations after a retreat within which another one indicates a cycle
+  int retreated = -soon;   // iteration of the last retreat
+  bool is_known = true;    // whether the displacement is that of the shears, up to rounding
   for (int followed = 0;; ++report.iterations)
   {
     if (wants_stop && report.iterations % few == 0 && wants_stop())
       throw Interrupted();
     const bool is_last = report.iterations == max_iterations;
     if (is_known)
-      it.settle(report);
+      it.evaluate(report);
     if (!is_known || (followed > 0 && (report.slip_error <= tolerance || is_last || followed >= many)))
     {
       it.restore_bounds();
@@ -143,16 +147,16 @@ TangentialReport TangentialContact::solve(const TangentialStep& step, double tol
       if (!it.has_descended() && !is_last)
       {
         ++report.retreats;
-        followed = go_back(it, report.iterations - retreated < soon) ? 1 : 0;
+        followed = recover_descent(it, report.iterations - retreated < soon) ? 1 : 0;
         retreated = report.iterations;
       }
-      it.settle(report);
-      it.keep();
+      it.evaluate(report);
+      it.save();
     }
     report.converged = report.slip_error <= tolerance && followed == 0;
     if (report.converged || is_last)
       break;
-    is_known = it.advance(it.aim(), report.slip_error);
+    is_known = it.advance(it.find_direction(), report.slip_error);
     ++followed;
   }
   it.finish(report, shear, slip);

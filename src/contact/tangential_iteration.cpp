@@ -29,19 +29,19 @@ struct Mean
 } // namespace
 
 TangentialContact::Iteration::Iteration(const halfspace::TractionCompliance& compliance)
-    : compliance_(compliance), scratch_(compliance.make_scratch()), all_(compliance.grid().size()),
+    : compliance_(compliance), scratch_(compliance.make_scratch()), grid_field_(compliance.grid().size()),
       before_(compliance.grid().size()),
-      between_(std::sqrt(compliance.largest_of_shear() / compliance.stiffness_of_cell()))
+      mean_compliance_(std::sqrt(compliance.largest_of_shear() / compliance.stiffness_of_cell()))
 {
 }
 
-/// One value for each of the cells.
+/// Resizes all fields to the number of cells that can carry shear.
 void TangentialContact::Iteration::resize()
 {
   for (AlongField* field : {&target_, &shear_, &displacement_, &slip_, &normal_, &direction_, &image_, &gradient_,
-                            &kept_shear_, &kept_displacement_})
+                            &saved_shear_, &saved_displacement_})
     field->resize(cells());
-  for (std::vector<double>* field : {&bound_, &added_, &soft_, &stiff_})
+  for (std::vector<double>* field : {&bound_, &bound_compliance_, &soft_, &stiff_})
     field->resize(cells());
   zone_.resize(cells());
 }
@@ -105,23 +105,24 @@ void TangentialContact::Iteration::restart(const ConstAlongSurface& shear)
   threshold_ = slip_threshold;
 }
 
-/// The mean of what the cells within their bound ask for, so that the others can be told apart.
+/// Initial estimate of the shift: the mean over the cells within their bound of the shift for zero slip. With it, cells that slip
+/// can be identified.
 Along TangentialContact::Iteration::shift_of_sticking() const
 {
-  const auto asked = [&](std::size_t i)
+  const auto required = [&](std::size_t i)
   {
     const bool is_within = !is_bound(square(shear_.at(i)), bound_[i]);
     return is_within ? Mean{displacement_.at(i) - target_.at(i), 1.0} : Mean{};
   };
-  const Mean mean = sum_of_cells(cells(), asked);
+  const Mean mean = sum_of_cells(cells(), required);
   return mean.count > 0.0 ? forced_.part((1.0 / mean.count) * mean.sum) : Along{};
 }
 
 void TangentialContact::Iteration::displace()
 {
-  lay_out([&](std::size_t i) { return shear_.at(i); });
+  scatter([&](std::size_t i) { return shear_.at(i); });
   bool is_zero = true;
-  for (const auto& [of_axis, before] : {std::pair{&all_.x, &before_.x}, {&all_.y, &before_.y}})
+  for (const auto& [of_axis, before] : {std::pair{&grid_field_.x, &before_.x}, {&grid_field_.y, &before_.y}})
     for (std::size_t cell = 0; cell < of_axis->size(); ++cell)
     {
       (*of_axis)[cell] -= has_before_ ? (*before)[cell] : 0.0;
@@ -129,29 +130,30 @@ void TangentialContact::Iteration::displace()
     }
   if (!is_zero)
     multiply();
-  take_in([&](std::size_t i, const Along& u) { displacement_.set(i, u); });
+  gather([&](std::size_t i, const Along& u) { displacement_.set(i, u); });
 }
 
-/// What is laid out, by the compliance.
+/// Multiplies `grid_field_` by the compliance.
 void TangentialContact::Iteration::multiply()
 {
-  compliance_.apply({.shear_x = all_.x, .shear_y = all_.y}, {.x = all_.x, .y = all_.y}, scratch_);
+  compliance_.apply({.shear_x = grid_field_.x, .shear_y = grid_field_.y}, {.x = grid_field_.x, .y = grid_field_.y},
+                    scratch_);
   ++products_;
 }
 
-/// Cuts shears at their bound; those of a force keep its sum.
-/// @param of_slip  whether cells that slip take part
+/// Projects the shears on their bounds; in directions with an imposed force, their sum is conserved.
+/// @param of_slip  whether slipping cells may change to conserve the sum
 void TangentialContact::Iteration::bound_shears(bool of_slip)
 {
   if (forced_.any() && (balance(forced_, sum_, of_slip, bound_, zone_, shear_.x, shear_.y) ||
-                        // those that stick cannot carry it alone
+                        // the sticking cells cannot carry the force alone
                         (!of_slip && balance(forced_, sum_, true, bound_, zone_, shear_.x, shear_.y))))
     return;
   for_cells(cells(), [&](std::size_t i) { shear_.set(i, bounded(shear_.at(i), bound_[i])); });
 }
 
-/// Tells the cells that slip from those that do not, and improves the shift that a force finds, so that the slips that are left
-/// where the cells are free cancel.
+/// Assigns each cell to stick or slip, and updates the part of the shift that an imposed force determines, so that the sum of the
+/// slip in the free directions of the cells vanishes.
 void TangentialContact::Iteration::classify()
 {
   const auto of_cell = [&](std::size_t i)
@@ -170,7 +172,7 @@ void TangentialContact::Iteration::classify()
   shift_ = shift_ - forced_.solution(unbalanced_.free, unbalanced_.slip);
 }
 
-void TangentialContact::Iteration::settle(TangentialReport& report)
+void TangentialContact::Iteration::evaluate(TangentialReport& report)
 {
   classify();
   const auto error = [&](std::size_t i)
@@ -180,7 +182,7 @@ void TangentialContact::Iteration::settle(TangentialReport& report)
     const double square_of_q = square(q);
     const double along = is_bound(square_of_q, bound_[i], threshold_) ? std::max(0.0, dot(slip, q)) / square_of_q : 0.0;
     slip_.set(i, slip);
-    added_[i] = zone_[i] == Zone::slip ? along : 0.0;
+    bound_compliance_[i] = zone_[i] == Zone::slip ? along : 0.0;
     return Largest{square(slip - along * q)};
   };
   report.slip_error = std::sqrt(sum_of_cells(cells(), error).value);
@@ -188,30 +190,31 @@ void TangentialContact::Iteration::settle(TangentialReport& report)
   report.shift = {shift.x, shift.y};
 }
 
-void TangentialContact::Iteration::keep()
+void TangentialContact::Iteration::save()
 {
-  kept_shear_ = shear_;
-  kept_displacement_ = displacement_;
+  saved_shear_ = shear_;
+  saved_displacement_ = displacement_;
 }
 
-void TangentialContact::Iteration::take_back()
+void TangentialContact::Iteration::restore_saved()
 {
-  shear_ = kept_shear_;
-  displacement_ = kept_displacement_;
+  shear_ = saved_shear_;
+  displacement_ = saved_displacement_;
   slope_ = 0.0;
 }
 
 bool TangentialContact::Iteration::has_descended() const
 {
-  // The change of the energy is minus the work of the change of the shears on the mean slip: of small numbers alone.
+  // The change of the energy is minus the work of the change of the shears on the mean slip, which avoids the cancellation in a
+  // difference of two energies.
   const auto of_cell = [&](std::size_t i)
   {
-    const Along added = shear_.at(i) - kept_shear_.at(i);
-    const Along u = 0.5 * (displacement_.at(i) + kept_displacement_.at(i));
-    const Along asked = target_.at(i) + shift_;
-    return Along{dot(added, asked - u), added.size() * (asked.size() + u.size())};
+    const Along added = shear_.at(i) - saved_shear_.at(i);
+    const Along u = 0.5 * (displacement_.at(i) + saved_displacement_.at(i));
+    const Along required = target_.at(i) + shift_;
+    return Along{dot(added, required - u), added.size() * (required.size() + u.size())};
   };
-  const Along work = sum_of_cells(cells(), of_cell); // and the sum of the sizes of what cancels
+  const Along work = sum_of_cells(cells(), of_cell); // x: the work; y: a bound of its terms, for the rounding error
   constexpr double rounding = 1e-14;
   return work.x >= -rounding * work.y;
 }

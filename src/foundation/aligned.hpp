@@ -9,7 +9,7 @@
 namespace brinell
 {
 
-/// Allocator that starts every array on a cache line, as SIMD transforms want it.
+/// Allocator that aligns every array to a cache line, for SIMD transforms.
 template <typename T>
 struct CacheLineAllocator
 {

@@ -14,13 +14,14 @@ namespace brinell
 struct SpectrumRows
 {
   int first = 0, count = 0;
-  static constexpr int most = 4; ///< worked on together, so that memory is read and written in pieces of 512 bytes
+  /// Processed together, so that memory is read and written in pieces of four ComplexLanes.
+  static constexpr int most = 4;
 };
 
 /// Zero-padded transforms (as PaddedFft) of many planes at once: the components of a field in every layer of a volume.
 ///
-/// Work on a layered body couples all planes at one wavenumber. So the spectrum is cut into blocks of `lane_count`
-/// neighbouring wavenumbers along x, each small enough for the cache, and the transforms along x and y are apart:
+/// The operators of a layered body couple all planes at one wavenumber. The spectrum is therefore divided into blocks of
+/// `lane_count` neighbouring wavenumbers along x, each small enough for the cache, and the transforms along x and y are separate:
 ///   rows      [block][plane][ny]      after the transform along x; the zero padding in y is not stored
 ///   spectrum  [plane][pitch]          of one block: py wavenumbers along y, wrapped; the pitch holds them
 /// of ComplexLanes, the wavenumbers of a block. Lanes beyond the last wavenumber hold zeros. The pitch is odd, at the price of
@@ -39,7 +40,7 @@ public:
   [[nodiscard]] int kx() const { return rows_.wavenumbers(); } ///< along x
   [[nodiscard]] int planes() const { return planes_; }
   [[nodiscard]] int blocks() const { return rows_.blocks(); }
-  /// The row of the wavenumber along y with the same size, >= 0.
+  /// The row of the wavenumber along y with the same magnitude and a sign >= 0.
   [[nodiscard]] int folded(int row) const { return row > py() / 2 ? py() - row : row; }
   /// Values from one plane to the next in a spectrum.
   [[nodiscard]] int pitch() const { return py() | 1; }
@@ -49,26 +50,26 @@ public:
   /// Place of a plane in spectra of all blocks, one after the other.
   [[nodiscard]] std::ptrdiff_t plane_at(int block, int plane) const;
 
-  /// The rows of a plane are transformed in batches, so many of them:
+  /// Number of batches in which the rows of a plane are transformed.
   [[nodiscard]] int batches() const { return (grid_.ny + RowFft::most_rows - 1) / RowFft::most_rows; }
 
   struct Scratch
   {
     RowFft::Work rows;
-    AlignedVector<ComplexLanes> column; ///< [py]: for the caller, between its two transforms
+    AlignedVector<ComplexLanes> column; ///< [py]: buffer for the caller, between its forward and inverse transforms
     AlignedVector<ComplexLanes> work;   ///< of LaneFft
   };
   [[nodiscard]] Scratch make_scratch() const;
 
   /// Along x: one real field on the grid to its rows (unnormalised).
   void rows_forward(const double* field, int plane, ComplexLanes* rows, Scratch& scratch) const;
-  /// One batch of them.
+  /// One batch of these rows.
   void rows_forward(const double* field, int plane, int batch, ComplexLanes* rows, Scratch& scratch) const;
   /// Along y: the rows of one plane in one block to its py values.
   void columns_forward(const ComplexLanes* rows, int block, int plane, ComplexLanes* column, Scratch& scratch) const;
-  /// The way back along y.
+  /// Inverse along y.
   void columns_inverse(const ComplexLanes* column, int block, int plane, ComplexLanes* rows, Scratch& scratch) const;
-  /// The way back along x, to the field on the grid (scaled by 1/(px py)).
+  /// Inverse along x, to the field on the grid (scaled by 1/(px py)).
   void rows_inverse(const ComplexLanes* rows, int plane, double* field, Scratch& scratch) const;
   /// One batch of its rows.
   void rows_inverse(const ComplexLanes* rows, int plane, int batch, double* field, Scratch& scratch) const;

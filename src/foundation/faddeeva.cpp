@@ -40,7 +40,7 @@ struct Weideman
 std::complex<double> faddeeva(std::complex<double> z)
 {
   static const Weideman table;
-  // (L + iz) and 1/(L - iz), by parts: products of std::complex look for infinities.
+  // (L + iz) and 1/(L - iz) by real and imaginary parts, because products of std::complex check for infinities.
   const double below_re = table.length + z.imag(), below_im = -z.real();
   const double inverse = 1.0 / (below_re * below_re + below_im * below_im);
   const double re = below_re * inverse, im = -below_im * inverse;

@@ -40,8 +40,9 @@ int fast_length(int n)
   return m;
 }
 
-/// FFTW plans on one plane: rows between real scratch and complex plane. Only the rows that hold data are transformed along x; the
-/// zero padding costs nothing there. Columns pass eight by eight in lanes, which read and write the rows that hold data alone.
+/// FFTW plans on one plane: rows between a real buffer and the complex plane. Only the rows that contain data are transformed
+/// along x, so the zero padding costs nothing there. Columns are transformed `lane_count` at a time in lanes, which read and
+/// write only the rows that contain data.
 struct PaddedFft::Plans
 {
   fftw_plan rows_forward = nullptr, rows_inverse = nullptr, all_rows_forward = nullptr;
@@ -50,7 +51,7 @@ struct PaddedFft::Plans
 
   Plans(int px, int py, int ny, std::size_t plane) : columns(py)
   {
-    // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
+    // FFTW_ESTIMATE makes the choice of algorithm, and so the last bit of every result, reproducible.
     const unsigned flags = FFTW_ESTIMATE;
     const auto lock = planner_lock();
     AlignedVector<Complex> spectrum(plane);
@@ -85,9 +86,9 @@ int padded_length(int cells, double cell, Boundary boundary, double period)
 {
   if (boundary == Boundary::periodic)
     return cells;
-  // The copies beside the grid are that many periods of the other axis away. There the longest wave along it, of strain up to
-  // the edges of the grid, has decayed as (1 + k d) e^{-kd} to below 1e-4 of 2 mu max|eps|, which is what the image correction
-  // leaves of strain without waves. One period would leave up to 6e-3.
+  // Distance of the copies beside the grid, in periods of the other axis. There the longest wave along that axis, for strain up
+  // to the edges of the grid, has decayed as (1 + k d) e^{-kd} to below 1e-4 of 2 mu max|eps|, the error of the image correction
+  // for strain without waves. At a distance of one period the error would be up to 6e-3.
   constexpr double clearance = 1.75;
   const int clear = cells + static_cast<int>(std::ceil(clearance * period / cell));
   return fast_length(std::max(2 * cells - 1, clear));
@@ -131,13 +132,13 @@ double PaddedFft::wavenumber_y(int j) const
 namespace
 {
 
-/// Real values of the rows, on whole cache lines.
+/// Number of real values of the rows, rounded up to whole cache lines.
 std::size_t rows_size(int px, int ny)
 {
   return (static_cast<std::size_t>(px) * static_cast<std::size_t>(ny) + lane_count - 1) / lane_count * lane_count;
 }
 
-/// Neighbouring values of one row, in lanes; beyond the last column there are zeros.
+/// Neighbouring values of one row in lanes; zero beyond the last column.
 ComplexLanes load_row(const Complex* from, int count)
 {
   if (count >= lane_count)

@@ -14,8 +14,8 @@ namespace brinell
 [[nodiscard]] int fast_length(int n);
 
 /// Lengths of the transforms on which a product of spectra is the operator of a body on this grid. A periodic axis has the
-/// length of the grid. An open one is padded to the fast length >= 2 n - 1; if the other axis is periodic, at least so far
-/// that waves along that axis do not reach the next copy.
+/// length of the grid. An open one is padded to the fast length >= 2 n - 1; if the other axis is periodic, it is also padded
+/// far enough for waves along that axis to decay before the next copy.
 struct PaddedLengths
 {
   int x = 0, y = 0;
@@ -51,7 +51,7 @@ public:
   /// Angular wavenumber of row j [rad/m], signed; negative for j > py/2.
   [[nodiscard]] double wavenumber_y(int j) const;
 
-  /// Real values that `forward` and `inverse` need to work in; one AlignedVector of this size per thread.
+  /// Number of real values that `forward` and `inverse` need as a buffer; one AlignedVector of this size per thread.
   [[nodiscard]] std::size_t scratch_size() const;
   /// Spectrum of one real field on the grid (unnormalised: sum of f e^{-i k x}).
   void forward(const double* field, Complex* spectrum, std::span<double> scratch) const;

@@ -11,7 +11,7 @@ namespace brinell
 namespace
 {
 
-/// Held from before a fork until after it; as the lock itself, of the whole process.
+/// The planner lock while it is held from before a fork until after it; like the lock itself, there is one per process.
 std::unique_lock<std::mutex>& held_lock()
 {
   static std::unique_lock<std::mutex> lock;
@@ -23,7 +23,7 @@ std::unique_lock<std::mutex>& held_lock()
 void before_fork()
 {
   omp_pause_resource_all(omp_pause_soft);
-  if (!held_lock().owns_lock()) // a module that is imported again registers itself again
+  if (!held_lock().owns_lock()) // a module that is imported twice registers these functions twice
     held_lock() = planner_lock();
 }
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstring>
 
-/// Transforms of a few values each, in as many lanes as a register of the processor holds.
+/// Butterflies: transforms of a few values, in as many lanes as a register of the processor has.
 namespace brinell::butterflies
 {
 
@@ -18,7 +18,7 @@ inline constexpr std::size_t part_size = 4;
 #else
 inline constexpr std::size_t part_size = 2;
 #endif
-/// A part of the lanes: all values of a butterfly shall stay in registers.
+/// A part of the lanes, so small that all values of a butterfly stay in registers.
 using Part = double __attribute__((vector_size(part_size * sizeof(double))));
 
 struct Value
@@ -68,7 +68,7 @@ inline void transform_four(Value& a, Value& b, Value& c, Value& d)
   d = odd - turned;
 }
 
-/// The transform of a prime number of values; those at equal distance from the first one are taken together.
+/// The transform of a prime number of values; values with opposite indices (k and radix - k) are combined.
 /// @param roots  cos and sin of 2 pi k / radix, one after the other
 template <std::size_t radix>
 inline void transform(Values<radix>& a, const double* roots)
@@ -112,7 +112,7 @@ inline void transform<4>(Values<4>& a, const double* /*roots*/)
   transform_four(a[0], a[1], a[2], a[3]);
 }
 
-/// The values of even and of odd number of eight, from what the two transforms of four begin with.
+/// Outputs with even and with odd index of a transform of eight values, from the inputs of the two transforms of four.
 inline void finish_eight(Values<8>& a, Values<4>& even, Values<4>& odd)
 {
   constexpr double half_root = 0.70710678118654752440;
@@ -132,7 +132,7 @@ inline void transform<8>(Values<8>& a, const double* /*roots*/)
   finish_eight(a, even, odd);
 }
 
-/// The same where the second half of the values is zero, and not looked at.
+/// Likewise if the second half of the values is zero; it is not read.
 template <std::size_t radix>
 inline void transform_half(Values<radix>& a);
 

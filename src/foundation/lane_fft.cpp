@@ -12,8 +12,8 @@
 namespace brinell
 {
 
-/// The values, of which every `left`-th of `left` * radix belong to one butterfly, are made of `done` series whose order is
-/// right already.
+/// One radix of the algorithm. Its input consists of `done` series of `left` * radix values each, `done` being the product of the
+/// radices of the steps before; every `left`-th value of a series belongs to the same butterfly.
 struct LaneFft::Step
 {
   int radix, done, left;
@@ -21,12 +21,12 @@ struct LaneFft::Step
   std::vector<double> roots;    ///< of the radix: complex conjugate
 };
 
-/// Real and imaginary parts lie `value_size` apart from one value to the next. Exchanged in source and target, they turn the
-/// transform into its inverse.
+/// Real and imaginary parts of the values, with a stride of `value_size`. If they are exchanged in both source and target, the
+/// transform becomes its inverse.
 struct LaneFft::Source
 {
   const double *re, *im;
-  int given; ///< the values beyond are zero
+  int given; ///< number of values; those beyond are zero
 };
 
 struct LaneFft::Target
@@ -63,7 +63,7 @@ LaneFft::Target target(ComplexLanes* to, int wanted)
   return {doubles(to), doubles(to) + lane_count, wanted};
 }
 
-/// e^{-2 pi i numerator / denominator}, the angle reduced first so that it is exact for long series.
+/// e^{-2 pi i numerator / denominator}; the angle is reduced first, so that it is accurate for long series.
 Complex root_of_one(long long numerator, long long denominator)
 {
   const double angle =
@@ -71,8 +71,8 @@ Complex root_of_one(long long numerator, long long denominator)
   return {std::cos(angle), -std::sin(angle)};
 }
 
-/// Radices whose product is the length, none if it has a prime factor that is too large. An even one comes first, since
-/// padding is a half or more of its values.
+/// Radices whose product is the length; empty if the length has a prime factor above `largest_radix`. An even radix comes first,
+/// since half or more of the values of its butterflies are padding.
 std::vector<int> radices_of(int length)
 {
   std::vector<int> odd;
@@ -116,7 +116,7 @@ LaneFft::Step make_step(int radix, int done, int length)
   return step;
 }
 
-/// Where in its algorithm a step is.
+/// Position of a butterfly in its step.
 struct Place
 {
   bool is_first, is_last;
@@ -204,7 +204,7 @@ void take(const LaneFft::Step& step, const LaneFft::Source& from, const LaneFft:
   }
 }
 
-/// The first `count` values times complex numbers.
+/// Multiplies the first `count` values by complex numbers.
 void multiply(const LaneFft::Source& from, const Complex* factors, int count, const LaneFft::Target& to)
 {
   for (std::ptrdiff_t i = 0; i < count; ++i)
@@ -220,8 +220,8 @@ void multiply(const LaneFft::Source& from, const Complex* factors, int count, co
 
 } // namespace
 
-/// With c_j = e^{-pi i j^2 / n}, the transform is c_k times the convolution of c_j x_j with the conjugate of c; the latter is
-/// made by transforms of a longer, fast length.
+/// With c_j = e^{-pi i j^2 / n}, the transform is c_k times the convolution of c_j x_j with the conjugate of c; the convolution
+/// is computed by transforms of a longer, fast length.
 struct LaneFft::Chirp
 {
   LaneFft longer;

@@ -12,10 +12,11 @@ namespace brinell
 
 /// Fourier transforms of `lane_count` complex series of one length side by side, one in each lane.
 ///
-/// Stockham's self-sorting algorithm with radices up to 13. No lane ever meets another, so that every instruction works on
-/// whole vectors; and only what is not padding is read, only what is wanted written. FFTW, which sees single complex
-/// numbers, takes two to three times as long for the same. A length with a larger prime factor is a convolution with a chirp
-/// (Bluestein 1970). Planned once; every function is const and may be called from several threads, each with its own work.
+/// Stockham's self-sorting algorithm with radices up to 13. The lanes do not interact, so every instruction works on whole
+/// vectors; the padding is not read, and only the wanted values are written. FFTW, which works on single complex numbers, takes
+/// two to three times as long for the same transforms. A length with a larger prime factor is computed as a convolution with a
+/// chirp (Bluestein 1970). Planned once; every function is const and may be called from several threads, each with its own
+/// buffer.
 class LaneFft
 {
 public:
@@ -27,7 +28,7 @@ public:
   LaneFft& operator=(const LaneFft&) = delete;
 
   [[nodiscard]] int length() const { return length_; }
-  /// Values that a transform needs to work in.
+  /// Number of values that a transform needs as a buffer.
   [[nodiscard]] std::size_t work_size() const;
 
   /// to_k = sum over j < given of from_j e^{-2 pi i j k / length}, unnormalised; `to` is not `from`.
@@ -46,7 +47,7 @@ private:
 
   int length_;
   std::vector<Step> steps_;
-  std::unique_ptr<Chirp> chirp_; ///< of a length with a large prime factor
+  std::unique_ptr<Chirp> chirp_; ///< only for a length with a large prime factor
 };
 
 } // namespace brinell

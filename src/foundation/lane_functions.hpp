@@ -42,7 +42,7 @@ inline Lanes load_lanes(const double* from)
   std::memcpy(&value, from, sizeof value);
   return value;
 }
-/// The first `count` values, zero in the other lanes.
+/// Loads the first `count` values; zero in the other lanes.
 inline Lanes load_lanes(const double* from, std::size_t count)
 {
   if (count == lane_count)
@@ -77,8 +77,8 @@ inline ComplexLanes load_lanes(const Complex* from)
   return {shuffled(low, high, [](int lane) { return 2 * lane; }),
           shuffled(low, high, [](int lane) { return 2 * lane + 1; })};
 }
-/// Stores that go past the caches, for arrays larger than `cached_bytes`: what such an array held before need not be read
-/// from memory first. `to` starts on a cache line. Other threads see the values after `end_streaming`.
+/// Stores that bypass the caches, for arrays larger than `cached_bytes`: the old contents of the array then need not be read from
+/// memory first. `to` must begin on a cache line. Other threads see the values only after `end_streaming`.
 inline void stream_lanes(const Lanes& value, double* to)
 {
 #if defined(__AVX512F__)
@@ -114,7 +114,7 @@ inline void store_lanes(const Lanes& value, std::size_t count, double* to)
 #endif
 }
 
-/// The values one after the other.
+/// Stores complex values with real and imaginary parts alternating, as std::complex.
 inline void store_lanes(const ComplexLanes& value, Complex* to)
 {
   const auto alternating = [](int place) { return place / 2 + (place % 2) * lane_count; };
@@ -125,7 +125,8 @@ inline void store_lanes(const ComplexLanes& value, Complex* to)
   std::memcpy(lanes + lane_count, &high, sizeof high);
 }
 
-/// Starts to load a value into the cache: for memory that is read in many short pieces, which the processor does not expect.
+/// Prefetches a value into the cache, for memory that is read in many short pieces, which the hardware prefetcher does not
+/// predict.
 inline void fetch_soon(const Lanes* value)
 {
   __builtin_prefetch(value);
@@ -136,7 +137,7 @@ inline void fetch_soon(const ComplexLanes* value)
   fetch_soon(&value->im);
 }
 
-/// The same of many values, which need not be in the nearest cache.
+/// Prefetches many values, not necessarily into the nearest cache.
 inline void fetch_soon(std::span<const double> values)
 {
   constexpr std::size_t cache_line = 64 / sizeof(double);
@@ -144,7 +145,7 @@ inline void fetch_soon(std::span<const double> values)
     __builtin_prefetch(values.data() + i, 0, 2);
 }
 
-/// The same, to be written.
+/// Prefetches a value that will be written.
 inline void write_soon(ComplexLanes* value)
 {
   __builtin_prefetch(&value->re, 1);

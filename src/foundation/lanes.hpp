@@ -17,9 +17,9 @@ inline constexpr int lane_count = 4;
 inline constexpr int lane_count = 2;
 #endif
 
-/// As many values as a register holds. A vector type of the compiler: sums kept in it stay in a register, which loops over arrays
-/// do not achieve. GCC 12 keeps vector types that are wider than a register in memory, piece by piece, which takes several times
-/// as long (docs/performance.md).
+/// As many values as a register holds. It is a vector type of the compiler, so that sums stay in a register, which loops over
+/// arrays do not achieve. GCC 12 keeps vector types that are wider than a register in memory, which takes several times as long
+/// (docs/performance.md).
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
 
 /// `lane_count` complex values, real and imaginary parts apart.
@@ -28,6 +28,7 @@ struct ComplexLanes
   Lanes re{}, im{};
 };
 
-inline constexpr std::size_t cached_bytes = 32 * 1024 * 1024; ///< of an array that may stay in the last cache
+/// Largest size of an array that may stay in the last-level cache.
+inline constexpr std::size_t cached_bytes = 32 * 1024 * 1024;
 
 } // namespace brinell

@@ -6,8 +6,8 @@
 namespace brinell
 {
 
-/// To be held while FFTW makes or destroys plans: several threads may transform at once, but only one may plan. FFTW keeps what it knows for the whole
-/// process, so this lock cannot belong to anybody.
+/// Lock to be held while FFTW creates or destroys plans: several threads may transform concurrently, but only one may plan. The
+/// planner state of FFTW is global to the process, and so is this lock.
 [[nodiscard]] inline std::unique_lock<std::mutex> planner_lock()
 {
   static std::mutex mutex;

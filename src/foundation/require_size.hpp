@@ -10,8 +10,8 @@
 namespace brinell
 {
 
-/// The check at the door of a public function: that `field` has the size that its grid asks for.
-/// @param field_name  "HalfSpace::deviatoric_stress: the stress"
+/// Argument check of public functions: throws unless `field` has the size that its grid requires.
+/// @param field_name  e.g. "HalfSpace::deviatoric_stress: the stress"
 /// @throws InternalError with both sizes
 inline void require_size(const char* field_name, std::span<const double> field, std::size_t expected)
 {

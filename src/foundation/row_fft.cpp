@@ -15,8 +15,8 @@ namespace brinell
 namespace
 {
 
-/// A tile of rows takes as long as this many rows one by one (measured for lengths of 90 and 512 with AVX-512). Without AVX the
-/// exchange of rows and lanes takes longer than the transforms, so that rows are always transformed one by one.
+/// Number of single rows that take as long as a tile of rows (measured for lengths of 90 and 512 with AVX-512). Without AVX the
+/// transposition between rows and lanes takes longer than the transforms, so rows are always transformed one by one.
 #if defined(__AVX__)
 constexpr int worth_together = 3 * lane_count / 4;
 #else
@@ -28,11 +28,11 @@ fftw_complex* as_fftw(Complex* c)
   return reinterpret_cast<fftw_complex*>(c);
 }
 
-/// A square of values: of some rows, at as many neighbouring places or wavenumbers. Loops over one are unrolled, so that it
-/// stays in registers.
+/// A square of values: `lane_count` rows at as many neighbouring positions or wavenumbers. Loops over a tile are unrolled, so
+/// that it stays in registers.
 using Tile = std::array<Lanes, lane_count>;
 
-/// Squares of this size, of a Tile cut into such, change places across its diagonal.
+/// Step of a recursive transposition: exchanges the off-diagonal squares of `size` in each diagonal square of 2 * `size`.
 template <int size>
 [[gnu::always_inline]] inline void exchange_squares(Tile& t)
 {
@@ -48,13 +48,13 @@ template <int size>
     exchange_squares<2 * size>(t);
 }
 
-/// Rows become columns.
+/// Transposes a tile.
 [[gnu::always_inline]] inline void transpose(Tile& t)
 {
   exchange_squares<1>(t);
 }
 
-/// Values at neighbouring places of some rows, by places; zero beyond the last row and the last place.
+/// Loads values at neighbouring positions of some rows, with the rows in lanes; zero beyond the last row and the last position.
 [[gnu::always_inline]] inline Tile load_tile(const double* field, std::ptrdiff_t apart, int rows, int places)
 {
   Tile tile;
@@ -76,7 +76,7 @@ template <int size>
       store_lanes(scale * tile[static_cast<std::size_t>(row)], static_cast<std::size_t>(places), field + row * apart);
 }
 
-/// Numbers of a spectrum by wavenumbers, in lanes of rows, become those of rows in lanes of wavenumbers.
+/// Stores values of a spectrum: transposes from [wavenumber][row in lanes] to [row][wavenumber in lanes].
 [[gnu::always_inline]] inline void store_rows(Tile& re, Tile& im, int rows, ComplexLanes* spectra, bool past_caches)
 {
   transpose(re);
@@ -87,7 +87,7 @@ template <int size>
       store_lanes({re[static_cast<std::size_t>(row)], im[static_cast<std::size_t>(row)]}, spectra + row, past_caches);
 }
 
-/// One part of them the other way round.
+/// The reverse of `store_rows`, for the real or the imaginary part.
 template <Lanes ComplexLanes::*part>
 [[gnu::always_inline]] inline Tile load_rows(const ComplexLanes* spectra, int rows)
 {
@@ -99,7 +99,7 @@ template <Lanes ComplexLanes::*part>
   return tile;
 }
 
-/// Of rows together, the first ones are real parts, the others imaginary ones.
+/// Of the rows that are transformed together, the first `lane_count` are real parts, the others imaginary parts.
 int real_rows(int count)
 {
   return std::min(count, lane_count);
@@ -117,7 +117,7 @@ struct RowFft::Plans
 
   Plans(int length, Work& work)
   {
-    // ESTIMATE keeps the choice of algorithm, and so the last bit of every result, the same from run to run.
+    // FFTW_ESTIMATE makes the choice of algorithm, and so the last bit of every result, reproducible.
     const unsigned flags = FFTW_ESTIMATE | FFTW_DESTROY_INPUT;
     const auto lock = planner_lock();
     forward = fftw_plan_dft_r2c_1d(length, work.real.data(), as_fftw(work.half.data()), flags);
@@ -198,7 +198,7 @@ void RowFft::forward_together(const double* field, int count, ComplexLanes* spec
     separate(block, count, spectra, layout.past_caches, work);
 }
 
-/// The even and the odd part of one block of the spectrum.
+/// Splits one block of the spectrum into its even and odd parts.
 void RowFft::separate(int block, int count, ComplexLanes* spectra, bool past_caches, const Work& work) const
 {
   const ComplexLanes* here = work.spectrum.data() + static_cast<std::ptrdiff_t>(block) * lane_count;
@@ -242,7 +242,7 @@ void RowFft::inverse_together(const ComplexLanes* spectra, const Spectra& layout
   }
 }
 
-/// The spectra of two real series make one of a complex series, at the wavenumbers of one block and at their opposites.
+/// Combines the spectra of two real series to that of a complex series, at the wavenumbers of one block and at their opposites.
 void RowFft::unite(int block, int count, const ComplexLanes* spectra, Work& work) const
 {
   const ComplexLanes* others = spectra + real_rows(count);
@@ -256,7 +256,7 @@ void RowFft::unite(int block, int count, const ComplexLanes* spectra, Work& work
   {
     const auto at = static_cast<std::size_t>(i);
     const int k = first + i;
-    if (k == 0 || 2 * k == length()) // real, but for rounding
+    if (k == 0 || 2 * k == length()) // real, up to rounding
       work.spectrum[static_cast<std::size_t>(k)] = {even_re[at], odd_re[at]};
     else if (k < wavenumbers())
     {

@@ -14,21 +14,21 @@ namespace brinell
 /// Real Fourier transforms of neighbouring rows of a field, zero-padded, between the field and blocks of `lane_count`
 /// neighbouring wavenumbers.
 ///
-/// Eight rows are the real parts and eight the imaginary parts of complex series, one in each lane of LaneFft: the spectra of
-/// two real series are the even and the odd part of one complex one. A few rows alone would leave most lanes empty; FFTW
-/// transforms them one by one. Planned once; every function is const and may be called from several threads, each with its
-/// own Work.
+/// `lane_count` rows are the real parts and as many the imaginary parts of complex series, one in each lane of LaneFft: the
+/// spectra of the two real series are the even and the odd part of that of the complex one. If only a few rows are left, most
+/// lanes would be empty, so FFTW transforms them one by one. Planned once; every function is const and may be called from several
+/// threads, each with its own Work.
 class RowFft
 {
 public:
-  /// @param given   values of a row
+  /// @param given   number of values of a row; the rest is zero padding
   /// @param length  of the transform, >= given
   RowFft(int given, int length);
   ~RowFft();
   RowFft(const RowFft&) = delete;
   RowFft& operator=(const RowFft&) = delete;
 
-  static constexpr int most_rows = 2 * lane_count; ///< that are transformed together
+  static constexpr int most_rows = 2 * lane_count; ///< largest number of rows that are transformed together
 
   [[nodiscard]] int length() const { return lanes_.length(); }
   [[nodiscard]] int wavenumbers() const { return length() / 2 + 1; }
@@ -42,7 +42,7 @@ public:
   };
   [[nodiscard]] Work make_work() const;
 
-  /// The wavenumbers of block b of row j come to spectra[b * apart + j]; lanes beyond the last wavenumber are zero.
+  /// Layout: block b of the spectrum of row j is spectra[b * apart + j]; lanes beyond the last wavenumber are zero.
   struct Spectra
   {
     std::ptrdiff_t apart;
@@ -50,7 +50,7 @@ public:
   };
   /// @param count  rows, <= most_rows
   void forward(const double* field, int count, ComplexLanes* spectra, const Spectra& layout, Work& work) const;
-  /// The way back, times `scale`.
+  /// Inverse transform, multiplied by `scale`.
   void inverse(const ComplexLanes* spectra, const Spectra& layout, int count, double scale, double* field,
                Work& work) const;
 
@@ -66,7 +66,7 @@ private:
 
   int given_;
   LaneFft lanes_;
-  std::unique_ptr<Plans> plans_; ///< of FFTW, for one row
+  std::unique_ptr<Plans> plans_; ///< FFTW plans for a single row
 };
 
 } // namespace brinell

@@ -12,15 +12,15 @@
 namespace brinell
 {
 
-/// Whether work on a surface of so many cells is worth sharing among threads: below, they would mostly wait for each
+/// Whether work on a surface of `cells` cells is worth sharing among threads: on smaller ones, they would mostly wait for each
 /// other.
 [[nodiscard]] inline bool is_shared(std::size_t cells)
 {
   return cells >= 16384;
 }
 
-/// work(thread) by so many threads, which share its loops (`omp for`). A team costs a call of the system for each of its barriers, even a
-/// team of one: one thread does without.
+/// Calls work(thread) in a team of threads, which share its loops (`omp for`). Each barrier of a team costs a system call, even
+/// in a team of one, so for a single thread no team is created.
 template <typename Work>
 void in_threads(int threads, const Work& work)
 {
@@ -30,10 +30,10 @@ void in_threads(int threads, const Work& work)
   work(omp_get_thread_num());
 }
 
-/// Cells of one piece of work. It does not depend on the number of threads, and so nor does any sum over pieces.
+/// Cells of one piece of work. The size does not depend on the number of threads, and so neither does any sum over pieces.
 inline constexpr std::size_t piece_size = 2048;
 
-/// work(first, last) for every piece of the cells [0, cells), by several threads if there are many cells.
+/// Calls work(first, last) for every piece of the cells [0, cells), by several threads if there are many cells.
 template <typename Work>
 void for_pieces(std::size_t cells, const Work& work)
 {
@@ -50,7 +50,7 @@ void for_pieces(std::size_t cells, const Work& work)
   }
 }
 
-/// Total of part(first, last) over the pieces, added with += in their order.
+/// Sum of part(first, last) over the pieces, added with += in their order.
 template <typename Part>
 [[nodiscard]] auto sum_of_pieces(std::size_t cells, const Part& part)
 {
@@ -68,7 +68,7 @@ template <typename Part>
   return total;
 }
 
-/// The larger of two; a NaN in either stays.
+/// The larger of two values; NaN if either is NaN.
 [[nodiscard]] inline double larger(double a, double b)
 {
   return b <= a || std::isnan(a) ? a : b;

@@ -18,7 +18,7 @@ struct BoussinesqTerms
   double chi_xx = 0.0, chi_xy = 0.0; ///< chi_yy = -(v_z + chi_xx)
 };
 
-/// Stress of the pressure with these potentials [unit of p]; equations at `rectangle_stress_corner`.
+/// Stress due to the pressure with these potentials [unit of p]; equations at `rectangle_stress_corner`.
 [[nodiscard]] inline SymTensor boussinesq_stress(const BoussinesqTerms& t, double nu)
 {
   constexpr double f = 0.5 * std::numbers::inv_pi;

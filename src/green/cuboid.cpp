@@ -23,7 +23,7 @@ double face_angle(double X, double YZ, double R)
   return X == 0.0 ? 0.0 : -std::atan(YZ / (X * R));
 }
 
-/// asinh(Z/s), s2 = s^2. On the line s = 0 the part -ln s, common to both ends of an edge, is left out.
+/// asinh(Z/s), s2 = s^2. On the line s = 0 the term -ln s, which is common to both ends of an edge, is omitted.
 double edge_logarithm(double Z, double R, double s2)
 {
   const double far = std::log(std::abs(Z) + R);

@@ -11,7 +11,7 @@ namespace brinell::green
 namespace
 {
 
-/// All derivatives of order N - 1 in x and y: entry i is taken i times by y, N - 1 - i times by x.
+/// All derivatives of order N - 1 in x and y: entry i is differentiated i times by y and N - 1 - i times by x.
 template <std::size_t N>
 using Derivatives = std::array<double, N>;
 
@@ -35,7 +35,7 @@ Derivatives<N - 1> apply_transverse(const SymTensor& eps, const Derivatives<N>& 
   return result;
 }
 
-/// What W below needs of the harmonic functions T_s .. T_{s+3}: N - 1 is the order of derivation.
+/// Derivatives of the harmonic functions T_s .. T_{s+3} that W below needs; N - 1 is the order of derivatives of W.
 template <std::size_t N>
 struct Needed
 {
@@ -58,7 +58,7 @@ Derivatives<N> release(const SymTensor& eps, double nu, double z_prime, const Ne
   return w;
 }
 
-/// Potentials of the freeing pressure per -mu/(1 - nu), part of one corner.
+/// Contribution of one corner to the potentials of the pressure that frees the surface, divided by -mu/(1 - nu).
 BoussinesqTerms corner_terms(double X, double Y, double z, double z_prime, const SymTensor& eps, double nu)
 {
   const ImagePotentials t = image_potentials(X, Y, z + z_prime);

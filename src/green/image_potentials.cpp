@@ -8,7 +8,7 @@ namespace brinell::green
 namespace
 {
 
-/// Quantities along one direction; X stands for it, Y for the other.
+/// Quantities for one of the two directions, which is called X here; the other is Y.
 struct Axis
 {
   double asinh; ///< T_1,X = asinh(Y/sqrt(X^2 + h^2))

@@ -9,8 +9,8 @@ namespace brinell::green
 /// Corner antiderivatives (in x and y) of the harmonic functions with transform 2 pi e^{-kh}/k^n,
 ///     Lambda_0 = h/R^3,  Lambda_1 = 1/R,  Lambda_2 = -ln(R + h),  Lambda_3 = h ln(R + h) - R,  ...,
 /// T_n,XY = Lambda_n, T_n,h = -T_{n-1}, T_n,XX + T_n,YY = -T_{n-2}. The member `t2_3` holds the third derivatives of
-/// T_2 in the plane, (XXX, XXY, XYY, YYY). Forms that are odd in X and Y are taken where that is possible; they differ
-/// from others by functions of X or of Y alone or (n = 4) by functions of both without h, which the sum over corners
+/// T_2 in the plane, (XXX, XXY, XYY, YYY). Forms that are odd in X and Y are used where possible; they differ from other
+/// forms by functions of X or of Y alone or (n = 4) by functions of both without h, which the sum over the corners
 /// removes.
 struct ImagePotentials
 {

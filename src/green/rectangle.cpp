@@ -35,7 +35,7 @@ SymTensor pressure_corner(double X, double Y, double z, double nu)
   return boussinesq_stress(t, nu);
 }
 
-/// Of a shear along x, less the factor 1/(2 pi).
+/// Stress for a shear along x, without the factor 1/(2 pi).
 SymTensor shear_corner(double X, double Y, double z, double nu)
 {
   const double rho = std::sqrt(X * X + Y * Y + z * z);
@@ -48,7 +48,7 @@ SymTensor shear_corner(double X, double Y, double z, double nu)
   {
     const double across = z / rho;
     const double along = across / (X * X + z * z); // z V,xx = -X Y along
-    const double bent = across / (rho + z);        // of the third derivatives of chi
+    const double bent = across / (rho + z);        // common factor of the third derivatives of chi
     stress[0] += Y * (bent - z * along);
     stress[1] -= Y * bent;
     stress[2] = z * Y * along;

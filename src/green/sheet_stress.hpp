@@ -9,7 +9,7 @@
 namespace brinell::green
 {
 
-/// Between the sheet, the surface and the point: what does not depend on the strain.
+/// Factors that depend on the depths of the sheet and of the point, but not on the strain.
 template <typename Real>
 struct SheetPath
 {
@@ -17,7 +17,7 @@ struct SheetPath
   Real kz, kz_source;        ///< wavenumber times the depths of the point and of the sheet
   Real direct, from_image;   ///< e^{-s} from the sheet, and e^{-k z} from the surface
   Real to_surface;           ///< e^{-k z'}
-  Real down_share, up_share; ///< of the two sides of the sheet: in its plane, half of each
+  Real down_share, up_share; ///< weights of the downward and upward wave: 1, 0 below the sheet; 0, 1 above; 1/2 in it
 };
 
 /// Stiffness of the waves [Pa/m per unit strain].
@@ -31,7 +31,7 @@ struct SheetStiffness
   }
 };
 
-/// What a sheet sends down and up.
+/// Waves that a sheet emits downwards and upwards.
 template <typename Cplx>
 struct SheetSource
 {
@@ -47,7 +47,7 @@ struct SheetField
   Cplx ll, zz, lz, lt;
 };
 
-/// Stress of a wave at a distance of s = k |z - z'| from where it started.
+/// Stress of a wave at the distance s = k |z - z'| from its source.
 template <typename Real, typename Cplx>
 SheetField<Cplx> emitted(const SheetWave<Cplx>& wave, const Real& s, const Real& decay, const SheetStiffness& stiffness)
 {

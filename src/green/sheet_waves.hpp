@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-/// The waves of stress that a thin sheet of plastic strain sends through a half space, in the frame of its wavevector:
+/// The waves of stress that a thin sheet of plastic strain causes in a half space, in the frame of its wavevector:
 /// direction l along the surface, t across it, z down (docs/theory/half-space.md: (sheet-stress), (sheet-shear),
 /// (free-surface)). Written for any number: `Real` is a double or several of them in lanes, `Cplx` the complex values of
 /// the same kind, for which `times_i` gives i times a value.
@@ -17,7 +17,7 @@ inline std::complex<double> times_i(const std::complex<double>& value)
 }
 
 /// Direction of the wavevector, and the products of its components. At a Nyquist index the sign of a component is not
-/// known: it is zero there, its square is not.
+/// defined: the component is zero there, but its square is not.
 template <typename Real>
 struct WaveDirection
 {
@@ -50,7 +50,7 @@ SheetStrain<Cplx> in_wave_frame(const WaveDirection<Real>& f, double nu, const C
           f.lx * yz - f.ly * xz};
 }
 
-/// Amplitudes of the waves that leave a sheet on one side: in the plane of l and z, and across it.
+/// Amplitudes of the waves that a sheet emits to one side: a and c in the plane of l and z, w across it.
 template <typename Cplx>
 struct SheetWave
 {
@@ -64,8 +64,8 @@ SheetWave<Cplx> wave_of(const SheetStrain<Cplx>& strain, double g)
   return {strain.a, strain.d + 2.0 * g * times_i(strain.lz), strain.lt + g * times_i(strain.tz)};
 }
 
-/// The wave that goes down from the surface and frees it, together with Boussinesq's pressure, from the traction of the
-/// waves that come up: these have the sums `up` there, each with its decay on the way, and `lagging` is that of
+/// The downward wave from the surface that, together with Boussinesq's pressure, cancels the traction of the upward waves.
+/// `up` contains the sums of these waves at the surface, each with its decay from its source, and `lagging` is the sum of
 /// k z' c.
 template <typename Cplx>
 SheetWave<Cplx> reflected(const SheetWave<Cplx>& up, const Cplx& lagging)

@@ -12,7 +12,7 @@ namespace
 
 constexpr double negligible = 6.0; ///< e^{-6^2} is below rounding
 
-/// Fourier's series, for cells that have spread over a good part of the period.
+/// Fourier series, for cells that have spread over a large part of the period.
 double spread_waves(double x, double half_size, double spread, double period)
 {
   const double share = 2.0 * half_size / period;

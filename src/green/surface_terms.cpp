@@ -42,7 +42,7 @@ SurfaceTerms rectangle_surface_terms(double x, double y, double dx, double dy)
 
 SurfaceTerms strip_surface_edge(double X, double reference)
 {
-  // Along a line the integral of x^2/r^3 is 2 wherever the point is: it belongs to what the reference leaves open.
+  // The integral of x^2/r^3 along a line is 2 for any point: a constant, which the choice of the reference absorbs.
   return {0.0, strip_displacement_edge(X, reference), 0.0, pi * std::abs(X), 0.0};
 }
 
@@ -56,12 +56,12 @@ PairConstants pair_constants(const Elastic& body1, const Elastic& body2)
 {
   const auto of_body = [](const Elastic& body) -> PairConstants
   {
-    const double f = 0.5 / (pi * body.shear_modulus()); // of a rigid body zero
+    const double f = 0.5 / (pi * body.shear_modulus()); // zero for a rigid body
     const double nu = body.poisson_ratio;
     return {f * (1.0 - nu), f * nu, 0.5 * f * (1.0 - 2.0 * nu)};
   };
   const PairConstants a = of_body(body1), b = of_body(body2);
-  // The difference of equal numbers need not be zero where the compiler fuses a product with it.
+  // Set to zero explicitly: with fused multiply-add, the difference of two equal products need not be exactly zero.
   return {a.normal + b.normal, a.along + b.along, body1 == body2 ? 0.0 : a.coupling - b.coupling};
 }
 

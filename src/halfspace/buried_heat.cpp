@@ -20,7 +20,8 @@ double sum_of(double k, double z)
   return k > 0.0 ? -std::expm1(-k * z) / k : z;
 }
 
-/// The same from e^{-kz}, to some 1e-13 of it: expm1 takes as long as all else at a depth that is in no middle.
+/// The same integral from left = e^{-kz}, with a relative error of about 1e-13. It avoids expm1, which would double the time at
+/// depths that are not the middle of a layer.
 double sum_of(double k, double z, double left)
 {
   constexpr double is_small = 1e-3;
@@ -28,13 +29,15 @@ double sum_of(double k, double z, double left)
   return x < is_small ? z * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0)))) : (1.0 - left) / k;
 }
 
-/// What a step leaves of a wave along the surface and in depth, and of heat that arises evenly meanwhile.
+/// Fraction that remains after a step, of the earlier heat of a mode and of the heat generated at a constant rate during the
+/// step.
 struct Decay
 {
   Lanes left, in;
 };
 
-/// @param rates  kappa k^2 t of the lanes; left: e^{-that}
+/// @param rate, left    kappa s^2 t of the mode, and e^{-rate}
+/// @param rates, lefts  kappa k^2 t of the waves in the lanes, and e^{-rates}
 Decay decay(double rate, double left, const Lanes& rates, const Lanes& lefts)
 {
   const Lanes x = rate + rates, remains = left * lefts;
@@ -98,7 +101,7 @@ void BuriedHeat::take_up(const std::vector<AlignedVector<Complex>>& rise, double
   {
     std::array<Scratch, 2> scratch = make_scratch();
     for (std::size_t wave = 0; wave < plane_; wave += lane_count) // a plane has whole cache lines
-      take_up_from(wave, step, scratch);
+      step_waves(wave, step, scratch);
   }
   else
   {
@@ -107,13 +110,13 @@ void BuriedHeat::take_up(const std::vector<AlignedVector<Complex>>& rise, double
       std::array<Scratch, 2> scratch = make_scratch();
 #pragma omp for schedule(static)
       for (std::size_t wave = 0; wave < plane_; wave += lane_count)
-        take_up_from(wave, step, scratch);
+        step_waves(wave, step, scratch);
     }
   }
   find_potential_at_surface();
 }
 
-/// Steps are mostly alike.
+/// Decay factors are stored, as most steps have the same duration as the one before.
 void BuriedHeat::plan_step(double duration)
 {
   if (planned_ && planned_->duration == duration)
@@ -127,8 +130,8 @@ void BuriedHeat::plan_step(double duration)
   }
 }
 
-/// `lane_count` waves from that one on. What is the same for real and imaginary parts is found once for both.
-void BuriedHeat::take_up_from(std::size_t wave, const Step& step, std::array<Scratch, 2>& halves)
+/// A step of the `lane_count` waves from `wave` on. The decay, which is the same for real and imaginary parts, is computed once.
+void BuriedHeat::step_waves(std::size_t wave, const Step& step, std::array<Scratch, 2>& halves)
 {
   constexpr std::size_t half = lane_count / 2;
   const std::size_t n = layers_->size();
@@ -147,7 +150,7 @@ void BuriedHeat::take_up_from(std::size_t wave, const Step& step, std::array<Scr
   for (std::size_t l = 0; l < n; ++l)
   {
     const Decay of_mode = decay(step.rates[l], step.left[l], rates, left);
-    const auto take = [&](std::size_t h, const Lanes& remains, const Lanes& share)
+    const auto advance = [&](std::size_t h, const Lanes& remains, const Lanes& share)
     {
       const std::size_t at = l * plane_ + wave + h * half;
       const Lanes mode = remains * load_lanes(reinterpret_cast<const double*>(before_.data() + at)) +
@@ -157,14 +160,14 @@ void BuriedHeat::take_up_from(std::size_t wave, const Step& step, std::array<Scr
     };
     const auto twice_low = [](int lane) { return lane / 2; };
     const auto twice_high = [](int lane) { return (lane + lane_count) / 2; };
-    take(0, shuffled(of_mode.left, of_mode.left, twice_low), shuffled(of_mode.in, of_mode.in, twice_low));
-    take(1, shuffled(of_mode.left, of_mode.left, twice_high), shuffled(of_mode.in, of_mode.in, twice_high));
+    advance(0, shuffled(of_mode.left, of_mode.left, twice_low), shuffled(of_mode.in, of_mode.in, twice_low));
+    advance(1, shuffled(of_mode.left, of_mode.left, twice_high), shuffled(of_mode.in, of_mode.in, twice_high));
   }
   for (std::size_t h = 0; h < halves.size(); ++h)
     find_temperature_from(wave + h * half, halves[h]);
 }
 
-/// Of the modes in `scratch`.
+/// Computes the temperatures of neighbouring waves from the modes in `scratch`.
 void BuriedHeat::find_temperature_from(std::size_t wave, Scratch& scratch)
 {
   const std::size_t n = layers_->size();
@@ -212,7 +215,7 @@ void BuriedHeat::set_modes(const AlignedVector<Complex>& modes)
     find_temperature();
 }
 
-/// As insulated as the surface is, T = a + b z^2 has the means of the first two layers.
+/// The surface is insulated, so the temperature is extrapolated by T = a + b z^2 with the means of the first two layers.
 void BuriedHeat::add_surface(std::size_t begin, std::size_t count, Complex* temperature) const
 {
   if (is_cold_)
@@ -235,7 +238,7 @@ BuriedHeat::Row BuriedHeat::make_row(std::size_t columns) const
   return row;
 }
 
-/// e^{-kz} over each kind of layer, [kind][pitch]: that of twice the thickness is the square.
+/// e^{-kh} and its integral for each thickness h, [kind][pitch]; for twice the thickness the factor is the square.
 void BuriedHeat::find_decay_over_layers(std::size_t begin, std::size_t parts, std::size_t pitch, double* left,
                                         double* sum) const
 {
@@ -261,7 +264,7 @@ void BuriedHeat::find_decay_over_layers(std::size_t begin, std::size_t parts, st
   }
 }
 
-/// A piece of all waves after the other, which stays in the cache.
+/// Processes the waves in pieces that fit into the cache.
 void BuriedHeat::find_potential_at_surface()
 {
   constexpr std::size_t piece = 64;
@@ -365,7 +368,8 @@ void BuriedHeat::add(double depth, double factor, const Row& row, const Sums& su
   add_temperature_between(depth, factor, row, sums.temperature);
 }
 
-/// Above the middle of the first layer as at the surface, otherwise linear between the middles.
+/// Above the middle of the first layer the extrapolation of `add_surface` is used, otherwise linear interpolation between the
+/// middles.
 void BuriedHeat::add_temperature_between(double depth, double factor, const Row& row, double* temperature) const
 {
   const LayeredConduction& layers = *layers_;

@@ -42,11 +42,11 @@ struct Copies
   int cells;
   double cell, period; ///< [m]
 
-  /// Beyond so many periods on either side the copies are spread over a strip (Euler and Maclaurin's sum, midpoint rule).
+  /// Number of periods on either side beyond which the copies are replaced by a strip (Euler-Maclaurin sum, midpoint rule).
   static constexpr int near = 8;
   [[nodiscard]] int count() const { return cells == 1 ? 0 : near; }
-  /// How much of a copy counts: the end correction of the sum takes a little from the last one that is summed, and gives it
-  /// to the one behind. It vanishes where the copies touch each other.
+  /// Weight of a copy: the end correction of the sum shifts a little weight from the last copy to the one behind it. The shift is
+  /// zero if the copies touch each other.
   [[nodiscard]] double weight(int copy) const
   {
     const double share = cell / period;
@@ -64,7 +64,7 @@ template <typename Value, typename Kernel>
 void with_copies(const SurfaceGrid& grid, const Kernel& kernel, Quadrant<Value>& out)
 {
   const Copies copies{grid.ny, grid.dy, grid.ny * grid.dy};
-  const double density = grid.dy / copies.period; // of the strip, which stands for the copies
+  const double density = grid.dy / copies.period; // density of the strip that replaces the copies
   const auto summed_corner = [&](double X, double Y)
   {
     Value sum{};
@@ -108,7 +108,7 @@ void with_copies(const SurfaceGrid& grid, const Kernel& kernel, Quadrant<Value>&
   }
 }
 
-/// Response of a cell alone.
+/// Response of a single cell without copies.
 template <typename Value, typename Kernel>
 void alone(const SurfaceGrid& grid, const Kernel& kernel, Quadrant<Value>& out)
 {
@@ -170,7 +170,7 @@ Quadrant<Value> response(const SurfaceGrid& grid, const Kernel& kernel)
   return out;
 }
 
-/// Of 1/r.
+/// Antiderivatives of 1/r.
 struct DisplacementKernel
 {
   double reference;

@@ -10,20 +10,20 @@
 #include <cstdlib>
 #include <vector>
 
-/// What a unit traction on one cell gives at the others, from the closed forms of rectangle and strip. Along a periodic axis
-/// the cell has copies, one per period: some near ones are summed, and the rest is a strip: docs/theory/half-space.md
-/// (copies).
+/// Response of all cells to a unit traction on one cell, from the closed forms of rectangle and strip. Along a periodic axis
+/// the cell has copies, one per period: the nearest ones are summed, and the rest is approximated by a strip:
+/// docs/theory/half-space.md (copies).
 namespace brinell::halfspace
 {
 
-/// Distances of cells along one axis, in cells: those that occur on a grid, or in one period.
+/// Range of offsets between cells along one axis, in cells: those that occur on an open grid, or in one period.
 class Offsets
 {
 public:
   Offsets(int cells, Boundary boundary) : cells_(cells), is_periodic_(boundary == Boundary::periodic) {}
   [[nodiscard]] int first() const { return is_periodic_ ? -(cells_ - 1) / 2 : 1 - cells_; }
   [[nodiscard]] int last() const { return is_periodic_ ? cells_ / 2 : cells_ - 1; }
-  /// Of a function that is odd in the offset; where an offset is half a period, such a function vanishes.
+  /// Sign of a function that is odd in the offset; at an offset of half a period such a function is zero.
   [[nodiscard]] double sign(int offset) const
   {
     return offset < 0 ? -1.0 : is_periodic_ && 2 * offset == cells_ ? 0.0 : 1.0;
@@ -34,7 +34,7 @@ private:
   bool is_periodic_;
 };
 
-/// A value for each pair of offsets; only offsets >= 0 are stored.
+/// A value for each pair of offsets along x and y; only offsets >= 0 are stored.
 template <typename Value>
 struct Quadrant
 {
@@ -54,14 +54,14 @@ struct Quadrant
 };
 
 /// Integral of 1/r over the cell [m].
-/// @param reference  with one periodic axis, the distance at which a line load along it is counted as zero [m].
+/// @param reference  with one periodic axis, the distance from a line load at which its displacement is taken as zero [m].
 [[nodiscard]] Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference);
 
-/// Surface displacement of a unit traction on the cell, as `green::SurfaceTerms`.
-/// @param reference  as above, for the displacements in all directions
+/// Surface displacement by a unit traction on the cell, as `green::SurfaceTerms`.
+/// @param reference  as for `cell_displacement`, for the displacements in all directions
 [[nodiscard]] Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference);
 
-/// Stress at a depth under the cell [-].
+/// Stress at one depth by a unit traction on the cell [-].
 [[nodiscard]] Quadrant<SymTensor> cell_stress(const SurfaceGrid& grid, double depth, double poisson_ratio,
                                               Traction traction);
 

@@ -12,14 +12,15 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Cells twice as long that hold so many with the same middle: an even number, so that what lies in the middle is spread over two of
-/// them. On one it would stay a spike from grid to grid, whose shortest waves tell lattices of different periods apart.
+/// Number of cells twice as long that cover `cells` cells with the same middle. It is even, so that a load in the middle is
+/// spread over two cells: in a single cell it would remain a spike at all levels, whose shortest waves differ between lattices of
+/// different periods.
 int half_as_many(int cells)
 {
   return 2 * ((cells + (cells % 2 == 0 ? 3 : 4)) / 4);
 }
 
-/// Lagrange's weights of four places, so far behind the second of them in terms of their distance.
+/// Lagrange weights of four equidistant points, at the distance s (in units of their spacing) behind the second one.
 std::array<double, 4> cubic(double s)
 {
   return {-s * (s - 1.0) * (s - 2.0) / 6.0, (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0, -(s + 1.0) * s * (s - 2.0) / 2.0,
@@ -51,7 +52,7 @@ CoarserSurface::Axis CoarserSurface::axis(int fine, int coarse)
   Axis axis;
   for (int cell = 0; cell < fine; ++cell)
   {
-    // In quarters of a coarse cell, from the centre of the first one: both grids have their middle in one place.
+    // Position in quarters of a coarse cell, from the centre of the first one; the middles of both grids coincide.
     const int quarters = 2 * cell - fine + 2 * coarse - 1;
     axis.push_back({quarters / 4 - 1, cubic(0.25 * (quarters % 4))});
   }
@@ -60,7 +61,7 @@ CoarserSurface::Axis CoarserSurface::axis(int fine, int coarse)
 
 std::vector<double> CoarserSurface::from_finer(std::span<const double> load) const
 {
-  // Along x, then along y; a half as each coarse cell is twice as long.
+  // Along x, then along y; the factor 1/2 since each coarse cell is twice as long.
   std::vector<double> rows(static_cast<std::size_t>(coarse_.nx) * static_cast<std::size_t>(fine_.ny));
   for (int j = 0; j < fine_.ny; ++j)
     for (int i = 0; i < fine_.nx; ++i)
@@ -99,7 +100,7 @@ std::vector<double> CoarserSurface::to_finer(std::span<const double> field) cons
   return result;
 }
 
-/// Along y, then along x. Next to each other the weights come by turns.
+/// Along y, then along x. Along x two sets of weights alternate between neighbouring fine cells.
 void CoarserSurface::to_finer(std::span<const double> field, std::vector<double>& room,
                               std::vector<double>& result) const
 {
@@ -122,7 +123,7 @@ void CoarserSurface::to_finer(std::span<const double> field, std::vector<double>
   if (x_.empty())
     return;
   result.resize(fine_.size());
-  // Behind the first fine cell two of them have each coarse cell as the first of their four.
+  // After the first fine cell, each coarse cell is the first of the four for two successive fine cells.
   const Between &once = x_.front(), &twice = x_[std::min<std::size_t>(1, x_.size() - 1)];
   for (int j = 0; j < fine_.ny; ++j)
   {

@@ -13,8 +13,8 @@
 namespace brinell::halfspace
 {
 
-/// Several fields on a surface -> as many, coupled wavenumber by wavenumber: what WaveProduct is for one field. A field that is
-/// empty costs nothing.
+/// Several fields on a surface -> the same number of fields, by a matrix at each wavenumber: the analogue of WaveProduct for
+/// coupled fields. Empty fields are skipped.
 template <std::size_t count>
 struct CoupledProduct
 {
@@ -23,7 +23,7 @@ struct CoupledProduct
   struct Scratch
   {
     std::array<AlignedVector<ComplexLanes>, count> rows;
-    std::vector<std::array<BlockedFft::Scratch, count>> threads; ///< one where the grid is too small to share
+    std::vector<std::array<BlockedFft::Scratch, count>> threads; ///< only one if the grid is too small to share
   };
 
   [[nodiscard]] static Scratch make_scratch(const BlockedFft& fft)
@@ -43,7 +43,7 @@ struct CoupledProduct
     return scratch.rows[0].size() >= fft.rows_size();
   }
 
-  /// @param product  of (block, row, values)
+  /// @param product  function (block, row, values) that returns the products at neighbouring wavenumbers
   template <typename Product>
   static void apply(const BlockedFft& fft, const std::array<std::span<const double>, count>& in,
                     const std::array<std::span<double>, count>& out, Scratch& scratch, const Product& product)
@@ -71,7 +71,7 @@ struct CoupledProduct
   }
 
 private:
-  /// From the rows of one block and back to them, in the cache.
+  /// Transforms one block along y, multiplies it and transforms it back, while it is in the cache.
   template <typename Product>
   static void apply_to_block(const BlockedFft& fft, int block, const std::array<std::span<const double>, count>& in,
                              const std::array<std::span<double>, count>& out, Scratch& scratch,

@@ -16,17 +16,17 @@ using images::stresses;
 
 constexpr double pi = std::numbers::pi;
 constexpr double blurred_share = 1.0 / 10.0; ///< width of the blur over the short period
-/// Waves that have decayed to e^-8 = 3e-4 of what they were are left out; images of long ones are not summed beyond e^-12.
+/// Waves that have decayed by e^-8 = 3e-4 are omitted; images of long waves are summed until they have decayed by e^-12.
 constexpr double decay = 8.0;
 constexpr double far_decay = 12.0;
 
-/// A lattice whose periods are as 1 to this has images that a polynomial still follows.
+/// Largest ratio of the periods of a lattice whose images a polynomial can represent.
 constexpr double tolerated_aspect = 1.2;
 
 using Plane = Eigen::Map<Eigen::MatrixXd>;
 using ConstPlane = Eigen::Map<const Eigen::MatrixXd>;
 
-/// From the edge of the grid to the next image of its other edge [m].
+/// Distance from the edge of the grid to the nearest image of its other edge [m].
 double gap(int cells, double spacing, double period)
 {
   return period - (cells - 1) * spacing;
@@ -75,7 +75,7 @@ CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic,
   waves_ = static_cast<int>(decay / nearest * period_along / (2.0 * pi)) + 1;
   const int cells_along = along_x_ ? s.nx : s.ny;
   const double spacing = along_x_ ? s.dx : s.dy;
-  waves_ = std::min(waves_, cells_along); // at most all waves that the padded cells tell
+  waves_ = std::min(waves_, cells_along); // no more than the padded cells can resolve
   along_.resize(cells_along, 2 * waves_);
   for (int wave = 0; wave < waves_; ++wave)
     for (int i = 0; i < cells_along; ++i)
@@ -104,8 +104,8 @@ const std::array<int, stresses>& CrosswiseImages::odd_across() const
   return along_x_ ? images::odd_in_y : images::odd_in_x;
 }
 
-/// The waves across the grid for one along it, on the lattice of images minus that on the one which is left. Images so far
-/// away that this wave has decayed need not be told apart from none.
+/// The waves across the grid for one wave along it, on the lattice with images minus those on the lattice that remains. Images at
+/// such a distance that this wave has decayed are omitted.
 std::vector<images::WaveRow> CrosswiseImages::waves_across(int wave, double period_along, double period_across) const
 {
   const SurfaceGrid& s = grid_.surface;
@@ -134,9 +134,9 @@ std::vector<images::WaveRow> CrosswiseImages::waves_across(int wave, double peri
   }
 }
 
-/// The part of the kernel along the grid, cos or sin of m (x - x'), is made of products of cos and sin. Sorted by u = (cos of an even
-/// component, sin of an odd one), v = (sin of an even one, -cos of an odd one), it multiplies u into u and v into v, by the same
-/// matrix; a stress that is even, of a strain that is odd, changes the sign.
+/// The factor of the kernel along the grid, cos or sin of m (x - x'), is a sum of products of cos and sin. With the moments
+/// sorted as u = (cos of an even component, sin of an odd one) and v = (sin of an even one, -cos of an odd one), the kernel maps
+/// u to u and v to v by the same matrix; the sign changes for an even stress by an odd strain.
 void CrosswiseImages::fit(int wave, const Elastic& elastic, double period_along, double period_across)
 {
   const std::vector<images::WaveRow> waves = waves_across(wave, period_along, period_across);
@@ -164,8 +164,8 @@ CrosswiseImages::Response CrosswiseImages::make_response() const
           AlignedVector<ComplexLanes>(static_cast<std::size_t>(stresses * powers * depth_.count))};
 }
 
-void CrosswiseImages::take(const Columns& strain, int first, int end, int component, int layer,
-                           Response& response) const
+void CrosswiseImages::find_moments_of_layer(const Columns& strain, int first, int end, int component, int layer,
+                                            Response& response) const
 {
   double* moments = response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * block());
   for (int part = 0; part < lanes(); ++part)

@@ -14,20 +14,20 @@
 namespace brinell::halfspace
 {
 
-/// What the images beside a long grid add to the residual stress. Padding leaves the next of them half a short period away
-/// but the grid is many times as long: no polynomial follows their stress along it. Waves do. Along the long axis the
-/// images and the body have one period, so each wave there is one term, and with wavenumber m the images a distance d away
-/// weigh only e^{-m d}: a few waves for each time the grid is longer than wide are all. Across it, and in depth, the stress
-/// of a wave is a polynomial like that of ImageCorrection.
+/// Residual stress of the images beside a long grid. With padding the nearest image is half a short period away, but the grid is
+/// many times longer than that, so a polynomial cannot represent their stress along the grid; waves can. Images and body have the
+/// same period along the long axis, so each wave is one term. Images at a distance d contribute only in proportion to e^{-m d} at
+/// the wavenumber m, so the necessary number of waves is a few times the ratio of length to width. Across the grid and in depth,
+/// the stress of a wave is a polynomial like that of ImageCorrection.
 ///
-/// Takes off the images of a lattice with short period P but for those of one with period `multiple` * P.
+/// Removes the images of a lattice with the short period P except those that a lattice with the period `multiple` * P also has.
 class CrosswiseImages
 {
 public:
-  /// How often the short period fits into the long one; 1: no images to take off.
+  /// Number of times that the short period fits into the long one; 1: there are no images to remove.
   [[nodiscard]] static int multiple(double period_x, double period_y);
 
-  /// @param period_x, period_y  padded lengths [m], of unlike length
+  /// @param period_x, period_y  padded lengths [m], not equal
   CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic, double period_x, double period_y);
 
   /// Moments of the strain, and polynomial coefficients of the stress.
@@ -36,7 +36,7 @@ public:
     std::vector<double> of_layers;                    ///< [component][layer][power][wave]
     std::vector<double> moments;                      ///< [component][depth][power][wave]
     std::vector<double> stress;                       ///< [component or trace][depth][power][wave]
-    AlignedVector<ComplexLanes> of_strain, of_stress; ///< moments of some waves, as WaveCoupling has them
+    AlignedVector<ComplexLanes> of_strain, of_stress; ///< moments of some waves, in the layout of WaveCoupling
   };
   [[nodiscard]] Response make_response() const;
   /// Sums over y (or x) of a field in one layer, times powers of the coordinate across the grid: [cell along][power].
@@ -44,15 +44,16 @@ public:
   static constexpr int degree = 6; ///< largest power of the distance across the grid
   static constexpr int powers = degree + 1;
   [[nodiscard]] bool is_along_x() const { return along_x_; }
-  [[nodiscard]] int waves() const { return 2 * waves_; } ///< of one power
+  [[nodiscard]] int waves() const { return 2 * waves_; } ///< cosines and sines, for one power
 
-  /// As in ImageCorrection.
+  /// As in ImageCorrection: moments of the strain, then the response to them.
   /// @param first, end  cells along the grid that are read; the strain is zero in the others
-  void take(const Columns& strain, int first, int end, int component, int layer, Response& response) const;
+  void find_moments_of_layer(const Columns& strain, int first, int end, int component, int layer,
+                             Response& response) const;
   void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
-  /// Amplitudes of the waves that the stress of the images has in one layer, [power][wave].
+  /// Amplitudes of the waves of the stress of the images in one layer, [power][wave].
   [[nodiscard]] Eigen::VectorXd amplitudes(const Response& response, int component, int layer) const;
-  /// The sums of the waves at neighbouring cells along the grid, of the powers from `first_power` on, each `next` after the other.
+  /// Sums of the waves at neighbouring cells along the grid, for the powers `first_power`, `first_power + next`, ...
   template <int first_power, int next>
   [[nodiscard]] std::array<Lanes, powers> sums_of_waves(const Eigen::VectorXd& amplitudes, int first,
                                                         std::size_t cells) const
@@ -82,10 +83,10 @@ private:
   VolumeGrid grid_;
   bool along_x_; ///< whether the long axis is x
   int multiple_;
-  int waves_; ///< wavenumbers 2 pi i / period, i < waves, of cos and sin
+  int waves_; ///< number of wavenumbers 2 pi i / period, i < waves_, each with a cosine and a sine
   images::DepthBasis depth_;
   Eigen::MatrixXd along_;              ///< [cell][2 i: cos, 2 i + 1: sin]
-  AlignedVector<Lanes> along_of_cell_; ///< the same cell by cell, [cell][wave], zero beyond the last wave
+  AlignedVector<Lanes> along_of_cell_; ///< the same values, [cell][wave], zero beyond the last wave
   WaveCoupling coupling_;
 };
 

@@ -16,7 +16,7 @@ DepthFactors factors_at(const DepthWaves& waves, const TurnedWaves& turned_waves
 {
   DepthFactors factors = surface_factors(waves);
   factors.depth = depth;
-  // The last wave does not turn at all.
+  // The last wave has s = 0.
   std::vector<TurnedWave> turned_at_depth = turned_waves(waves.waves.front().number * depth, waves.waves.size() - 1);
   turned_at_depth.push_back({1.0, 0.0});
   for (std::size_t w = 0; w < waves.waves.size(); ++w)
@@ -52,7 +52,8 @@ DepthFactors surface_factors(const DepthWaves& waves)
   DepthFactors factors{0.0, {}, {}, {}, {}};
   for (const DepthWave& wave : waves.waves)
     factors.at_surface.push_back(wave.weight);
-  // Of a flux that they are at rest in, waves faster than the first have 1/s^2; the potential, 1/s^4. Only at the surface they count.
+  // For waves faster than the first one, the heat is quasi-steady and proportional to 1/s^2, and their potential to 1/s^4. They
+  // contribute only at the surface.
   factors.at_surface.front() *= 1.0 + waves.beyond(4);
   return factors;
 }
@@ -166,7 +167,7 @@ void DepthSums::sum(std::size_t first, std::size_t columns, Row& row) const
   }
 }
 
-/// From depth to depth rounding adds up to some 1e-16 each.
+/// Rounding errors of about 1e-16 per depth accumulate.
 std::span<const double> DecayInDepth::at(double depth, std::span<const SurfaceWave> along)
 {
   const std::size_t count = along.size();
@@ -175,7 +176,7 @@ std::span<const double> DecayInDepth::at(double depth, std::span<const SurfaceWa
   const bool goes_on = way >= 0.0 && count <= columns_;
   if (goes_on && (count > stepped_ || std::abs(way - spacing_) > rounding * depth))
   {
-    // From the middle of the first layer to that of the second it is twice as far as from the surface to the first.
+    // The distance between the middles of the first two layers is twice the depth of the first one.
     const bool is_twice = count <= columns_ && std::abs(way - 2.0 * depth_) <= rounding * depth;
     for (std::size_t i = 0; i < count; ++i)
       step_[i] = is_twice ? decay_[i] * decay_[i] : std::exp(-along[i].k * way);
@@ -190,7 +191,7 @@ std::span<const double> DecayInDepth::at(double depth, std::span<const SurfaceWa
     for (std::size_t i = 0; i < count; ++i)
     {
       const double next = decay[i] * step[i];
-      decay[i] = next > nothing ? next : 0.0; // numbers below the normal ones are slow
+      decay[i] = next > nothing ? next : 0.0; // arithmetic with subnormal numbers is slow
     }
   }
   else

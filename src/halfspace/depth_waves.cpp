@@ -12,10 +12,11 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Steps of the trapezoidal rule in ln s. The integrand is analytic as far as |Im ln s| < pi/4: the error goes with
-/// e^{-pi^2/(2 step)}, and is 1.3e-5 at the surface. At depth it goes with the root of that, and is about as large with the finer step.
+/// Steps of the trapezoidal rule in ln s. The integrand is analytic for |Im ln s| < pi/4, so the error is proportional to
+/// e^{-pi^2/(2 step)}; it is 1.3e-5 at the surface. At depth it is proportional to the square root of this factor, and about as
+/// large with the finer step.
 constexpr double step_of_surface = 0.4, step_of_fields = 0.22;
-constexpr double fastest = 4.5; ///< s sqrt(kappa t): e^{-20} of it is left
+constexpr double fastest = 4.5; ///< s sqrt(kappa t) of the fastest wave, which has decayed to e^{-20}
 constexpr double slowest = 0.02;
 constexpr double normal = 2.0 * std::numbers::inv_pi;
 
@@ -27,7 +28,7 @@ DepthWaves depth_waves(double diffusivity, const DepthRange& range, double fines
   DepthWaves result;
   result.has_fields = has_fields;
   result.step = has_fields ? step_of_fields : step_of_surface;
-  // Once s is far beyond every k, what follows is a geometric series.
+  // For s far above every k, the contributions of faster waves are a geometric series.
   constexpr double far = 20.0;
   const double lasting = fastest / std::sqrt(diffusivity * range.shortest);
   const double first = has_fields ? far * std::max(finest, 0.1 * lasting) : lasting;
@@ -38,14 +39,14 @@ DepthWaves depth_waves(double diffusivity, const DepthRange& range, double fines
     const double number = first * std::exp(-result.step * n);
     result.waves.push_back({number, normal * result.step * number});
   }
-  // What follows does not decay over all these times: a geometric series.
+  // Slower waves do not decay during the longest time: their weights are a geometric series.
   result.waves.push_back({0.0, result.waves.back().weight / std::expm1(result.step)});
   return result;
 }
 
 DepthWaves DepthWaves::slower_than(double number) const
 {
-  // One wave with a number stays, from which the slow ones go on.
+  // At least one wave with s > 0 remains, from which the sum over the slowest waves continues.
   const auto first = std::find_if(waves.begin(), std::prev(waves.end(), 2),
                                   [&](const DepthWave& wave) { return wave.number < number; });
   return {{first, waves.end()}, step, has_fields};
@@ -55,7 +56,7 @@ double DepthWaves::slow_share(double k) const
 {
   if (k == 0.0)
     return 1.0;
-  constexpr double negligible = 1e-3; // (s/k)^2 of the rest counts
+  constexpr double negligible = 1e-3; // s/k below which (s/k)^2 is neglected
   double sum = 0.0, number = std::prev(waves.end(), 2)->number;
   do
   {
@@ -80,8 +81,8 @@ constexpr double angle = 0.3;
 
 TurnedWaves::TurnedWaves(double step) : spacing_(step / points_per_step)
 {
-  // The mean with a kernel K(u) over u = ln x. Its transform is 1 up to frequencies somewhat below pi/step and 0 beyond: those of the
-  // waves are told apart.
+  // The mean with a kernel K(u) over u = ln x. Its transform is 1 up to frequencies somewhat below pi/step and 0 beyond: only
+  // frequencies that samples at intervals of `step` can resolve are retained.
   constexpr double softness = 0.2, widths = 10.0;
   const double band = std::numbers::pi / step, width = 1.0 / (softness * band);
   first_ = -widths * width;
@@ -101,7 +102,8 @@ std::vector<TurnedWave> TurnedWaves::operator()(double largest, std::size_t coun
     return std::vector<TurnedWave>(count, {1.0, 0.0});
   constexpr double too_often = 300.0; // the mean is below 1e-10
   constexpr double nothing = 40.0;
-  // e^{ix}, x e^{-step n + u}, at all points of all of the series: e^{ix e^u} of the n-th begins at `points_per_step` n before the end.
+  // e^{ix} at the points of the path for all n, on one common row of points: those for the n-th value of x begin
+  // `points_per_step` * n points before those for the first one.
   const std::size_t before = points_per_step * (count - 1);
   std::vector<std::complex<double>> turned;
   for (std::size_t m = 0; m < before + points_.size(); ++m)

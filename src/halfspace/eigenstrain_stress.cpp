@@ -9,18 +9,18 @@
 namespace brinell::halfspace
 {
 
-/// What one block of wavenumbers needs. All couplings are zero for k = 0 and in lanes without a wavenumber.
-/// At a Nyquist index lx or ly is zero, or smaller; that also drops the couplings of even order through the shears yz and xz, which
-/// are nothing to a strain that the cells resolve. What couplings of odd order give there is imaginary in a row along x, and no
-/// inverse transform of a row takes it up.
+/// Factors of one block of wavenumbers. All couplings are zero for k = 0 and in lanes without a wavenumber.
+/// At a Nyquist index lx or ly is zero, or reduced; this also drops the couplings of even order through the shears yz and xz,
+/// which are negligible for a strain that the cells resolve. The contribution of couplings of odd order there is imaginary in a
+/// row along x and is ignored by the inverse transform of the row.
 struct EigenstrainStress::Factors : green::WaveDirection<Lanes>
 {
   Lanes q{};                    ///< e^{-x}, x = k dz: decay over a layer
-  Lanes e0{}, e1{}, e2{}, e3{}; ///< stress that waves give in the next layer
-  Lanes m0{}, m1{}, m2{};       ///< stress of a layer in itself
-  Lanes x{}, rise{}, lag{};     ///< change of a wave at the surface into that of the image
+  Lanes e0{}, e1{}, e2{}, e3{}; ///< stress of arriving waves in the next layer
+  Lanes m0{}, m1{}, m2{};       ///< stress of a layer in the layer itself
+  Lanes x{}, rise{}, lag{};     ///< conversion of a wave at the surface to that of the image
 
-  /// @param kept_x, kept_y  share of m / k and n / k that is kept
+  /// @param kept_x, kept_y  fractions of m / k and n / k that are retained
   void set(std::size_t lane, double m, double n, double kept_x, double kept_y, double dz, double nu, double mu);
 };
 
@@ -42,7 +42,7 @@ void EigenstrainStress::Factors::set(std::size_t lane, double m, double n, doubl
   const double x_ = k * dz;
   const double q_ = std::exp(-x_);
   const double s0 = -std::expm1(-x_) / x_; // mean of e^{-kz} over a layer
-  const double s1 = 0.5 * (1.0 + q_) - s0; // the same of k (dz / 2 - z) e^{-kz}
+  const double s1 = 0.5 * (1.0 + q_) - s0; // mean of k (dz / 2 - z) e^{-kz} over a layer
   const double g1 = -std::expm1(-2.0 * x_) / (2.0 * x_) - s0 * s0;
   x[lane] = x_;
   q[lane] = q_;
@@ -63,7 +63,7 @@ namespace
 using Factors = EigenstrainStress::Factors;
 using Layer = EigenstrainStress::Layer;
 
-/// Amplitudes of the waves that travel one way, each a running sum over the layers passed.
+/// Amplitudes of the waves in one direction, each a running sum over the layers passed.
 struct Wave
 {
   ComplexLanes a, c, c1, w; ///< sum of a, of c, of c times the number of layers passed, and of w
@@ -85,7 +85,7 @@ Field emit(const Factors& f, const Wave& wave)
   return {lz + ec, sc - ea, lz, f.e3 * wave.w};
 }
 
-/// The waves pass one layer and take up its strain; g = +1 downwards, -1 upwards.
+/// Propagates the waves through one layer and adds those of its strain; g = +1 downwards, -1 upwards.
 void advance(const Factors& f, const green::SheetStrain<ComplexLanes>& strain, double g, Wave& wave)
 {
   const green::SheetWave<ComplexLanes> source = green::wave_of(strain, g);
@@ -95,7 +95,7 @@ void advance(const Factors& f, const green::SheetStrain<ComplexLanes>& strain, d
   wave.w = f.q * wave.w + source.w;
 }
 
-/// The waves without a source.
+/// Propagates the waves through one layer without strain.
 void pass(const Factors& f, Wave& wave)
 {
   wave.c1 = f.q * (wave.c1 + wave.c);
@@ -113,8 +113,8 @@ Wave reflect(const Factors& f, const Wave& up)
   return {image.a, image.c, f.lag * image.c, image.w};
 }
 
-/// The stress of a layer in itself, and in the layers below it, comes to what those above give it; tz, which these give but for
-/// its sign, is returned.
+/// Adds the stress of a layer in itself and that of the layers below to the stress `s` of the layers above. @returns the total
+/// tz: for the layers above and below it follows from lt up to the factor +-i, but not for the layer itself.
 ComplexLanes add_own(const Factors& f, const Layer& layer, Field& s)
 {
   const green::SheetStrain<ComplexLanes>& own = layer.strain;
@@ -175,7 +175,7 @@ void EigenstrainStress::add_local(int component, const std::array<const double*,
   }
 }
 
-/// Rows that pass through the layers together.
+/// Rows that are propagated through the layers together.
 struct EigenstrainStress::Tile
 {
   std::array<const Factors*, SpectrumRows::most> factors;
@@ -213,7 +213,7 @@ void EigenstrainStress::go_through(const SpectrumRows& rows, const Spectra& spec
   go_down(rows, spectra, tile, scratch);
 }
 
-/// What the layers below give is kept; the sums that reach the surface make the image.
+/// Upward pass: stores the stress of the layers below; the sums that reach the surface determine the image.
 void EigenstrainStress::go_up(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const
 {
   const std::ptrdiff_t pitch = fft_.pitch();
@@ -235,7 +235,8 @@ void EigenstrainStress::go_up(const SpectrumRows& rows, const Spectra& spectra, 
     }
 }
 
-/// The image, the layers above, those below, and the layer itself; then back to the axes x, y, z.
+/// Downward pass: adds the stress of the image, of the layers above, of those below and of the layer itself, and transforms it to
+/// the axes x, y, z.
 void EigenstrainStress::go_down(const SpectrumRows& rows, const Spectra& spectra, Tile& tile,
                                 const Scratch& scratch) const
 {

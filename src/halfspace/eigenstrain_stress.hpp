@@ -23,26 +23,26 @@ namespace brinell::halfspace
 ///   sigma_lz = i g P e^-s (a + c_g - s c_g)     sigma_tt = nu (sigma_ll + sigma_zz)
 ///   sigma_lt = mu k e^-s w_g                    sigma_tz = i g mu k e^-s w_g
 /// plus, inside the layer, the stress of a uniform layer held in its plane. Mirror image and Boussinesq's pressure, which
-/// free the surface, together travel downwards like one more wave that starts there, with the amplitudes
+/// free the surface, together decay downwards like one more wave that starts at the surface, with the amplitudes
 ///   a = -F,  c = C + 2 F,  w = W,   F = int (a - k z' c_-) e^-kz' dz',  C = int c_- e^-kz' dz',  W = int w_- e^-kz' dz'
-/// of what arrives from below: docs/theory/half-space.md (sheet-stress), (sheet-shear), (free-surface). The stress of a
-/// layer is its mean over the thickness, as the strain is constant in it: the operator is symmetric, and its energy exact
-/// for such a strain.
+/// of the waves that arrive from below: docs/theory/half-space.md (sheet-stress), (sheet-shear), (free-surface). The strain is
+/// constant in a layer, and the stress of a layer is its mean over the thickness: the operator is therefore symmetric, and its
+/// energy exact for such a strain.
 ///
 /// In the plane the strain is the trigonometric interpolant of the cell values, periodic over the padded lengths;
 /// halfspace::ImageCorrection removes the images.
 class EigenstrainStress
 {
 public:
-  /// @param fft       any transform of the surface of `grid`, for its lengths; must outlive this object.
-  /// @param shortest  share of the couplings of even order through the shears that the shortest wave along x keeps; none is what
-  ///                  goes with the grid itself, see HalfSpace for parts of larger ones.
+  /// @param fft       any transform of the surface of `grid`, which determines the padded lengths; must outlive this object.
+  /// @param shortest  fraction of the couplings of even order through the shears that is retained for the shortest wave along x:
+  ///                  0 for a whole grid; for parts of larger grids see HalfSpace.
   EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft, double shortest = 0.0);
   ~EigenstrainStress();
   EigenstrainStress(const EigenstrainStress&) = delete;
   EigenstrainStress& operator=(const EigenstrainStress&) = delete;
 
-  /// What `apply` keeps of the layers between its way up and its way down.
+  /// Values of a layer that `apply` stores in its upward pass for its downward pass.
   struct Layer
   {
     green::SheetStrain<ComplexLanes> strain;
@@ -58,8 +58,8 @@ public:
   struct Spectra
   {
     const ComplexLanes* strain; ///< [layer][component][pitch], traceless plastic strain
-    int strained;               ///< layers [0, strained) are read, the others hold no strain
-    ComplexLanes* stress;       ///< the same, deviatoric stress [Pa]
+    int strained;               ///< layers [0, strained) are read, the strain in the others is zero
+    ComplexLanes* stress;       ///< deviatoric stress [Pa] in the same layout
     int layers;                 ///< layers [0, layers) are written
     ComplexLanes* trace;        ///< nullptr, or [layer][pitch] for the trace of the stress [Pa]
   };
@@ -84,7 +84,7 @@ private:
   double nu_, mu_;
   const BlockedFft& fft_;
   std::size_t spectra_bytes_;      ///< of the stress at all wavenumbers
-  AlignedVector<Factors> factors_; ///< [block][row], rows of the half-plane ky >= 0
+  AlignedVector<Factors> factors_; ///< [block][row], only rows with ky >= 0
 };
 
 } // namespace brinell::halfspace

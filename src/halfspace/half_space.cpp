@@ -21,8 +21,9 @@ HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
 namespace
 {
 
-/// Of the shortest wave along x, so that a strain within a part makes the same of it as in the whole: a lattice of p columns leaves
-/// out 1/p of what each cell gives to each, with alternating signs.
+/// Fraction of the couplings that is retained for the shortest wave along x (see EigenstrainStress), such that a strain within a
+/// part causes the same amplitude of this wave as on the whole grid: a transform of p columns omits 1/p of the response between
+/// each pair of cells, with alternating signs.
 double shortest_of_part(const SurfaceGrid& part, const SurfaceGrid& whole)
 {
   const int columns = padded_lengths(part).x, of_whole = padded_lengths(whole).x;

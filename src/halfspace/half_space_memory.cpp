@@ -11,8 +11,8 @@ namespace brinell::halfspace
 
 MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 {
-  // As in BlockedFft: blocks of wavenumbers along x, and rows along y with their padding or without. Rows of the strain lie
-  // where its stress comes to lie.
+  // As in BlockedFft: blocks of wavenumbers along x, and rows along y with or without their padding. Rows of the strain share the
+  // memory of the stress.
   const PaddedLengths padded = padded_lengths(grid.surface);
   const int along_x = padded.x / 2 + 1, along_y = padded.y / 2 + 1; // wavenumbers of half of the spectrum
   const double blocks = std::ceil(along_x / static_cast<double>(lane_count));
@@ -22,7 +22,7 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
   const double deviators = 5.0 * grid.nz; // planes
   const double kernels = 6.0 * grid.nz * along_y;
 
-  // ImageCorrection hardly depends on the grid.
+  // The memory of ImageCorrection is almost independent of the grid.
   constexpr double images = 2.5e6;
   const double strain_and_stress =
       deviators * (blocks + 2.0) * pitch; // strain of two blocks, if there are several threads

@@ -6,15 +6,15 @@
 namespace brinell::halfspace
 {
 
-/// What a HalfSpace on a grid takes [bytes].
+/// Memory of a HalfSpace on a grid [bytes].
 struct MemoryOfHalfSpace
 {
-  double operators; ///< kernels and what takes off the images
+  double operators; ///< kernels and image correction
   double work;      ///< of an evaluation (HalfSpace::Work)
-  double trace;     ///< while the stress is computed for output, besides the work
+  double trace;     ///< in addition to `work`, while the stress is computed for output
 };
 
-/// @param shears  components of the shear on the surface, 0 to 2
+/// @param shears  number of components of the shear on the surface, 0 to 2
 [[nodiscard]] MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears);
 
 } // namespace brinell::halfspace

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <omp.h>
 
-/// The parts of an evaluation that are not the same where both sides of the plane y = 0 are mirror images:
+/// The parts of an evaluation that differ if both sides of the plane y = 0 are mirror images:
 /// docs/theory/half-space.md (symmetry).
 namespace brinell::halfspace
 {
 
-/// Finds the cells in which a part of a plane is not zero, and takes its moments.
-/// @param next  the part that comes after it, which is fetched meanwhile
-/// @returns the first independent row that is not zero; behind the last if there is none
-int HalfSpace::Operators::take_part(const MirroredFft::Part& part, const MirroredFft::Part& next,
-                                    std::span<const double> plastic_strain, Work::Buffers& work) const
+/// Finds the cells in which a part of a plane is not zero, and computes its moments.
+/// @param next  the part that is processed next, which is prefetched
+/// @returns the first independent row that is not zero; the number of independent rows if there is none
+int HalfSpace::Operators::prepare_part(const MirroredFft::Part& part, const MirroredFft::Part& next,
+                                       std::span<const double> plastic_strain, Work::Buffers& work) const
 {
   const int rows = mirrored_fft.independent_rows();
   if (next.is_there())
@@ -25,11 +25,11 @@ int HalfSpace::Operators::take_part(const MirroredFft::Part& part, const Mirrore
   const double* strain = plastic_strain.data() + field_at(part.component, part.layer);
   const CellRectangle used = used_cells(strain, grid.surface.nx, rows);
   work.used[static_cast<std::size_t>(Deviator::size * part.layer + part.component)] = used;
-  image_correction.take(strain, used, part.component, part.layer, work.symmetry, work.images);
+  image_correction.find_moments_of_layer(strain, used, part.component, part.layer, work.symmetry, work.images);
   return used.is_empty() ? rows : used.first_y;
 }
 
-/// Along x, and what else is to be taken from each plane. To be called by all threads.
+/// Transforms the strain along x, and computes from each plane its used cells and moments. To be called by all threads.
 void HalfSpace::Operators::transform_strain_mirrored(std::span<const double> plastic_strain, int layers,
                                                      Work::Buffers& work, MirroredFft::Scratch& scratch) const
 {
@@ -41,19 +41,19 @@ void HalfSpace::Operators::transform_strain_mirrored(std::span<const double> pla
   {
     const MirroredFft::Plane plane = MirroredFft::plane(number, layers);
     const MirroredFft::Plane next = MirroredFft::plane(number + ((number + 1) % group == 0 ? others : 0) + 1, layers);
-    const std::array<int, 2> first_rows{take_part(plane.first, next.first, plastic_strain, work),
-                                        take_part(plane.second, next.second, plastic_strain, work)};
+    const std::array<int, 2> first_rows{prepare_part(plane.first, next.first, plastic_strain, work),
+                                        prepare_part(plane.second, next.second, plastic_strain, work)};
     if (!plane.is_empty())
       mirrored_fft.rows_forward(plastic_strain.data(), number, layers, first_rows, work.rows(mirrored_fft.rows_size()),
                                 scratch);
   }
 }
 
-/// One component of the stress in one layer at the wavenumbers of one block, that of the load with that of the strain.
-/// @param sum  where it may be put
-const ComplexLanes* HalfSpace::Operators::loaded(int block, const MirroredFft::Part& part,
-                                                 const OfTraction<const TractionStress*>& kernels,
-                                                 const Work::Buffers& work, ComplexLanes* sum) const
+/// One component of the stress in one layer at the wavenumbers of one block: that of the load plus that of the strain.
+/// @param sum  buffer for the sum; unused if there is no load
+const ComplexLanes* HalfSpace::Operators::total_stress(int block, const MirroredFft::Part& part,
+                                                       const OfTraction<const TractionStress*>& kernels,
+                                                       const Work::Buffers& work, ComplexLanes* sum) const
 {
   const ComplexLanes* column =
       work.stress.data() + volume_fft.plane_at(block, Deviator::size * part.layer + part.component);
@@ -79,9 +79,10 @@ void HalfSpace::Operators::add_load_and_invert_mirrored(const SurfaceLoad& load,
     MirroredFft::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())].mirrored;
     for (int block = 0; block < volume_fft.blocks(); ++block)
     {
-      const ComplexLanes* first = loaded(block, plane.first, kernels, work, scratch.of_parts[0].data());
-      const ComplexLanes* second =
-          plane.second.is_there() ? loaded(block, plane.second, kernels, work, scratch.of_parts[1].data()) : nullptr;
+      const ComplexLanes* first = total_stress(block, plane.first, kernels, work, scratch.of_parts[0].data());
+      const ComplexLanes* second = plane.second.is_there()
+                                       ? total_stress(block, plane.second, kernels, work, scratch.of_parts[1].data())
+                                       : nullptr;
       mirrored_fft.columns_inverse(plane, first, second, block, scratch);
     }
     mirrored_fft.rows_inverse(plane, stress.data(), scratch);

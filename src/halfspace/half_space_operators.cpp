@@ -15,7 +15,8 @@ namespace brinell::halfspace
 namespace
 {
 
-constexpr int layers_of_a_part = 2; ///< enough for all threads to have some, few enough for the parts to be small
+/// A compromise: many parts to share among the threads, but little memory for their sums.
+constexpr int layers_of_a_part = 2;
 static_assert(layers_of_a_part == MirroredFft::layers_of_group);
 
 int parts_for(int layers)
@@ -109,7 +110,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   {
     Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(thread)];
     transform_strain(plastic_strain, strained, work, scratch);
-    pass_blocks(thread, strained, kernels, work, trace);
+    process_blocks(thread, strained, kernels, work, trace);
 #pragma omp for schedule(static)
     for (int block = 0; block < surface_fft.blocks(); ++block)
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
@@ -125,7 +126,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     image_correction.respond(strained, work.images, work.symmetry, trace != nullptr);
 }
 
-/// Along x, and what else is to be taken from each plane. To be called by all threads.
+/// Transforms the strain along x, and computes from each plane its used cells and moments. To be called by all threads.
 void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                             Work::Buffers::Scratch& scratch) const
 {
@@ -142,12 +143,12 @@ void HalfSpace::Operators::transform_strain(std::span<const double> plastic_stra
                                         grid.surface.size()));
     const CellRectangle used = used_cells(strain, grid.surface.nx, grid.surface.ny);
     work.used[static_cast<std::size_t>(plane)] = used;
-    image_correction.take(strain, used, component, layer, Symmetry::none, work.images);
+    image_correction.find_moments_of_layer(strain, used, component, layer, Symmetry::none, work.images);
     volume_fft.rows_forward(strain, plane, work.rows(volume_fft.rows_size()), scratch.fft);
   }
 }
 
-/// The rows of the opposite wavenumbers along y, but for those that are their own.
+/// The rows of the opposite wavenumbers along y, without those that are their own opposites.
 SpectrumRows HalfSpace::Operators::mirrored(const SpectrumRows& rows) const
 {
   const int py = volume_fft.py();
@@ -164,33 +165,33 @@ ComplexLanes* HalfSpace::Operators::displacement_part(int block, int part, Work:
 
 int HalfSpace::Operators::blocks_at_a_time(int threads) const
 {
-  constexpr double even = 0.9; // share of the threads that work
+  constexpr double balanced = 0.9; // mean fraction of threads that must be busy
   const int rounds = (volume_fft.blocks() + threads - 1) / threads;
-  return volume_fft.blocks() >= even * rounds * threads ? threads : 2;
+  return volume_fft.blocks() >= balanced * rounds * threads ? threads : 2;
 }
 
-/// Rows of the strain lie where the stress comes to lie: those of a block are read before its stress is written, by all threads, and
-/// those of later blocks lie behind it. So there is one barrier between both, and a thread that is done with the waves of one block
-/// begins with the series of its next one. To be called by all threads.
-void HalfSpace::Operators::pass_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels,
-                                       Work::Buffers& work, ComplexLanes* trace) const
+/// Rows of the strain are stored in the memory of the stress: all threads read the rows of a block before its stress is written,
+/// and the rows of later blocks are stored behind it. One barrier between both is therefore sufficient, and a thread that has
+/// finished the waves of one block begins with the transforms of its next one. To be called by all threads.
+void HalfSpace::Operators::process_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels,
+                                          Work::Buffers& work, ComplexLanes* trace) const
 {
   Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(thread)];
-  const int threads = omp_get_num_threads(); // which may be fewer than are prepared
-  const bool alone = work.blocks_at_a_time == threads;
-  const Team team = alone ? Team{0, 1} : Team{thread, threads};
-  const int blocks = volume_fft.blocks(), step = alone ? threads : 1;
+  const int threads = omp_get_num_threads(); // may be fewer than there are buffers for
+  const bool has_own_block = work.blocks_at_a_time == threads;
+  const Team team = has_own_block ? Team{0, 1} : Team{thread, threads};
+  const int blocks = volume_fft.blocks(), step = has_own_block ? threads : 1;
   for (int first = 0; first < blocks; first += step)
   {
-    const int block = first + (alone ? thread : 0);
+    const int block = first + (has_own_block ? thread : 0);
     if (block < blocks)
       transform_layers(block, strained, kernels, team, work, scratch);
-    if (threads > 1) // else it would be a call of the system all the same
+    if (threads > 1) // a barrier costs a system call even for a single thread
     {
 #pragma omp barrier
     }
     if (block < blocks)
-      pass_waves(block, strained, kernels, team, work, trace, scratch);
+      process_waves(block, strained, kernels, team, work, trace, scratch);
   }
   if (threads > 1)
   {
@@ -198,11 +199,11 @@ void HalfSpace::Operators::pass_blocks(int thread, int strained, const OfTractio
   }
 }
 
-/// Stress of all layers at the wavenumbers of one block, and displacement of the surface by all of them. The rows are shared
-/// evenly: tiles of several rows would leave a thread with one more than the others.
-void HalfSpace::Operators::pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels,
-                                      const Team& team, Work::Buffers& work, ComplexLanes* trace,
-                                      Work::Buffers::Scratch& scratch) const
+/// Stress of all layers at the wavenumbers of one block, and displacement of the surface by all layers. The single rows are
+/// shared evenly among the threads: shared in tiles of several rows, one thread could have a tile more than the others.
+void HalfSpace::Operators::process_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels,
+                                         const Team& team, Work::Buffers& work, ComplexLanes* trace,
+                                         Work::Buffers::Scratch& scratch) const
 {
   const EigenstrainStress::Spectra spectra{strain_of(block, work), strained,
                                            work.stress.data() + volume_fft.plane_at(block, 0), work.layers,
@@ -221,14 +222,14 @@ void HalfSpace::Operators::pass_waves(int block, int strained, const OfTraction<
   }
 }
 
-/// Along y, and to the displacement of the surface while a plane is in the cache.
+/// Transforms the layers along y, and adds each plane to the displacement of the surface while it is in the cache.
 void HalfSpace::Operators::transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels,
                                             const Team& team, Work::Buffers& work,
                                             Work::Buffers::Scratch& scratch) const
 {
   const bool is_mirrored = work.symmetry != Symmetry::none;
   ComplexLanes* const spectrum = strain_of(block, work);
-  for (int part = team.rank; part < parts_for(layers); part += team.count) // as they were transformed along x
+  for (int part = team.rank; part < parts_for(layers); part += team.count) // the same assignment as along x
   {
     if (is_mirrored)
       mirrored_fft.columns_forward(work.rows(mirrored_fft.rows_size()), block, part, layers, spectrum,
@@ -248,7 +249,7 @@ void HalfSpace::Operators::transform_layers(int block, int layers, const OfTract
   }
 }
 
-/// Sums the parts at some wavenumbers.
+/// Sums the parts of the displacement at some wavenumbers.
 void HalfSpace::Operators::sum_displacement(int block, const SpectrumRows& rows, int parts,
                                             const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const
 {
@@ -326,7 +327,7 @@ void HalfSpace::Operators::invert_plane(int component, int layer, const OfTracti
   surface_fft.rows_inverse(scratch.rows.data(), 0, field, scratch.fft);
 }
 
-/// The rows of a layer that hold strain, in all their columns.
+/// The rows of a layer that contain strain, with all their columns.
 CellRectangle HalfSpace::Operators::strained_rows(int layer, const Work::Buffers& work) const
 {
   CellRectangle rows;
@@ -341,7 +342,7 @@ CellRectangle HalfSpace::Operators::strained_rows(int layer, const Work::Buffers
   return rows;
 }
 
-/// Adds the local part of the residual stress and takes off the stress of the periodic images.
+/// Adds the local part of the residual stress and subtracts the stress of the periodic images.
 void HalfSpace::Operators::finish(int component, int layer, std::span<const double> plastic_strain,
                                   const Work::Buffers& work, double* field) const
 {

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <vector>
 
-/// What stands behind HalfSpace: transforms and kernels, and the order in which they are applied.
+/// Implementation of HalfSpace: transforms and kernels, and the order in which they are applied.
 namespace brinell::halfspace
 {
 
@@ -21,7 +21,7 @@ inline constexpr OfTraction<Traction> tractions{Traction::pressure, Traction::sh
   return static_cast<std::size_t>(traction);
 }
 
-/// The parts of a load that are not empty.
+/// Which parts of a load are not empty.
 [[nodiscard]] inline OfTraction<bool> parts_of(const SurfaceLoad& load)
 {
   return {!load.pressure.empty(), !load.shear_x.empty(), !load.shear_y.empty()};
@@ -42,12 +42,13 @@ struct HalfSpace::Work::Buffers
   };
   std::vector<Scratch> threads; ///< one per thread
   int blocks_at_a_time = 1;
-  AlignedVector<ComplexLanes> strain; ///< spectra of so many blocks
-  AlignedVector<ComplexLanes> stress; ///< spectra of all blocks, of the strain loaded; before them, rows of the strain
-  /// Displacements of the surface by a few layers each, in one block: the order of their sum is that of the layers, however
-  /// many threads there are.
+  AlignedVector<ComplexLanes> strain; ///< spectra of `blocks_at_a_time` blocks
+  AlignedVector<ComplexLanes>
+      stress; ///< spectra of the stress in all blocks, by the strain loaded; first, rows of the strain
+  /// Displacements of the surface by a few layers each, in one block: they are summed in the order of the layers, for any
+  /// number of threads.
   AlignedVector<ComplexLanes> displacement_parts; ///< [block at a time][part][traction][pitch]
-  /// Of the components that have been asked for; the others are empty.
+  /// Only for the requested components; the others are empty.
   OfTraction<AlignedVector<ComplexLanes>> displacement_rows; ///< of the strain loaded
   OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
   ImageCorrection::Response images;
@@ -57,9 +58,9 @@ struct HalfSpace::Work::Buffers
   int layers = 0;                                      ///< layers prepared
   long number = 0;                                     ///< of the strain loaded
 
-  /// Rows of the strain between its transforms along x and y lie at the end of the memory of the stress: block by block they are
-  /// read before the spectrum of the block is written, which ends where the rows of the next block begin, or before.
-  /// @param size  of the rows of all blocks
+  /// Rows of the strain, between its transforms along x and y, are stored at the end of the memory of the stress: the rows of a
+  /// block are read before the stress of this block is written, which ends before the rows of the next block begin.
+  /// @param size  number of values in the rows of all blocks
   [[nodiscard]] ComplexLanes* rows(std::size_t size) { return stress.data() + (stress.size() - size); }
 };
 
@@ -78,32 +79,32 @@ struct HalfSpace::Operators
   Operators(const VolumeGrid& volume, const Elastic& constants, double shortest);
 
   [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers() const;
-  /// Kernels of some components of the traction, nullptr for the others. Those of a shear are tabulated when they are first
-  /// wanted.
+  /// Kernels of the `wanted` components of the traction, nullptr for the others. Those of a shear are tabulated when they are
+  /// first needed.
   [[nodiscard]] OfTraction<const TractionStress*> kernels_of(const OfTraction<bool>& wanted) const;
   /// @param trace  nullptr, or spectra that receive the trace of the stress
   void load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements, Work::Buffers& work,
                    ComplexLanes* trace) const;
-  /// Transforms what acts on the surface.
+  /// Transforms the load on the surface.
   void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
   void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
                            std::span<double> stress) const;
   /// The same with symmetry.
   void add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
                                     Work::Buffers& work, std::span<double> stress) const;
-  /// One component of the stress, or its trace, in one layer: that of the load on the surface comes to the spectra of the
-  /// residual stress, given for all blocks, and all goes back to the grid.
+  /// One component of the stress, or its trace, in one layer: adds the stress of the surface load to the residual stress in the
+  /// spectra of all blocks, and transforms the sum back to the grid.
   void invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
                     const ComplexLanes* spectra, int plane, const Work::Buffers& work, Work::Buffers::Scratch& scratch,
                     double* field) const;
   void finish(int component, int layer, std::span<const double> plastic_strain, const Work::Buffers& work,
               double* field) const;
-  /// Place of one component in one layer of a field.
+  /// Position of one component in one layer of a field.
   [[nodiscard]] std::size_t field_at(int component, int layer) const
   {
     return static_cast<std::size_t>(component * grid.nz + layer) * grid.surface.size();
   }
-  /// Layers from the surface down to the deepest one that holds plastic strain.
+  /// Number of layers from the surface down to the deepest one with plastic strain.
   [[nodiscard]] int strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const;
 
 private:
@@ -111,42 +112,42 @@ private:
                         Work::Buffers::Scratch& scratch) const;
   void transform_strain_mirrored(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                  MirroredFft::Scratch& scratch) const;
-  int take_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
-                Work::Buffers& work) const;
+  int prepare_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
+                   Work::Buffers& work) const;
   [[nodiscard]] CellRectangle strained_rows(int layer, const Work::Buffers& work) const;
-  /// The same plane of the spectra in the next block; in the last one where it is.
+  /// The same plane of the spectra in the next block; for the last block, the plane itself.
   [[nodiscard]] static const ComplexLanes* next_block(const BlockedFft& fft, int block, const ComplexLanes* plane)
   {
     return block + 1 < fft.blocks() ? plane + fft.plane_at(1, 0) : plane;
   }
   [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
-  /// Blocks whose strain is held: with several threads one is transformed while waves still pass through the one before.
-  /// The threads that do the same block: this one is number `rank` of `count`.
+  /// The threads that work on the same block: this one is number `rank` of `count`.
   struct Team
   {
     int rank, count;
   };
-  /// One for each thread, if they come out even: what a thread has written then stays in its cache until it is read. Else the threads
-  /// share each block, and begin with the next one meanwhile.
+  /// Number of blocks whose strain is stored at a time. If the blocks divide evenly among the threads, it is one per thread: the
+  /// values that a thread has written then stay in its cache until it reads them. Otherwise the threads share each block, and one
+  /// block is transformed while others still work on the block before.
   [[nodiscard]] int blocks_at_a_time(int threads) const;
   [[nodiscard]] ComplexLanes* strain_of(int block, Work::Buffers& work) const
   {
     return work.strain.data() + block % work.blocks_at_a_time * static_cast<std::ptrdiff_t>(volume_fft.block_size());
   }
-  /// Place of a part in `displacement_parts`.
+  /// Position of a part in `displacement_parts`.
   [[nodiscard]] ComplexLanes* displacement_part(int block, int part, Work::Buffers& work) const;
-  void pass_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
-                   ComplexLanes* trace) const;
-  void pass_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, const Team& team,
-                  Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
+  void process_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
+                      ComplexLanes* trace) const;
+  void process_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, const Team& team,
+                     Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
   void transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels, const Team& team,
                         Work::Buffers& work, Work::Buffers::Scratch& scratch) const;
-  [[nodiscard]] const ComplexLanes* loaded(int block, const MirroredFft::Part& part,
-                                           const OfTraction<const TractionStress*>& kernels, const Work::Buffers& work,
-                                           ComplexLanes* sum) const;
+  [[nodiscard]] const ComplexLanes* total_stress(int block, const MirroredFft::Part& part,
+                                                 const OfTraction<const TractionStress*>& kernels,
+                                                 const Work::Buffers& work, ComplexLanes* sum) const;
   /// Spectra of the traction in one block.
   [[nodiscard]] OfTraction<const ComplexLanes*> surface_spectra(int block, const Work::Buffers& work) const;
-  /// Rows of a spectrum that are worked on: with symmetry those of the wavenumbers >= 0.
+  /// Number of rows of a spectrum that are computed: with symmetry those of the wavenumbers ky >= 0.
   [[nodiscard]] int spectrum_rows(Symmetry symmetry) const
   {
     return symmetry == Symmetry::none ? volume_fft.py() : volume_fft.py() / 2 + 1;

@@ -15,7 +15,7 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Share of a wave in what is uniform in a cell, over which its phase changes by `angle`.
+/// Fourier factor of a field that is uniform in each cell, for a wave whose phase changes by `angle` over a cell: sinc(angle/2).
 double cell_mean(double angle)
 {
   return angle == 0.0 ? 1.0 : std::sin(0.5 * angle) / (0.5 * angle);
@@ -31,7 +31,7 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
                                             surface.at_surface.end() - 1),
       heat_(block_of(fft_.rows()) * waves_.waves.size())
 {
-  const PlaneOfWaves& all = fft_.all();
+  const PlaneOfWaves& all = fft_.full_plane();
   for (int row = 0; row < fft_.rows(); ++row)
     for (int i = 0; i < all.kx(); ++i)
     {
@@ -60,7 +60,7 @@ std::span<const SurfaceWave> HeatMemory::row_of_waves(int row) const
   return std::span(along_).subspan(begin_of(row), columns());
 }
 
-/// Of each wave in depth after a while.
+/// Decay factor e^{-kappa s^2 t} of each wave in depth after the time t = `duration`.
 std::vector<double> HeatMemory::left_in_depth(double duration) const
 {
   std::vector<double> left;
@@ -70,7 +70,7 @@ std::vector<double> HeatMemory::left_in_depth(double duration) const
   return left;
 }
 
-/// Of each wave along the surface after a while.
+/// Decay factor e^{-kappa k^2 t} of neighbouring waves along the surface after the time t = `duration`.
 Lanes HeatMemory::left_along(std::size_t block, double duration) const
 {
   if (duration == 0.0)
@@ -101,7 +101,7 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
         sum[begin_of(row) + i] *= left[i % lane_count] * mean_x[i] * of_row;
     }
   }
-  const IndependentRowsFft::Spectrum rows{sum.data(), fft_.all().kx()};
+  const IndependentRowsFft::Spectrum rows{sum.data(), fft_.full_plane().kx()};
   fft_.inverse({&rows, 1}, {false}, true, {temperature});
 }
 
@@ -115,8 +115,8 @@ std::span<Complex> complex_values(AlignedVector<double>& parts, std::size_t firs
 
 } // namespace
 
-/// Of the potential at the surface where nothing else is summed.
-void HeatMemory::finish_surface(int row, const Complex* potential, Row& sums) const
+/// Adds factor k, decay and the slowest wave in depth to the sum for the potential at the surface, if nothing else is summed.
+void HeatMemory::find_surface_potential(int row, const Complex* potential, Row& sums) const
 {
   const std::size_t slowest = waves_.waves.size() - 1;
   auto* out = reinterpret_cast<Complex*>(sums.of_surface.at_surface.data());
@@ -129,8 +129,8 @@ void HeatMemory::finish_surface(int row, const Complex* potential, Row& sums) co
   }
 }
 
-/// What the heat in the body adds to the sums at one depth.
-/// @param columns  that the sums have so far
+/// Adds the heat generated in the body to the sums at one depth.
+/// @param columns  number of columns for which the sums have been computed; the others are first set to zero
 void HeatMemory::add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const
 {
   DepthSums::Row& row = sums.of_surface;
@@ -152,7 +152,7 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
   if (wanted.sums != nullptr)
     wanted.sums->gather({&k_[block], &slow_share_[block], sums.left.data(), heat_of_block(block)}, of_surface);
   else
-    finish_surface(row, wanted.at_surface + begin_of(row), sums);
+    find_surface_potential(row, wanted.at_surface + begin_of(row), sums);
   if (wanted.has_buried)
   {
     if (wanted.sums != nullptr)
@@ -178,14 +178,14 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
         add_buried_row(depth, wanted.factor, columns, d - first, sums);
         columns = along.size();
       }
-      put_fields(row, d, columns, wanted, sums);
+      write_fields(row, d, columns, wanted, sums);
     }
   }
 }
 
-/// The fields of a row at one depth from its sums.
-void HeatMemory::put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted,
-                            Row& sums) const
+/// Computes the fields of a row at one depth from its sums and writes them to their spectra.
+void HeatMemory::write_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted,
+                              Row& sums) const
 {
   const std::span<const SurfaceWave> along = row_of_waves(row).first(columns);
   const double depth = wanted.depths[number].depth;
@@ -207,7 +207,7 @@ void HeatMemory::put_fields(int row, std::size_t number, std::size_t columns, co
     std::fill(field + columns, field + std::max(columns, significant), Complex{});
 }
 
-/// Columns that count in any row, of which the first has the longest waves.
+/// Number of columns that are not negligible in any row: those of the first row, which has the longest waves.
 std::vector<int> HeatMemory::significant_columns(std::span<const DepthFactors> depths, bool has_buried) const
 {
   std::vector<int> columns_of_depths;
@@ -233,7 +233,7 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
                         const FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out, bool adds,
                         const Window& window) const
 {
-  // All that counts is written, so that nothing needs to be there before.
+  // Uninitialised memory suffices: all values that are read later are written first.
   const auto spectra =
       std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane() + IndependentRowsFft::slack));
   auto* const waves = reinterpret_cast<Complex*>(spectra.get());
@@ -291,7 +291,7 @@ void HeatMemory::add_buried(double factor, std::span<double> temperature) const
   buried_->add_surface(0, along_.size(), spectrum.data());
   for (Complex& wave : spectrum)
     wave *= factor;
-  const IndependentRowsFft::Spectrum rows{spectrum.data(), fft_.all().kx()};
+  const IndependentRowsFft::Spectrum rows{spectrum.data(), fft_.full_plane().kx()};
   fft_.inverse({&rows, 1}, {false}, true, {temperature});
 }
 

@@ -15,132 +15,132 @@
 namespace brinell::halfspace
 {
 
-/// A row of waves of the temperature at one depth, and what its potential psi, lap(psi) = -T with d psi/dz = 0 at the surface, is
-/// there.
+/// A row of waves of the temperature T at one depth, and its potential psi there: lap(psi) = -T with d psi/dz = 0 at the surface.
 struct HeatRow
 {
   double depth; ///< [m]
   std::span<const SurfaceWave> waves;
-  std::span<const double> decay;                 ///< e^{-kz}; nothing at the surface
+  std::span<const double> decay;                 ///< e^{-kz}; empty at the surface
   std::span<const Complex> temperature;          ///< [K]
   std::span<const Complex> potential, slope;     ///< k psi and d psi/dz [K m]
   std::span<const Complex> potential_at_surface; ///< k psi for z = 0 [K m]
 };
 
-/// The memory of one periodic surface: for each wave in depth and in the plane, the heat that has decayed since it entered.
+/// Memory of one periodic surface: for each wave in depth and along the surface, the heat that is left of all that has entered.
 class HeatMemory
 {
 public:
-  /// Of each wave along the surface and in depth: of some neighbouring columns of a row one wave in depth after the other,
-  /// [row][block][wave] [K m].
+  /// Heat of each wave along the surface and in depth, [row][block][wave] [K m]: a block holds neighbouring columns of a row in
+  /// lanes, one wave in depth after the other.
   using Heat = AlignedVector<ComplexLanes>;
 
-  /// @param grid      where flux and temperature are; periods px, py cells of it
-  /// @param symmetry  of all fluxes: half of the waves along y tell all
-  /// @param layers    in which heat may arise; nullptr: in none
-  /// @param surface  factors of all waves at the surface, of which those of this memory are the last ones
+  /// @param grid      grid of flux and temperature
+  /// @param px, py    periods, in cells of the grid
+  /// @param surface   factors of all waves in depth at the surface, of which `waves` are the last ones
+  /// @param symmetry  of all fluxes; with one, only the independent rows of waves are stored
+  /// @param layers    layers in which heat may be generated; nullptr: none
   HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
              const DepthFactors& surface, Symmetry symmetry,
              const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
-  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.all().grid(); }
-  [[nodiscard]] int period_x() const { return fft_.all().px(); } ///< [cells]
-  [[nodiscard]] int period_y() const { return fft_.all().py(); }
+  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.full_plane().grid(); }
+  [[nodiscard]] int period_x() const { return fft_.full_plane().px(); } ///< [cells]
+  [[nodiscard]] int period_y() const { return fft_.full_plane().py(); }
   [[nodiscard]] std::size_t spectrum_bytes() const { return fft_.plane() * sizeof(Complex); } ///< of one field
 
-  /// Adds `factor` times the temperature of the surface that remains after `duration`, of cells with a uniform flux each.
-  /// @param heated  those cells
+  /// Adds `factor` times the temperature of the surface that remains after `duration`, for a flux that is uniform in each cell.
+  /// @param heated  grid of these cells
   void add_remaining(double duration, double factor, const SurfaceGrid& heated, std::span<double> temperature) const;
 
-  /// Adds `factor` times the temperature of the surface that the heat in the body gives as it is.
+  /// Adds `factor` times the temperature of the surface due to the heat generated in the body, in its present state.
   void add_buried(double factor, std::span<double> temperature) const;
 
   using Window = IndependentRowsFft::Window;
   [[nodiscard]] Window whole() const { return fft_.whole(); }
-  /// Some fields at one depth.
+  /// Definition of some fields at one depth.
   struct FieldsOfHeat
   {
-    /// A row of their waves from those of the heat: to the beginning of each of `out`.
+    /// Computes a row of their waves from a row of the heat and writes it to the beginning of each of `out`.
     std::function<void(const HeatRow&, std::span<Complex* const> out)> waves;
-    std::vector<bool> is_odd; ///< in y, of a flux that is even
+    std::vector<bool> is_odd; ///< whether each field is odd in y if the flux is even
   };
-  /// `factor` times the fields that remain after `duration`, of a flux that is the trigonometric polynomial through its values.
-  /// For duration = 0 they are those at the end of the last step. What has arisen in the body is in them as it is.
-  /// @param depths  factors of all waves, of which those of this memory are the last ones; for each depth
-  /// @param out   as many at each depth, [depth][field][cell]
-  /// @param adds    to what is there; otherwise it is overwritten
-  /// @param window  of the cells that are wanted
+  /// `factor` times the fields that remain after `duration`, for a flux that is the trigonometric interpolant of its cell values.
+  /// For duration = 0 they are those at the end of the last step. Heat generated in the body is included in its present state.
+  /// @param depths  for each depth, the factors of all waves in depth, of which those of this memory are the last ones
+  /// @param out     [depth][field][cell], with the same fields at each depth
+  /// @param adds    whether the result is added to `out`; otherwise `out` is overwritten
+  /// @param window  cells for which the fields are computed
   void fields(double duration, double factor, std::span<const DepthFactors> depths, const FieldsOfHeat& fields_of_heat,
               const std::vector<std::span<double>>& out, bool adds, const Window& window) const;
 
-  /// All decays over the motion, and its flux comes in.
-  /// @param before  gets the heat as it was; nullptr: nothing does
+  /// A step: the stored heat decays over the duration of the motion, and the heat of its flux is added.
+  /// @param before  receives the heat before the step; may be nullptr
   void take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before = nullptr);
-  /// More flux comes in over the last motion, which all has decayed over already.
+  /// Adds more flux to the last step, over whose duration the stored heat has already decayed.
   void amend(std::span<const double> flux, const HeatMotion& motion);
 
-  /// A step of the heat in the body: `BuriedHeat::take_up`.
-  /// @param rise  of each of its layers [K], a field each; empty ones are zero
+  /// A step of the heat generated in the body: `BuriedHeat::take_up`.
+  /// @param rise  of each of its layers [K], one field each; empty ones are zero
   void take_up_in_body(const std::vector<std::vector<double>>& rise, double duration);
   void go_back_in_body() { buried_->go_back(); }
 
   [[nodiscard]] const Heat& heat() const { return heat_; }
   void set_heat(const Heat& heat);
-  /// The same with or without symmetry: real and imaginary parts in turn.
+  /// The heat in a layout that does not depend on the symmetry; real and imaginary parts alternate.
   [[nodiscard]] std::vector<double> whole_heat() const;
   void set_whole_heat(std::span<const double> values);
-  /// Likewise in the body; nothing where none can arise.
+  /// Likewise for the heat in the body; empty if no heat can be generated there.
   [[nodiscard]] std::vector<double> whole_heat_in_body() const;
   void set_whole_heat_in_body(std::span<const double> values);
 
 private:
-  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.all().kx()); }
-  /// Where the waves of a row begin.
+  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.full_plane().kx()); }
+  /// Index of the first wave of a row.
   [[nodiscard]] std::size_t begin_of(int row) const { return static_cast<std::size_t>(row) * columns(); }
   [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
-  /// Columns of a row that lie side by side in the memory; zero beyond the last one.
+  /// Number of blocks of `lane_count` columns in a row; lanes beyond the last column are zero.
   [[nodiscard]] std::size_t blocks() const { return (columns() + lane_count - 1) / lane_count; }
   [[nodiscard]] std::size_t block_of(int row) const { return static_cast<std::size_t>(row) * blocks(); }
   [[nodiscard]] const ComplexLanes* heat_of_block(std::size_t block) const
   {
     return heat_.data() + block * waves_.waves.size();
   }
-  /// What `fields` wants of every row.
+  /// Task of `fields`, the same for every row.
   struct RowOfFields
   {
     double duration, factor;
     bool has_buried;           ///< whether there is heat in the body
-    const DepthSums* sums;     ///< nullptr: of the surface alone
-    const Complex* at_surface; ///< potential, without its factor k; where there are no other sums
+    const DepthSums* sums;     ///< nullptr if only the surface is wanted
+    const Complex* at_surface; ///< potential at the surface, without its factor k; used if `sums` is nullptr
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
     Complex* spectra;                 ///< [depth][field][plane]
-    std::span<const int> significant; ///< columns that count in any row; for each depth
+    std::span<const int> significant; ///< for each depth, the number of columns that are not negligible in any row
   };
   [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
-  /// Sums of a row, of the heat of the surface and of that in the body.
+  /// Sums of a row, for the heat that entered at the surface and for the heat generated in the body.
   struct Row
   {
     DepthSums::Row of_surface;
     DecayInDepth decay;
-    AlignedVector<Lanes> left{}; ///< of each wave along the surface, times the factor: [block]
+    AlignedVector<Lanes> left{}; ///< decay of each wave along the surface, times the factor: [block]
     std::vector<Complex*> out{}; ///< fields at a depth
     BuriedHeat::Row buried{};
   };
   [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
   void add_row(int row, const RowOfFields& wanted, Row& sums) const;
-  void put_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
+  void write_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
   [[nodiscard]] std::vector<int> significant_columns(std::span<const DepthFactors> depths, bool has_buried) const;
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   [[nodiscard]] AlignedVector<Complex> independent_rows_of(std::span<const double> values) const;
-  void finish_surface(int row, const Complex* potential, Row& sums) const;
+  void find_surface_potential(int row, const Complex* potential, Row& sums) const;
   [[nodiscard]] AlignedVector<Complex> planes() const;
 
-  /// What a step does to some waves along the surface.
+  /// Decay and shift of neighbouring waves along the surface in a step.
   struct StepOfBlock
   {
-    Lanes rate, turn;             ///< z = rate + i turn, both times the duration
+    Lanes rate, phase;            ///< z = rate + i phase, both times the duration
     Lanes left, left_re, left_im; ///< e^{-rate} and e^{-z}
   };
   struct Step
@@ -148,22 +148,24 @@ private:
     HeatMotion motion;
     AlignedVector<StepOfBlock> blocks; ///< [row][block]
   };
-  /// Sums over the waves in depth at the surface, without what is the same for all of them; [row][column]. For as long as a step lasts.
+  /// Sums over the waves in depth at the surface, without the factors that are the same for all of them; [row][column]. Valid
+  /// until the next step.
   struct SurfaceSums
   {
     double duration;
-    AlignedVector<Complex> temperature;              ///< that remains then
-    AlignedVector<Complex> potential, potential_now; ///< then, and as it is; empty where only the temperature is wanted
+    AlignedVector<Complex> temperature; ///< that remains after `duration`
+    AlignedVector<Complex> potential,
+        potential_now; ///< after `duration`, and now; empty if only the temperature is wanted
   };
-  /// What the waves in depth count in them.
+  /// Weights of the waves in depth in these sums.
   struct SurfaceWeights
   {
-    std::size_t first_left = 0; ///< faster waves have decayed by then
+    std::size_t first_left = 0; ///< first wave that has not decayed after the duration
     std::vector<double> temperature, potential, potential_now;
   };
   void plan_step(const HeatMotion& motion);
-  void take_up_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
-                    bool is_settled);
+  void step_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
+                 bool sums_surface);
   [[nodiscard]] Lanes left_along(std::size_t block, double duration) const;
   [[nodiscard]] SurfaceWeights surface_weights(double duration) const;
   [[nodiscard]] SurfaceSums empty_sums(double duration) const;
@@ -173,13 +175,13 @@ private:
   IndependentRowsFft fft_;
   double diffusivity_, conductivity_;
   DepthWaves waves_;
-  std::vector<double> at_surface_; ///< weights of the waves but the last one in the potential there
+  std::vector<double> at_surface_; ///< weights of all waves except the last one in the potential at the surface
   std::vector<SurfaceWave> along_; ///< [plane]
   AlignedVector<Lanes> k_;         ///< [row][block]
   Heat heat_;
-  AlignedVector<Lanes> slow_share_; ///< [row][block], for fields
-  std::optional<Step> step_;        ///< the last one
-  std::optional<SurfaceSums> sums_; ///< of the heat as it is
+  AlignedVector<Lanes> slow_share_; ///< [row][block], only for fields
+  std::optional<Step> step_;        ///< the last step that was planned
+  std::optional<SurfaceSums> sums_; ///< of the present heat
   std::optional<BuriedHeat> buried_;
 };
 

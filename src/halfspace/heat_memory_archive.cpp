@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-/// What a memory holds, as it is stored.
+/// Conversion of the state of a heat memory from and to the layout in which it is stored.
 namespace brinell::halfspace
 {
 
 std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) const
 {
-  const std::size_t all = fft_.all().plane();
+  const std::size_t all = fft_.full_plane().plane();
   AlignedVector<Complex> plane(all);
   std::vector<double> values;
   values.reserve(2 * planes.size() / fft_.plane() * all);
@@ -25,7 +25,7 @@ std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) cons
 
 AlignedVector<Complex> HeatMemory::independent_rows_of(std::span<const double> values) const
 {
-  const std::size_t all = 2 * fft_.all().plane(), planes = values.size() / all;
+  const std::size_t all = 2 * fft_.full_plane().plane(), planes = values.size() / all;
   AlignedVector<Complex> rows(planes * fft_.plane());
   for (std::size_t p = 0; p < planes; ++p)
     std::copy_n(values.data() + p * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
@@ -54,7 +54,7 @@ std::vector<double> HeatMemory::whole_heat() const
 
 void HeatMemory::set_whole_heat(std::span<const double> values)
 {
-  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.all().plane());
+  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.full_plane().plane());
   const AlignedVector<Complex> planes = independent_rows_of(values);
   const std::size_t waves = waves_.waves.size();
   sums_.reset();
@@ -79,7 +79,7 @@ void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
   if (!buried_)
     return;
   require_size("HeatMemory::set_whole_heat_in_body: the heat", values,
-               values.empty() ? 0 : 2 * buried_->layers().size() * fft_.all().plane());
+               values.empty() ? 0 : 2 * buried_->layers().size() * fft_.full_plane().plane());
   buried_->set_modes(independent_rows_of(values));
 }
 

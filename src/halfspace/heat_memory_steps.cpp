@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-/// What a step does to a memory.
+/// Steps of the heat memory.
 namespace brinell::halfspace
 {
 
 namespace
 {
 
-/// The first values of a block, zero in the other lanes.
-ComplexLanes load_some(const Complex* from, std::size_t count)
+/// Loads the first `count` values of a block; zero in the other lanes.
+ComplexLanes load_first(const Complex* from, std::size_t count)
 {
   ComplexLanes value;
   if (count == lane_count)
@@ -27,7 +27,7 @@ ComplexLanes load_some(const Complex* from, std::size_t count)
   return value;
 }
 
-void store_some(const ComplexLanes& value, std::size_t count, Complex* to)
+void store_first(const ComplexLanes& value, std::size_t count, Complex* to)
 {
   if (count == lane_count)
     return store_lanes(value, to);
@@ -35,7 +35,7 @@ void store_some(const ComplexLanes& value, std::size_t count, Complex* to)
     to[lane] = {value.re[lane], value.im[lane]};
 }
 
-/// work(row) for all rows of a plane, by several threads if that is worth it.
+/// Calls work(row) for all rows of a plane, by several threads if the plane is large enough.
 template <typename Work>
 void for_rows(int rows, std::size_t plane, const Work& work)
 {
@@ -58,7 +58,7 @@ void HeatMemory::set_heat(const Heat& heat)
   sums_.reset();
 }
 
-/// Steps are mostly alike.
+/// Decay and phase are stored, as most steps have the same motion as the one before.
 void HeatMemory::plan_step(const HeatMotion& motion)
 {
   if (step_ && step_->motion == motion)
@@ -72,12 +72,12 @@ void HeatMemory::plan_step(const HeatMotion& motion)
                const SurfaceWave& wave = row_of_waves(row)[i];
                StepOfBlock& block = step_->blocks[block_of(row) + i / lane_count];
                const std::size_t lane = i % lane_count;
-               const double way = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
+               const double angle = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
                block.rate[lane] = diffusivity_ * wave.k * wave.k * motion.duration;
-               block.turn[lane] = -way;
+               block.phase[lane] = -angle;
                block.left[lane] = std::exp(-block.rate[lane]);
-               block.left_re[lane] = block.left[lane] * std::cos(way);
-               block.left_im[lane] = block.left[lane] * std::sin(way);
+               block.left_re[lane] = block.left[lane] * std::cos(angle);
+               block.left_im[lane] = block.left[lane] * std::sin(angle);
              }
            });
 }
@@ -95,22 +95,23 @@ ComplexLanes gain_of(const Lanes& x, const Lanes& y, const ComplexLanes& left, b
     const Lanes inverse = 1.0 / norm;
     return {(a * x + b * y) * inverse, (b * x - a * y) * inverse};
   }
-  const auto is_small = norm < small; // there by its series
+  const auto is_small = norm < small; // there the series is used
   const Lanes inverse = 1.0 / (is_small ? Lanes{} + 1.0 : norm);
   const Lanes square_re = x * x - y * y, square_im = 2.0 * x * y;
   return {is_small ? 1.0 - 0.5 * x + square_re * (1.0 / 6.0) : (a * x + b * y) * inverse,
           is_small ? -0.5 * y + square_im * (1.0 / 6.0) : (b * x - a * y) * inverse};
 }
 
-/// One wave in depth takes up its neighbours along the surface: remains before + (1 - e^{-x})/x in, with x = rate + z.
-/// @param decays  whether what was there has decayed; otherwise all of it stays
+/// Heat of one wave in depth after a step, for neighbouring waves along the surface: remains * before + (1 - e^{-x})/x * in, with
+/// x = rate + z (see StepOfBlock).
+/// @param decays  whether the heat before decays in this step; otherwise all of it remains
 template <bool decays, typename Along>
-ComplexLanes taken_up(const Along& along, const ComplexLanes& in, double rate, double left_in_depth,
-                      const ComplexLanes& before)
+ComplexLanes after_step(const Along& along, const ComplexLanes& in, double rate, double left_in_depth,
+                        const ComplexLanes& before)
 {
-  constexpr double surely_large = 2e-3; // its square is larger than what is small, whatever the wave along the surface
+  constexpr double surely_large = 2e-3; // its square exceeds `small`, so that the series is not needed for any wave
   const ComplexLanes gain =
-      gain_of(rate + along.rate, along.turn, {left_in_depth * along.left_re, left_in_depth * along.left_im},
+      gain_of(rate + along.rate, along.phase, {left_in_depth * along.left_re, left_in_depth * along.left_im},
               rate < surely_large);
   const Lanes remains = decays ? left_in_depth * along.left : Lanes{} + 1.0;
   return {remains * before.re + gain.re * in.re - gain.im * in.im,
@@ -122,21 +123,21 @@ ComplexLanes taken_up(const Along& along, const ComplexLanes& in, double rate, d
 void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before)
 {
   if (before == nullptr)
-    return take_up_from(heat_, flux, motion, true, true);
+    return step_from(heat_, flux, motion, true, true);
   before->resize(heat_.size());
   heat_.swap(*before);
-  take_up_from(*before, flux, motion, true, false);
+  step_from(*before, flux, motion, true, false);
 }
 
 void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
 {
-  take_up_from(heat_, flux, motion, false, true);
+  step_from(heat_, flux, motion, false, true);
 }
 
-/// @param before      the heat itself, or all of it as it was
-/// @param is_settled  whether the step ends, so that what remains at the surface is asked for
-void HeatMemory::take_up_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
-                              bool is_settled)
+/// @param before        `heat_` itself, or the complete heat before the step
+/// @param sums_surface  whether the sums at the surface are computed as well, because the step is final
+void HeatMemory::step_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
+                           bool sums_surface)
 {
   const AlignedVector<Complex> spectrum = fft_.forward(flux);
   const double scale = diffusivity_ / conductivity_ * motion.duration;
@@ -148,29 +149,29 @@ void HeatMemory::take_up_from(const Heat& before, std::span<const double> flux, 
     rates[w] = diffusivity_ * std::pow(waves_.waves[w].number, 2) * motion.duration;
   sums_.reset();
   SurfaceWeights weights;
-  if (is_settled)
+  if (sums_surface)
   {
     sums_ = empty_sums(motion.duration);
     weights = surface_weights(motion.duration);
   }
-  const auto take_up_row = [&](int row)
+  const auto step_row = [&](int row)
   {
     for (std::size_t block = 0; block < blocks(); ++block)
     {
       const std::size_t number = block_of(row) + block, first = block * lane_count;
       const std::size_t count = std::min<std::size_t>(lane_count, columns() - first);
-      const ComplexLanes in = scale * load_some(spectrum.data() + begin_of(row) + first, count);
+      const ComplexLanes in = scale * load_first(spectrum.data() + begin_of(row) + first, count);
       const StepOfBlock along = step_->blocks[number];
-      const ComplexLanes* was = before.data() + number * waves;
+      const ComplexLanes* heat_before = before.data() + number * waves;
       ComplexLanes* heat = heat_.data() + number * waves;
       for (std::size_t w = 0; w < waves; ++w)
-        heat[w] = decays ? taken_up<true>(along, in, rates[w], left[w], was[w])
-                         : taken_up<false>(along, in, rates[w], left[w], was[w]);
+        heat[w] = decays ? after_step<true>(along, in, rates[w], left[w], heat_before[w])
+                         : after_step<false>(along, in, rates[w], left[w], heat_before[w]);
     }
-    if (is_settled) // while the row is in the cache
+    if (sums_surface) // while the row is in the cache
       sum_row(row, weights, *sums_);
   };
-  for_rows(fft_.rows(), fft_.plane(), take_up_row);
+  for_rows(fft_.rows(), fft_.plane(), step_row);
 }
 
 HeatMemory::SurfaceWeights HeatMemory::surface_weights(double duration) const
@@ -210,7 +211,7 @@ void HeatMemory::sum_row(int row, const SurfaceWeights& weights, SurfaceSums& su
     ComplexLanes temperature, potential, potential_now;
     for (std::size_t w = weights.first_left; w < waves; ++w)
       temperature = temperature + weights.temperature[w] * heat[w];
-    store_some(temperature, count, sums.temperature.data() + to);
+    store_first(temperature, count, sums.temperature.data() + to);
     if (!waves_.has_fields)
       continue;
     for (std::size_t w = 0; w + 1 < waves; ++w)
@@ -220,8 +221,8 @@ void HeatMemory::sum_row(int row, const SurfaceWeights& weights, SurfaceSums& su
       potential = potential + weights.potential[w] * integrated;
       potential_now = potential_now + weights.potential_now[w] * integrated;
     }
-    store_some(potential, count, sums.potential.data() + to);
-    store_some(potential_now, count, sums.potential_now.data() + to);
+    store_first(potential, count, sums.potential.data() + to);
+    store_first(potential_now, count, sums.potential_now.data() + to);
   }
 }
 

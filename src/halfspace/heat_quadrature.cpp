@@ -49,13 +49,14 @@ struct Passage
   bool is_periodic;
 };
 
-/// Times at which an edge of the cell passes the centres of cells along one axis: (n + 1/2) cells; and about each of them the time
-/// that the spread edge takes to pass, where that is short. Once it is long, the spread itself says how far to go.
+/// Times at which an edge of the cell passes the centres of cells along one axis, after (n + 1/2) cells, and the beginning and
+/// end of each passage of the spread edge as long as the passage is short. Afterwards the spreading itself determines the
+/// intervals.
 void add_passages(const Passage& along, double diffusivity, double duration, std::vector<double>& ends)
 {
   const double speed = std::abs(along.velocity), passage = along.size / speed, extent = along.cells * along.size;
   constexpr double negligible = 7.0; ///< spreads
-  for (double n = 0.0;;)             // cells passed: of slow motion more than an int counts
+  for (double n = 0.0;;)             // cells passed: a double, as they may exceed the range of int in slow motion
   {
     const double time = (n + 0.5) * passage, spread = std::sqrt(4.0 * diffusivity * time);
     const bool is_over = along.is_periodic ? spread > 2.0 * extent : speed * time > extent + negligible * spread;
@@ -69,13 +70,13 @@ void add_passages(const Passage& along, double diffusivity, double duration, std
   }
 }
 
-/// The time after which nothing of a unit flux is left on the grid; without end of one that stands.
+/// The time after which a unit flux has a negligible effect on the grid; infinite for a flux at rest.
 double end_of_memory(const SurfaceGrid& grid, double diffusivity, const HeatMotion& motion)
 {
   const double speed = std::hypot(motion.velocity_x, motion.velocity_y);
   if (speed == 0.0)
     return motion.duration;
-  // Once the flux was twice the diagonal away, exp(-(v t/2)^2/(4 kappa t)) counts.
+  // When the flux was farther away than twice the diagonal, its effect is at most exp(-(v t/2)^2/(4 kappa t)).
   const double diagonal = std::hypot(grid.nx * grid.dx, grid.ny * grid.dy);
   constexpr double negligible = 40.0;
   return std::min(motion.duration, std::max(2.0 * diagonal / speed, 16.0 * negligible * diffusivity / (speed * speed)));
@@ -93,7 +94,7 @@ std::vector<PastTime> past_times(const SurfaceGrid& grid, double diffusivity, co
     add_passages({grid.ny, grid.dy, motion.velocity_y, grid.is_periodic_y()}, diffusivity, end, ends);
   const double cell = std::min(grid.dx, grid.dy);
   const double extent = std::hypot(grid.nx * grid.dx, grid.ny * grid.dy);
-  // Before this time heat does not come from the edge of a cell to its centre; after `far` all cells are one point.
+  // Before the time `first`, heat does not reach the centre of a cell from its edge; after `far`, all cells act as one point.
   const double first = cell * cell / (256.0 * diffusivity);
   const double far = 4.0 * extent * extent / diffusivity;
   constexpr double growth = 2.0;

@@ -9,15 +9,16 @@
 namespace brinell::halfspace
 {
 
-/// One time before the end, with the weight of what has entered then.
+/// A node of the quadrature: a time before the end, with the weight of the heat that entered at that time.
 struct PastTime
 {
   double time = 0.0;   ///< [s]
-  double weight = 0.0; ///< [s^(1/2)]; holds 1/sqrt(time)
+  double weight = 0.0; ///< [s^(1/2)]; includes 1/sqrt(time)
 };
 
-/// A rule for integrals over the time before the end, from 0 to the duration, of f(t)/sqrt(t), where f is how cells spread as they
-/// move: Gauss's rule in sqrt(t) on pieces that grow with the time, and end where an edge of the cell passes a point of the grid.
+/// Quadrature of f(t)/sqrt(t) over the time t before the end, from 0 to the duration, where f describes the spreading of the heat
+/// of moving cells: Gauss quadrature in sqrt(t) on intervals that grow with the time, with ends where an edge of the cell passes
+/// a point of the grid.
 [[nodiscard]] std::vector<PastTime> past_times(const SurfaceGrid& grid, double diffusivity, const HeatMotion& motion);
 
 } // namespace brinell::halfspace

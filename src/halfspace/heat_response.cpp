@@ -17,7 +17,8 @@ namespace brinell::halfspace
 namespace
 {
 
-/// How a cell has spread along one axis at one time before the end, seen from the centres of all cells of the padded length.
+/// Spreading along one axis of the heat that a cell received at one time before the end, at the centres of all cells of the
+/// padded length.
 struct SpreadAlong
 {
   int cells, length;
@@ -60,7 +61,7 @@ struct HeatResponse::Operator
       spectrum[i] += other.spectrum[i];
   }
 
-  /// Temperature of a unit flux through one cell [K m^2/W].
+  /// Temperature by a unit flux through one cell [K m^2/W].
   [[nodiscard]] AlignedVector<double> tabulate(const Thermal& thermal, const HeatMotion& motion) const
   {
     const SurfaceGrid& g = fft.grid();
@@ -81,7 +82,7 @@ struct HeatResponse::Operator
       {
         const double weight = factor * past.weight * of_y[j];
         if (weight == 0.0)
-          continue; // heat has not come so far
+          continue; // the heat has not reached this row
         double* row = response.data() + j * px;
 #pragma omp simd
         for (std::size_t i = 0; i < px; ++i)

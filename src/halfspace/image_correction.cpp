@@ -16,16 +16,16 @@ using images::strains;
 using images::stresses;
 
 constexpr double pi = std::numbers::pi;
-constexpr int enlargement = 2; ///< each lattice has periods this many times those of the one before
+constexpr int enlargement = 2; ///< ratio of the periods of successive lattices
 constexpr int enlargements = 3;
 
-/// Powers of one coordinate: of the parity of the first one.
+/// Range of powers of one coordinate; only those with the parity of the first one are used.
 struct PowerRange
 {
   int first, last;
 };
 
-/// Powers (a, b) within the ranges whose sum is within the larger one.
+/// Powers (a, b) within the ranges whose sum is at most the larger of the two last powers.
 std::vector<images::Powers> powers_of_parity(PowerRange x, PowerRange y)
 {
   std::vector<images::Powers> result;
@@ -35,14 +35,14 @@ std::vector<images::Powers> powers_of_parity(PowerRange x, PowerRange y)
   return result;
 }
 
-/// Period of the body along one axis, and by what it is enlarged in the next lattice.
+/// Period of a lattice along one axis, and its enlargement in the next lattice.
 struct Period
 {
   double length; ///< [m]
   bool is_open;
   [[nodiscard]] int enlarged() const { return is_open ? enlargement : 1; }
-  /// Index of the shortest wave on the larger lattice. Along a periodic axis the copies of a source belong to the body; what
-  /// comes from those of the other axis is uniform along it, since `padded_lengths` lets no other wave come so far.
+  /// Index of the shortest wave on the larger lattice. Along a periodic axis the copies of a source belong to the body; the
+  /// stress of images along the other axis is uniform along it, since the padding of `padded_lengths` lets all other waves decay.
   [[nodiscard]] int last_wave(double k_max) const
   {
     return is_open ? static_cast<int>(k_max * enlargement * length / (2.0 * pi)) : 0;
@@ -50,7 +50,7 @@ struct Period
   [[nodiscard]] double wavenumber(int index) const { return 2.0 * pi * index / (enlarged() * length); }
 };
 
-/// Distance from the grid to the next image, at least: between the far edges of the two.
+/// Smallest distance from a cell of the grid to an image of another cell: between the far edges of both.
 double distance_of_images(const SurfaceGrid& s, const Period& x, const Period& y)
 {
   const double in_x = x.length - (s.nx - 1) * s.dx;
@@ -65,7 +65,7 @@ void add_waves(const Period& x, const Period& y, double factor, double largest_x
 {
   const double width = (!x.is_open ? y.length : !y.is_open ? x.length : std::min(x.length, y.length)) / 10.0;
   const double k_max = images::shortest / width;
-  const double larger = x.enlarged() * y.enlarged(); // lattice, by so much
+  const double larger = x.enlarged() * y.enlarged(); // ratio of the areas of the two lattices
   for (int j = 0; j <= y.last_wave(k_max); ++j)
   {
     const double n = y.wavenumber(j);
@@ -87,8 +87,8 @@ void add_waves(const Period& x, const Period& y, double factor, double largest_x
   }
 }
 
-/// The waves that make the stress of the images: from lattice to larger lattice, and the extrapolation from the last to an
-/// infinite one.
+/// The waves whose sum is the stress of the images: differences of successive lattices, and the extrapolation from the last to an
+/// infinite lattice.
 std::vector<images::WaveRow> waves_of_images(Period x, Period y, double largest_x, double largest_y)
 {
   std::vector<images::WaveRow> rows;
@@ -103,7 +103,7 @@ std::vector<images::WaveRow> waves_of_images(Period x, Period y, double largest_
   return rows;
 }
 
-/// Periods of the lattice that is left when CrosswiseImages has taken off those beside a long grid.
+/// Periods of the lattice that remains after CrosswiseImages has removed the images beside a long grid.
 std::array<Period, 2> periods_left(const SurfaceGrid& s, const BlockedFft& fft)
 {
   std::array<Period, 2> p{Period{fft.px() * s.dx, !s.is_periodic_x()}, Period{fft.py() * s.dy, !s.is_periodic_y()}};
@@ -147,12 +147,12 @@ void ImageCorrection::fit(const Elastic& elastic, double period_x, double period
       const bool odd_y = images::is_odd(images::odd_in_y, c, e);
       if ((s.is_periodic_x() && odd_x) || (s.is_periodic_y() && odd_y))
         continue;
-      const auto powers_here = powers_of_parity({odd_x ? 1 : 0, s.is_periodic_x() ? 0 : degree},
-                                                {odd_y ? 1 : 0, s.is_periodic_y() ? 0 : degree});
+      const auto powers_of_pair = powers_of_parity({odd_x ? 1 : 0, s.is_periodic_x() ? 0 : degree},
+                                                   {odd_y ? 1 : 0, s.is_periodic_y() ? 0 : degree});
       const auto fitted =
-          images::fitted(samples, c, e, {images::offset_nodes, images::offset_nodes}, depth_, powers_here);
-      for (std::size_t t = 0; t < powers_here.size(); ++t)
-        coupling_.add(c, e, powers_here[t], grid_.cell_volume(),
+          images::fitted(samples, c, e, {images::offset_nodes, images::offset_nodes}, depth_, powers_of_pair);
+      for (std::size_t t = 0; t < powers_of_pair.size(); ++t)
+        coupling_.add(c, e, powers_of_pair[t], grid_.cell_volume(),
                       fitted[t]); // the sum over cells stands for an integral
     }
 }
@@ -170,8 +170,8 @@ void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry,
 {
   if (!has_images_)
     return;
-  const auto beside = [&] { crosswise_->respond(layers, response.crosswise, symmetry, with_trace); };
-  const auto others = [&]
+  const auto images_beside = [&] { crosswise_->respond(layers, response.crosswise, symmetry, with_trace); };
+  const auto other_images = [&]
   {
     find_moments(layers, response);
     coupling_.multiply(response.moments.data(), symmetry, with_trace ? stresses : strains, response.work,
@@ -182,15 +182,15 @@ void ImageCorrection::respond(int layers, Response& response, Symmetry symmetry,
 #pragma omp parallel sections
     {
 #pragma omp section
-      beside();
+      images_beside();
 #pragma omp section
-      others();
+      other_images();
     }
     return;
   }
   if (crosswise_)
-    beside();
-  others();
+    images_beside();
+  other_images();
 }
 
 void ImageCorrection::find_moments(int layers, Response& response) const

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/// From fields on the grid to their moments, and from polynomials to fields.
+/// Moments of fields on the grid, and evaluation of polynomials on the grid.
 namespace brinell::halfspace
 {
 
@@ -26,33 +26,35 @@ ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component, Symmetry 
   return is_odd_in_y(component) ? PowersOfY::odd : PowersOfY::even;
 }
 
-void ImageCorrection::take(const double* strain, const CellRectangle& used, int component, int layer, Symmetry symmetry,
-                           Response& response) const
+void ImageCorrection::find_moments_of_layer(const double* strain, const CellRectangle& used, int component, int layer,
+                                            Symmetry symmetry, Response& response) const
 {
   if (!has_images_)
     return;
   switch (powers_of_y(component, symmetry))
   {
   case PowersOfY::all:
-    return take_powers<PowersOfY::all>(strain, used, component, layer, response);
+    return sum_powers<PowersOfY::all>(strain, used, component, layer, response);
   case PowersOfY::even:
-    return take_powers<PowersOfY::even>(strain, used, component, layer, response);
+    return sum_powers<PowersOfY::even>(strain, used, component, layer, response);
   case PowersOfY::odd:
-    return take_powers<PowersOfY::odd>(strain, used, component, layer, response);
+    return sum_powers<PowersOfY::odd>(strain, used, component, layer, response);
   }
 }
 
-/// Rows at the same distance from the middle are taken together: their sum has even powers of y, their difference odd ones.
+/// Rows at the same distance from the middle are combined: their sum contributes to even powers of y, their difference to odd
+/// ones.
 template <ImageCorrection::PowersOfY has>
-void ImageCorrection::take_powers(const double* strain, const CellRectangle& cells, int component, int layer,
-                                  Response& response) const
+void ImageCorrection::sum_powers(const double* strain, const CellRectangle& cells, int component, int layer,
+                                 Response& response) const
 {
   constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
   constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
   CrosswiseImages::Columns columns = CrosswiseImages::Columns::Zero(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
   std::array<Lanes, powers> sum{};
-  const int begin = cells.first_x / lane_count * lane_count; // lanes as without a rectangle: the same sums
+  // The same lanes, and so the same sums, as for the whole row.
+  const int begin = cells.first_x / lane_count * lane_count;
   const int first_row = has == PowersOfY::all ? std::min(cells.first_y, s.ny - cells.end_y) : cells.first_y;
   for (int first = begin; first < cells.end_x; first += lane_count)
   {
@@ -87,12 +89,12 @@ void ImageCorrection::take_powers(const double* strain, const CellRectangle& cel
       for (std::size_t lane = 0; lane < lane_count; ++lane)
         moment[monomial(a, b)] += sum[static_cast<std::size_t>(monomial(a, b))][lane];
   if (crosswise_ && crosswise_->is_along_x())
-    crosswise_->take(columns, cells.first_x, cells.end_x, component, layer, response.crosswise);
+    crosswise_->find_moments_of_layer(columns, cells.first_x, cells.end_x, component, layer, response.crosswise);
   else if (crosswise_)
-    crosswise_->take(along_y(strain, has), 0, s.ny, component, layer, response.crosswise);
+    crosswise_->find_moments_of_layer(along_y(strain, has), 0, s.ny, component, layer, response.crosswise);
 }
 
-/// Of a grid that is long in y: sums over x, times powers of x.
+/// For a grid that is long in y: sums over x of the field times powers of x.
 CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY has) const
 {
   const SurfaceGrid& s = grid_.surface;

@@ -27,7 +27,7 @@ struct DepthPairs
 {
   Lanes z{}, z_source{}, down_share{};
 
-  /// Those from the pair `first` on; what is missing at the end repeats the last one.
+  /// The pairs from number `first` on; beyond the last pair, lanes repeat it.
   DepthPairs(const std::vector<double>& depths, std::size_t first)
   {
     const std::size_t count = depths.size();
@@ -61,7 +61,7 @@ ComplexLanes in_all_lanes(const Complex& value)
   return {value.real() - Lanes{}, value.imag() - Lanes{}};
 }
 
-/// The waves of a sheet with 1 in one component of the strain alone.
+/// The waves of a sheet whose strain has one component equal to 1 and all others zero.
 green::SheetSource<ComplexLanes> unit_sheet(int component, const green::WaveDirection<double>& towards, double nu)
 {
   std::array<Complex, strains> strain{};

@@ -11,43 +11,44 @@
 #include <vector>
 
 /// The stress of periodic images of plastic strain, sampled at a few distances and depths, and polynomials through the
-/// samples. What ImageCorrection and CrosswiseImages share.
+/// samples. Shared by ImageCorrection and CrosswiseImages.
 namespace brinell::halfspace::images
 {
 
-inline constexpr int strains = Deviator::size;      ///< components of the strain
-inline constexpr int stresses = Deviator::size + 1; ///< of the stress: deviator, and the trace as the last one
-inline constexpr int offset_nodes = 6;              ///< distances along each axis
+inline constexpr int strains = Deviator::size;      ///< number of components of the strain
+inline constexpr int stresses = Deviator::size + 1; ///< number of components of the stress: deviator, then the trace
+inline constexpr int offset_nodes = 6;              ///< number of distances along each axis
 
-/// Whether a component changes its sign if x (or y) is mirrored, in the order of Deviator, then the trace.
+/// 1 for components that change their sign if x (or y) is mirrored, otherwise 0; in the order of Deviator, then the trace.
 inline constexpr std::array<int, stresses> odd_in_x{0, 0, 0, 1, 1, 0};
 inline constexpr std::array<int, stresses> odd_in_y{0, 0, 1, 0, 1, 0};
 
-/// Whether the stress c of a strain e is odd in a direction, given the parities of the components in it.
+/// Whether the stress component c by a strain component e is odd in a direction, given the parities of the components in it.
 [[nodiscard]] constexpr bool is_odd(const std::array<int, stresses>& parity, int c, int e)
 {
   return (parity[static_cast<std::size_t>(c)] + parity[static_cast<std::size_t>(e)]) % 2 != 0;
 }
 
-/// Distances over the largest one: positive zeros of a Chebyshev polynomial.
+/// Distances divided by the largest one: positive zeros of a Chebyshev polynomial.
 [[nodiscard]] const std::array<double, offset_nodes>& offsets();
 
 /// Chebyshev polynomials of depth on a grid of layers.
 struct DepthBasis
 {
   int count;                  ///< of polynomials, and of nodes
-  std::vector<double> nodes;  ///< zeros of the first polynomial that is left out, over the thickness [m]
+  std::vector<double> nodes;  ///< zeros of the first polynomial that is omitted, scaled to the thickness [m]
   Eigen::MatrixXd means;      ///< of the polynomials over the layers: [layer][polynomial]
-  Eigen::MatrixXd from_nodes; ///< coefficients from values at the nodes: [polynomial][node]
+  Eigen::MatrixXd from_nodes; ///< matrix from values at the nodes to coefficients: [polynomial][node]
 
-  /// @param distance  of the nearest image [m]: fields vary over depths like it, so thick grids need more polynomials.
+  /// @param distance  of the nearest image [m]: it is the length over which fields vary in depth, so grids that are thick
+  ///                  compared with it need more polynomials.
   DepthBasis(const VolumeGrid& grid, double distance);
 };
 
-/// cos and sin of a wave's phase at the distances along one axis; a single 1 where the caller multiplies by them itself.
+/// cos and sin of a wave's phase at the distances along one axis; a single 1 if the caller applies the phase itself.
 using Phases = std::array<std::vector<double>, 2>;
 
-/// Wavevectors (m, n) of one n, each with its mirror images in x and y.
+/// Wavevectors (m, n) with the same n, each representing also its mirror images in x and y.
 struct WaveRow
 {
   struct Wave
@@ -60,8 +61,8 @@ struct WaveRow
   std::vector<Wave> waves;
 };
 
-/// Factor of a wave of wavenumber k in a blur of length `width` that leaves smooth fields as they are, to the sixth order
-/// in width over their length. It decays: nothing is left of it at k = `shortest / width`.
+/// Factor on a wave of wavenumber k by a blur of length `width`, which leaves smooth fields unchanged to the sixth order in width
+/// over their length. It decays with k and is negligible from k = `shortest / width` on.
 [[nodiscard]] double blur(double k, double width);
 inline constexpr double shortest = 7.0;
 
@@ -72,12 +73,12 @@ inline constexpr double shortest = 7.0;
 [[nodiscard]] std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths,
                                           const Elastic& elastic);
 
-/// Powers of the two distances, over the largest ones.
+/// Powers of the two distances, each divided by the largest one.
 using Powers = std::array<int, 2>;
 
 /// Coefficients of polynomials in the distances and in the depths, for one pair of components.
 /// @param samples   as `sampled` returns them
-/// @param distances how many there are along x and y: `offset_nodes`, or 1
+/// @param distances number of distances along x and y: `offset_nodes`, or 1
 /// @returns one matrix [polynomial of z][polynomial of z'] for each of `powers`
 [[nodiscard]] std::vector<Eigen::MatrixXd> fitted(const std::vector<double>& samples, int c, int e,
                                                   const std::array<int, 2>& distances, const DepthBasis& depth,
@@ -85,7 +86,7 @@ using Powers = std::array<int, 2>;
 
 [[nodiscard]] double factorial(int n);
 
-/// Powers up to `degree` of the coordinates of cells along one axis, which run from -1/2 to 1/2: [cell][power].
+/// Powers up to `degree` of the coordinates of cells along one axis, scaled to [-1/2, 1/2]: [cell][power].
 [[nodiscard]] Eigen::MatrixXd coordinate_powers(int cells, int degree);
 
 } // namespace brinell::halfspace::images

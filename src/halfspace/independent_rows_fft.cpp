@@ -22,17 +22,17 @@ double PlaneOfWaves::wavenumber_y(int row) const
 }
 
 IndependentRowsFft::IndependentRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry)
-    : all_(grid, px, py), columns_(py), row_fft_(std::make_unique<const RowFft>(grid.nx, px)), symmetry_(symmetry),
-      rows_(symmetry == Symmetry::none ? py : py / 2 + 1),
-      plane_(PlaneOfWaves::whole_lines(static_cast<std::size_t>(all_.kx()) * static_cast<std::size_t>(rows_)))
+    : full_plane_(grid, px, py), columns_(py), row_fft_(std::make_unique<const RowFft>(grid.nx, px)),
+      symmetry_(symmetry), rows_(symmetry == Symmetry::none ? py : py / 2 + 1),
+      plane_(PlaneOfWaves::whole_lines(static_cast<std::size_t>(full_plane_.kx()) * static_cast<std::size_t>(rows_)))
 {
   if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny)
     throw InternalError("IndependentRowsFft: the padded lengths must hold the grid");
   for (int n = 0; n < rows_; ++n)
-    turn_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * n * (grid.ny - 1) / py));
+    phase_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * n * (grid.ny - 1) / py));
 }
 
-std::unique_ptr<IndependentRowsFft::Work> IndependentRowsFft::Works::take()
+std::unique_ptr<IndependentRowsFft::Work> IndependentRowsFft::WorkPool::acquire()
 {
   const std::lock_guard lock(mutex_);
   if (idle_.empty())
@@ -42,27 +42,27 @@ std::unique_ptr<IndependentRowsFft::Work> IndependentRowsFft::Works::take()
   return work;
 }
 
-void IndependentRowsFft::Works::give(std::unique_ptr<Work> work)
+void IndependentRowsFft::WorkPool::release(std::unique_ptr<Work> work)
 {
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(work));
 }
 
-std::unique_ptr<IndependentRowsFft::Work> IndependentRowsFft::take_work() const
+std::unique_ptr<IndependentRowsFft::Work> IndependentRowsFft::acquire_work() const
 {
-  if (std::unique_ptr<Work> idle = works_->take())
+  if (std::unique_ptr<Work> idle = pool_->acquire())
     return idle;
-  const auto py = static_cast<std::size_t>(all_.py()), ny = static_cast<std::size_t>(all_.grid().ny);
+  const auto py = static_cast<std::size_t>(full_plane_.py()), ny = static_cast<std::size_t>(full_plane_.grid().ny);
   return std::make_unique<Work>(Work{AlignedVector<ComplexLanes>(py), AlignedVector<ComplexLanes>(columns_.work_size()),
                                      AlignedVector<ComplexLanes>(static_cast<std::size_t>(row_fft_->blocks()) * ny),
-                                     row_fft_->make_work(), std::vector<double>(all_.grid().size())});
+                                     row_fft_->make_work(), std::vector<double>(full_plane_.grid().size())});
 }
 
 AlignedVector<Complex> IndependentRowsFft::forward(std::span<const double> field) const
 {
-  const SurfaceGrid& g = all_.grid();
-  std::unique_ptr<Work> taken = take_work();
-  Work& work = *taken;
+  const SurfaceGrid& g = full_plane_.grid();
+  std::unique_ptr<Work> acquired = acquire_work();
+  Work& work = *acquired;
   for (int first = 0; first < g.ny; first += RowFft::most_rows)
     row_fft_->forward(field.data() + g.index(0, first), std::min(RowFft::most_rows, g.ny - first),
                       work.rows.data() + first, {g.ny, false}, work.row);
@@ -71,11 +71,11 @@ AlignedVector<Complex> IndependentRowsFft::forward(std::span<const double> field
   {
     columns_.forward(work.rows.data() + static_cast<std::ptrdiff_t>(block) * g.ny, g.ny, work.column.data(),
                      work.lanes.data());
-    const int first = block * lane_count, count = std::min(lane_count, all_.kx() - first);
+    const int first = block * lane_count, count = std::min(lane_count, full_plane_.kx() - first);
     for (int n = 0; n < rows_; ++n)
     {
       const ComplexLanes& value = work.column[static_cast<std::size_t>(n)];
-      Complex* to = spectrum.data() + static_cast<std::ptrdiff_t>(n) * all_.kx() + first;
+      Complex* to = spectrum.data() + static_cast<std::ptrdiff_t>(n) * full_plane_.kx() + first;
       if (count == lane_count)
         store_lanes(value, to);
       else
@@ -83,27 +83,28 @@ AlignedVector<Complex> IndependentRowsFft::forward(std::span<const double> field
           to[lane] = {value.re[lane], value.im[lane]};
     }
   }
-  works_->give(std::move(taken));
+  pool_->release(std::move(acquired));
   return spectrum;
 }
 
 void IndependentRowsFft::complete(const Complex* rows, Complex* all) const
 {
-  const std::ptrdiff_t columns = all_.kx();
+  const std::ptrdiff_t columns = full_plane_.kx();
   for (int n = 0; n < rows_; ++n)
   {
-    const Complex turn = turn_[static_cast<std::size_t>(n)];
-    const std::ptrdiff_t here = n * columns, there = (all_.py() - n) * columns;
-    std::copy_n(rows + here, columns, all + here);
-    if (symmetry_ != Symmetry::none && n > 0 && 2 * n < all_.py())
-      std::transform(rows + here, rows + here + columns, all + there, [&](const Complex& wave) { return turn * wave; });
+    const Complex phase = phase_[static_cast<std::size_t>(n)];
+    const std::ptrdiff_t row_offset = n * columns, opposite_offset = (full_plane_.py() - n) * columns;
+    std::copy_n(rows + row_offset, columns, all + row_offset);
+    if (symmetry_ != Symmetry::none && n > 0 && 2 * n < full_plane_.py())
+      std::transform(rows + row_offset, rows + row_offset + columns, all + opposite_offset,
+                     [&](const Complex& wave) { return phase * wave; });
   }
 }
 
 namespace
 {
 
-/// Some neighbouring columns of a row; zero beyond the last one that there is.
+/// Loads `lane_count` neighbouring columns of a row; zero from `columns` on.
 ComplexLanes load_columns(const Complex* row, int first, int columns)
 {
   ComplexLanes value = load_lanes(row + first);
@@ -118,10 +119,11 @@ ComplexLanes load_columns(const Complex* row, int first, int columns)
 
 } // namespace
 
-/// All rows of some neighbouring columns. Of an odd field the opposite rows have the other sign.
+/// Completes all rows of neighbouring columns from the independent ones. For an odd field the opposite rows have the opposite
+/// sign.
 void IndependentRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* column) const
 {
-  const std::ptrdiff_t apart = all_.kx();
+  const std::ptrdiff_t apart = full_plane_.kx();
   for (int n = 0; n < rows_; ++n)
   {
     ComplexLanes even, odd;
@@ -130,17 +132,17 @@ void IndependentRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* 
     if (pair.odd != nullptr)
       odd = load_columns(pair.odd->waves + n * apart, first, pair.odd->columns);
     column[n] = even + odd;
-    if (symmetry_ == Symmetry::none || n == 0 || 2 * n >= all_.py())
+    if (symmetry_ == Symmetry::none || n == 0 || 2 * n >= full_plane_.py())
       continue;
-    const Complex turn = turn_[static_cast<std::size_t>(n)];
+    const Complex phase = phase_[static_cast<std::size_t>(n)];
     const ComplexLanes opposite = even - odd;
-    column[all_.py() - n] = turn.real() * opposite + turn.imag() * times_i(opposite);
+    column[full_plane_.py() - n] = phase.real() * opposite + phase.imag() * times_i(opposite);
   }
 }
 
-/// The first rows of the field, as waves along x.
-/// @param apart  from block to block
-void IndependentRowsFft::put_in_rows(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const
+/// Inverse transform along y: the first `rows` rows of the field, as waves along x.
+/// @param apart  values from one block to the next in `to`
+void IndependentRowsFft::invert_columns(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const
 {
   const int columns =
       std::max(pair.even != nullptr ? pair.even->columns : 0, pair.odd != nullptr ? pair.odd->columns : 0);
@@ -160,68 +162,69 @@ namespace
 {
 
 template <bool adds>
-void put(double value, double& to)
+void write_value(double value, double& to)
 {
   to = adds ? to + value : value;
 }
 
-/// The parts of a field that are even and odd about the middle row, in a window.
-/// @param even, odd  nullptr if there is none; then the field is the other one
+/// Splits a field into its parts that are even and odd about the middle row, in a window.
+/// @param even, odd  outputs; one of them may be nullptr, then the field consists of the other part only
 template <bool adds>
-void put_parts(const SurfaceGrid& g, const IndependentRowsFft::Window& window, const double* field, double* even,
-               double* odd)
+void write_parts(const SurfaceGrid& g, const IndependentRowsFft::Window& window, const double* field, double* even,
+                 double* odd)
 {
   const int columns = window.columns;
   for (int j = window.first_row; 2 * j < g.ny; ++j)
   {
     const int to_row = j - window.first_row, to_opposite = g.ny - 1 - j - window.first_row;
-    const std::ptrdiff_t here = static_cast<std::ptrdiff_t>(to_row) * columns,
-                         there = static_cast<std::ptrdiff_t>(to_opposite) * columns;
-    const bool is_middle = here == there;
+    const std::ptrdiff_t row_offset = static_cast<std::ptrdiff_t>(to_row) * columns,
+                         opposite_offset = static_cast<std::ptrdiff_t>(to_opposite) * columns;
+    const bool is_middle = row_offset == opposite_offset;
     const double *at = field + g.index(window.first_column, j),
                  *opposite = field + g.index(window.first_column, g.ny - 1 - j);
     if (even == nullptr || odd == nullptr)
     {
-      double *to = (even != nullptr ? even : odd) + here, *mirrored = (even != nullptr ? even : odd) + there;
-      const double sign = even != nullptr ? 1.0 : -1.0, of_middle = is_middle && odd != nullptr ? 0.0 : 1.0;
+      double *to = (even != nullptr ? even : odd) + row_offset,
+             *mirrored = (even != nullptr ? even : odd) + opposite_offset;
+      const double sign = even != nullptr ? 1.0 : -1.0, middle_factor = is_middle && odd != nullptr ? 0.0 : 1.0;
       for (int i = 0; i < columns; ++i)
-        put<adds>(of_middle * at[i], to[i]);
+        write_value<adds>(middle_factor * at[i], to[i]);
       for (int i = 0; i < columns && !is_middle; ++i)
-        put<adds>(sign * at[i], mirrored[i]);
+        write_value<adds>(sign * at[i], mirrored[i]);
       continue;
     }
     for (int i = 0; i < columns; ++i)
     {
-      put<adds>(0.5 * (at[i] + opposite[i]), even[here + i]);
-      put<adds>(0.5 * (at[i] - opposite[i]), odd[here + i]);
+      write_value<adds>(0.5 * (at[i] + opposite[i]), even[row_offset + i]);
+      write_value<adds>(0.5 * (at[i] - opposite[i]), odd[row_offset + i]);
     }
     for (int i = 0; i < columns && !is_middle; ++i)
     {
-      put<adds>(0.5 * (at[i] + opposite[i]), even[there + i]);
-      put<adds>(0.5 * (opposite[i] - at[i]), odd[there + i]);
+      write_value<adds>(0.5 * (at[i] + opposite[i]), even[opposite_offset + i]);
+      write_value<adds>(0.5 * (opposite[i] - at[i]), odd[opposite_offset + i]);
     }
   }
 }
 
 } // namespace
 
-/// Of an even and an odd field, or of one of them: then half of the rows tell all.
-int IndependentRowsFft::rows_of(std::size_t pair, const Together& together) const
+/// Number of rows to compute for a pair: all rows for an even and an odd field together; half of them for one field alone.
+int IndependentRowsFft::rows_of(std::size_t pair, const Batch& batch) const
 {
-  const int ny = all_.grid().ny;
-  const bool is_whole = symmetry_ == Symmetry::none || (pair < together.even.size() && pair < together.odd.size());
+  const int ny = full_plane_.grid().ny;
+  const bool is_whole = symmetry_ == Symmetry::none || (pair < batch.even.size() && pair < batch.odd.size());
   return is_whole ? ny : (ny + 1) / 2;
 }
 
-/// Rows of all the fields lie one after the other, so that those that are transformed together are as many as can be.
-void IndependentRowsFft::invert(const Together& together, bool adds, Work& work) const
+/// The rows of all fields are stored contiguously, so that as many rows as possible are transformed together.
+void IndependentRowsFft::invert(const Batch& batch, bool adds, Work& work) const
 {
-  const SurfaceGrid& g = all_.grid();
-  const double scale = 1.0 / (static_cast<double>(all_.px()) * all_.py());
-  const std::size_t pairs = std::max(together.even.size(), together.odd.size());
+  const SurfaceGrid& g = full_plane_.grid();
+  const double scale = 1.0 / (static_cast<double>(full_plane_.px()) * full_plane_.py());
+  const std::size_t pairs = std::max(batch.even.size(), batch.odd.size());
   int rows = 0;
   for (std::size_t n = 0; n < pairs; ++n)
-    rows += rows_of(n, together);
+    rows += rows_of(n, batch);
   const auto all_rows = static_cast<std::size_t>(rows);
   if (work.field.size() < all_rows * static_cast<std::size_t>(g.nx))
   {
@@ -229,22 +232,22 @@ void IndependentRowsFft::invert(const Together& together, bool adds, Work& work)
     work.rows.resize(all_rows * static_cast<std::size_t>(row_fft_->blocks()));
   }
   int first = 0;
-  for (std::size_t n = 0; n < pairs; first += rows_of(n, together), ++n)
-    put_in_rows({n < together.even.size() ? &together.spectra[together.even[n]] : nullptr,
-                 n < together.odd.size() ? &together.spectra[together.odd[n]] : nullptr},
-                rows_of(n, together), work.rows.data() + first, rows, work);
+  for (std::size_t n = 0; n < pairs; first += rows_of(n, batch), ++n)
+    invert_columns({n < batch.even.size() ? &batch.spectra[batch.even[n]] : nullptr,
+                    n < batch.odd.size() ? &batch.spectra[batch.odd[n]] : nullptr},
+                   rows_of(n, batch), work.rows.data() + first, rows, work);
   for (first = 0; first < rows; first += RowFft::most_rows)
     row_fft_->inverse(work.rows.data() + first, {rows, false}, std::min(RowFft::most_rows, rows - first), scale,
                       work.field.data() + static_cast<std::ptrdiff_t>(first) * g.nx, work.row);
   const double* field = work.field.data();
-  for (std::size_t n = 0; n < pairs; field += static_cast<std::ptrdiff_t>(rows_of(n, together)) * g.nx, ++n)
+  for (std::size_t n = 0; n < pairs; field += static_cast<std::ptrdiff_t>(rows_of(n, batch)) * g.nx, ++n)
   {
-    double* even = n < together.even.size() ? together.fields[together.even[n]].data() : nullptr;
-    double* odd = n < together.odd.size() ? together.fields[together.odd[n]].data() : nullptr;
-    const Window& window = together.window;
+    double* even = n < batch.even.size() ? batch.fields[batch.even[n]].data() : nullptr;
+    double* odd = n < batch.odd.size() ? batch.fields[batch.odd[n]].data() : nullptr;
+    const Window& window = batch.window;
     if (symmetry_ != Symmetry::none)
     {
-      (adds ? put_parts<true> : put_parts<false>)(g, window, field, even, odd);
+      (adds ? write_parts<true> : write_parts<false>)(g, window, field, even, odd);
       continue;
     }
     for (int j = 0; j < window.rows; ++j, even += window.columns)
@@ -259,14 +262,14 @@ void IndependentRowsFft::invert(const Together& together, bool adds, Work& work)
 void IndependentRowsFft::inverse(std::span<const Spectrum> spectra, const std::vector<bool>& is_odd, bool adds,
                                  const std::vector<std::span<double>>& fields, const Window& window) const
 {
-  std::unique_ptr<Work> work = take_work();
+  std::unique_ptr<Work> work = acquire_work();
   const std::size_t count = is_odd.size();
-  std::vector<std::size_t> even, odd; // without symmetry all are as even ones
+  std::vector<std::size_t> even, odd; // without symmetry all fields are in `even`
   for (std::size_t f = 0; f < count; ++f)
     (is_odd[f] && symmetry_ != Symmetry::none ? odd : even).push_back(f);
   for (std::size_t first = 0; first < fields.size(); first += count)
     invert({spectra.subspan(first, count), std::span(fields).subspan(first, count), even, odd, window}, adds, *work);
-  works_->give(std::move(work));
+  pool_->release(std::move(work));
 }
 
 } // namespace brinell::halfspace

@@ -13,7 +13,7 @@
 namespace brinell::halfspace
 {
 
-/// All waves of a surface with its padding: those along x that are not negative, [row][column], as PaddedFft has them.
+/// All waves of a padded surface, [row][column], in the layout of PaddedFft: only wavenumbers >= 0 along x.
 class PlaneOfWaves
 {
 public:
@@ -29,7 +29,7 @@ public:
   }
   [[nodiscard]] double wavenumber_x(int column) const; ///< [rad/m], >= 0
   [[nodiscard]] double wavenumber_y(int row) const;    ///< [rad/m], negative for row > py/2
-  /// Complex values from one field to the next, each of which begins on a cache line.
+  /// Number of values rounded up to whole cache lines, so that each of several consecutive fields begins on one.
   [[nodiscard]] static std::size_t whole_lines(std::size_t values) { return (values + 7) / 8 * 8; }
 
 private:
@@ -37,36 +37,37 @@ private:
   int px_, py_;
 };
 
-/// Transforms of surface fields of which some wavenumbers tell all: without symmetry all of them; of fields that are even or odd about
-/// the middle row those along y that are not negative. At -n their spectrum is w^n or -w^n times that at n, w = e^{2 pi i (ny - 1)/py}.
+/// Transforms of surface fields that compute only the independent rows of the spectrum: without symmetry all rows; for fields
+/// that are even or odd about the middle row, those with wavenumbers >= 0 along y. At -n the spectrum is w^n (even) or -w^n (odd)
+/// times that at n, w = e^{2 pi i (ny - 1)/py}.
 class IndependentRowsFft
 {
 public:
   IndependentRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry);
 
-  [[nodiscard]] const PlaneOfWaves& all() const { return all_; }
-  [[nodiscard]] int rows() const { return rows_; } ///< that tell all, the first ones of the plane
-  /// Complex values of them; from one field to the next: whole cache lines.
+  [[nodiscard]] const PlaneOfWaves& full_plane() const { return full_plane_; }
+  [[nodiscard]] int rows() const { return rows_; } ///< number of independent rows, the first ones of the plane
+  /// Complex values from one field of independent rows to the next: whole cache lines.
   [[nodiscard]] std::size_t plane() const { return plane_; }
 
-  /// Spectrum rows of the spectrum of a field, which with symmetry is even.
+  /// The independent rows of the spectrum of a field, which must be even if there is a symmetry.
   [[nodiscard]] AlignedVector<Complex> forward(std::span<const double> field) const;
   /// The independent rows of the spectrum of a field.
   struct Spectrum
   {
     const Complex* waves; ///< rows of kx values, and `slack` values more
-    int columns;          ///< beyond which there is nothing; what values there are does not matter
+    int columns;          ///< columns from this one on count as zero; their values are ignored
   };
   static constexpr std::size_t slack = lane_count;
-  /// Cells in the middle of the grid. With symmetry as many rows lie before as behind them.
+  /// A window of cells of the grid. With symmetry it must be centred along y.
   struct Window
   {
     int first_column, columns, first_row, rows;
   };
-  [[nodiscard]] Window whole() const { return {0, all_.grid().nx, 0, all_.grid().ny}; }
+  [[nodiscard]] Window whole() const { return {0, full_plane_.grid().nx, 0, full_plane_.grid().ny}; }
   /// Fields on the grid, or in a window of it, from the independent rows of their spectra.
-  /// @param is_odd  of so many fields, again and again; without symmetry it does not matter
-  /// @param adds    to what is there; otherwise it is overwritten
+  /// @param is_odd  parity of the first fields, which repeats for the following ones; ignored without symmetry
+  /// @param adds    whether the result is added to `fields`; otherwise they are overwritten
   void inverse(std::span<const Spectrum> spectra, const std::vector<bool>& is_odd, bool adds,
                const std::vector<std::span<double>>& fields) const
   {
@@ -79,7 +80,7 @@ public:
   void complete(const Complex* rows, Complex* all) const;
 
 private:
-  /// An even and an odd field, whose sum is one; or one of them alone. Without symmetry the first one is any field.
+  /// An even and an odd field that are transformed as their sum, or one of them alone. Without symmetry `even` is any field.
   struct Pair
   {
     const Spectrum *even, *odd; ///< nullptr if there is none
@@ -91,40 +92,40 @@ private:
     RowFft::Work row;
     std::vector<double> field;
   };
-  /// Where to work. What has been made is kept, as surfaces are so small that making it takes as long as a transform; every thread has
-  /// its own.
-  class Works
+  /// Pool of buffers, one per concurrent caller. They are reused, because for small surfaces allocating them takes as long as a
+  /// transform.
+  class WorkPool
   {
   public:
-    [[nodiscard]] std::unique_ptr<Work> take();
-    void give(std::unique_ptr<Work> work);
+    [[nodiscard]] std::unique_ptr<Work> acquire();
+    void release(std::unique_ptr<Work> work);
 
   private:
     std::mutex mutex_;
     std::vector<std::unique_ptr<Work>> idle_;
   };
   /// Fields that are transformed back together.
-  struct Together
+  struct Batch
   {
     std::span<const Spectrum> spectra;
     std::span<const std::span<double>> fields;
     std::span<const std::size_t> even, odd; ///< numbers of those
     Window window;
   };
-  [[nodiscard]] int rows_of(std::size_t pair, const Together& together) const;
+  [[nodiscard]] int rows_of(std::size_t pair, const Batch& batch) const;
   void fill_column(const Pair& pair, int first, ComplexLanes* column) const;
-  void put_in_rows(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const;
-  void invert(const Together& together, bool adds, Work& work) const;
-  [[nodiscard]] std::unique_ptr<Work> take_work() const;
+  void invert_columns(const Pair& pair, int rows, ComplexLanes* to, int apart, Work& work) const;
+  void invert(const Batch& batch, bool adds, Work& work) const;
+  [[nodiscard]] std::unique_ptr<Work> acquire_work() const;
 
-  PlaneOfWaves all_;
+  PlaneOfWaves full_plane_;
   LaneFft columns_;
   std::unique_ptr<const RowFft> row_fft_;
   Symmetry symmetry_;
   int rows_;
   std::size_t plane_;
-  std::vector<Complex> turn_; ///< w^n of the independent rows
-  std::unique_ptr<Works> works_ = std::make_unique<Works>();
+  std::vector<Complex> phase_; ///< w^n of the independent rows
+  std::unique_ptr<WorkPool> pool_ = std::make_unique<WorkPool>();
 };
 
 } // namespace brinell::halfspace

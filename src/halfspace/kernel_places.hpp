@@ -10,33 +10,33 @@
 namespace brinell::halfspace
 {
 
-/// Which pairs of cells stand at the places of a kernel along both axes.
+/// Offsets between cells that the entries of a discrete kernel represent, along both axes.
 struct KernelPlaces
 {
-  /// Along one axis: the offset of the cell whose response stands at a place, and how much of it.
+  /// Along one axis: an offset whose response contributes to an entry of the kernel, and its weight.
   struct Share
   {
     int offset;
     double weight;
   };
-  /// The shares of one place; the second one may weigh nothing.
+  /// The contributions to one entry; the weight of the second one may be zero.
   using Shares = std::array<Share, 2>;
   std::vector<Shares> x, y;
 
-  /// Of a kernel so long that it is the linear convolution on the grid.
+  /// For a kernel padded such that the product of spectra is the linear convolution on the grid.
   [[nodiscard]] static KernelPlaces padded(const SurfaceGrid& grid);
-  /// Of the nearest operator that is periodic on the grid: the mean over the pairs of cells that a period takes for the same
-  /// (T. Chan 1988).
+  /// For the nearest operator that is periodic on the grid: each entry is the mean over the pairs of cells that are equivalent
+  /// under the period (T. Chan 1988).
   [[nodiscard]] static KernelPlaces periodic(const SurfaceGrid& grid);
 };
 
-/// Spectrum of a kernel, row by row, [ny / 2 + 1][nx / 2 + 1] of the numbers of places: its real part, which is all of one that
-/// is even in both axes, or odd in both.
-/// @param response  of the cell at an offset
+/// Real part of the spectrum of a kernel, row by row, [ny / 2 + 1][nx / 2 + 1] with nx, ny the numbers of its entries. It is the
+/// whole spectrum of a kernel that is even along both axes, or odd along both.
+/// @param response  response at an offset (i, j)
 [[nodiscard]] std::vector<double> spectrum_of(const SurfaceGrid& grid, const KernelPlaces& places,
                                               const std::function<double(int, int)>& response);
 
-/// The grid with open axes made longer for fast transforms of their own length.
+/// The grid with its open axes extended to fast transform lengths, without padding for a linear convolution.
 [[nodiscard]] SurfaceGrid with_fast_lengths(SurfaceGrid grid);
 
 } // namespace brinell::halfspace

@@ -69,7 +69,8 @@ std::size_t LayeredConduction::layer_at(double depth) const
   return static_cast<std::size_t>(above - ends_.begin()) - 1;
 }
 
-/// Between the middles of neighbours the temperature is linear. With the roots of the thicknesses as weights the matrix is symmetric.
+/// The temperature is linear between the middles of neighbouring layers. Scaling by the square roots of the thicknesses makes the
+/// matrix symmetric.
 void LayeredConduction::find_modes()
 {
   const std::size_t n = size();
@@ -116,7 +117,7 @@ std::shared_ptr<const LayeredConduction> layers_for_images(const std::shared_ptr
     return layers;
   const int heated = (static_cast<int>(layers->heated()) + together - 1) / together;
   const double thickness = together * layers->thickness();
-  // As of all layers, at least one that is thicker lies beneath.
+  // As in the original layers, there must be at least one thicker layer beneath.
   const double deepest = std::max(layers->bottom(layers->size() - 1), (heated + 1) * thickness);
   return std::make_shared<const LayeredConduction>(heated, thickness, deepest);
 }
@@ -129,7 +130,8 @@ std::vector<std::vector<double>> on_layers(const LayeredConduction& from, const 
   {
     if (rise[k].empty())
       continue;
-    // Between the middles of two, before the first and beneath the last ones, too: neither heat nor its mean depth changes.
+    // Distribute over two layers in proportion to the distances of their middles, also above the first and below the last middle:
+    // this conserves the heat and its mean depth.
     const double depth = from.middle(k), height = from.bottom(k) - from.top(k);
     std::size_t upper = to.layer_at(depth);
     if (depth < to.middle(upper) && upper > 0)

@@ -24,10 +24,10 @@ MirroredFft::MirroredFft(const VolumeGrid& grid, int px, int py)
     : grid_(grid), half_(brinell::independent_rows(grid.surface, Symmetry::in_y)), rows_(grid.surface.nx, px),
       columns_(py)
 {
-  for (int n = 0; n <= py / 2; ++n) // the angle reduced first, so that it is exact for long series
+  for (int n = 0; n <= py / 2; ++n) // the angle is reduced first, so that it is accurate for long series
   {
-    const auto turns = static_cast<double>(static_cast<long long>(n) * (grid.surface.ny - 1) % py) / py;
-    turn_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * turns));
+    const auto cycles = static_cast<double>(static_cast<long long>(n) * (grid.surface.ny - 1) % py) / py;
+    phase_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * cycles));
   }
 }
 
@@ -75,8 +75,8 @@ std::ptrdiff_t MirroredFft::field_at(const Part& part) const
          static_cast<std::ptrdiff_t>(grid_.surface.size());
 }
 
-/// The sum of an even and an odd field in all rows, from the independent ones from `first_row` on. On the plane y = 0 the odd one is
-/// zero.
+/// The sum of an even and an odd field in all rows, from their independent rows from `first_row` on. On the plane y = 0 the odd
+/// field is zero.
 void MirroredFft::pack(const double* even, const double* odd, int first_row, double* plane) const
 {
   const std::ptrdiff_t nx = grid_.surface.nx;
@@ -84,22 +84,22 @@ void MirroredFft::pack(const double* even, const double* odd, int first_row, dou
   for (std::ptrdiff_t j = first_row; j < half_; ++j)
   {
     const double *e = even + j * nx, *o = odd + j * nx;
-    double *here = plane + j * nx, *there = plane + (ny - 1 - j) * nx;
+    double *own = plane + j * nx, *opposite = plane + (ny - 1 - j) * nx;
     if (2 * j == ny - 1)
     {
-      std::copy_n(e, nx, here);
+      std::copy_n(e, nx, own);
       continue;
     }
 #pragma omp simd
     for (std::ptrdiff_t i = 0; i < nx; ++i)
     {
-      here[i] = e[i] + o[i];
-      there[i] = e[i] - o[i];
+      own[i] = e[i] + o[i];
+      opposite[i] = e[i] - o[i];
     }
   }
 }
 
-/// The independent rows of two even fields, those of the second one from the last to the first.
+/// Copies the independent rows of two even fields into one plane, those of the second in reverse order.
 void MirroredFft::pack_shared(const Plane& parts, const double* deviators, const std::array<int, 2>& first_rows,
                               double* plane) const
 {
@@ -119,13 +119,13 @@ void MirroredFft::unpack(const double* plane, double* even, double* odd) const
   const std::ptrdiff_t ny = grid_.surface.ny;
   for (std::ptrdiff_t j = 0; j < half_; ++j)
   {
-    const double *here = plane + j * nx, *there = plane + (ny - 1 - j) * nx;
+    const double *own = plane + j * nx, *opposite = plane + (ny - 1 - j) * nx;
     double *e = even + j * nx, *o = odd + j * nx;
 #pragma omp simd
     for (std::ptrdiff_t i = 0; i < nx; ++i)
     {
-      e[i] = 0.5 * (here[i] + there[i]);
-      o[i] = 0.5 * (here[i] - there[i]);
+      e[i] = 0.5 * (own[i] + opposite[i]);
+      o[i] = 0.5 * (own[i] - opposite[i]);
     }
   }
 }
@@ -134,11 +134,11 @@ void MirroredFft::split(const ComplexLanes* both, ComplexLanes* even, ComplexLan
 {
   for (int n = 0; n <= py() / 2; ++n)
   {
-    const ComplexLanes here = 0.5 * both[n];
+    const ComplexLanes own = 0.5 * both[n];
     const ComplexLanes opposite =
-        times(0.5 * std::conj(turn_[static_cast<std::size_t>(n)]), both[n == 0 ? 0 : py() - n]);
-    even[n] = here + opposite;
-    odd[n] = here - opposite;
+        times(0.5 * std::conj(phase_[static_cast<std::size_t>(n)]), both[n == 0 ? 0 : py() - n]);
+    even[n] = own + opposite;
+    odd[n] = own - opposite;
   }
 }
 
@@ -147,7 +147,7 @@ void MirroredFft::join(const ComplexLanes* even, const ComplexLanes* odd, Comple
   both[0] = even[0] + odd[0];
   for (int n = 1; n <= py() / 2; ++n)
   {
-    both[py() - n] = times(turn_[static_cast<std::size_t>(n)], even[n] - odd[n]);
+    both[py() - n] = times(phase_[static_cast<std::size_t>(n)], even[n] - odd[n]);
     both[n] = even[n] + odd[n];
   }
 }
@@ -156,8 +156,8 @@ void MirroredFft::complete(bool is_odd, ComplexLanes* spectrum) const
 {
   for (int n = 1; 2 * n < py(); ++n)
   {
-    const Complex& turn = turn_[static_cast<std::size_t>(n)];
-    spectrum[py() - n] = times(is_odd ? -turn : turn, spectrum[n]);
+    const Complex& phase = phase_[static_cast<std::size_t>(n)];
+    spectrum[py() - n] = times(is_odd ? -phase : phase, spectrum[n]);
   }
 }
 
@@ -167,7 +167,7 @@ void MirroredFft::rows_forward(const double* deviators, int number, int layers, 
   const Plane parts = plane(number, layers);
   const std::ptrdiff_t nx = grid_.surface.nx;
   double* field = scratch.field.data();
-  int begin = first_rows[0], end = rows() - first_rows[1]; // all that is not zero, if there is anything
+  int begin = first_rows[0], end = rows() - first_rows[1]; // range of the nonzero rows
   if (parts.is_shared)
     pack_shared(parts, deviators, first_rows, field);
   else

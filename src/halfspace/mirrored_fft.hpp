@@ -13,24 +13,25 @@ namespace brinell::halfspace
 {
 
 /// Transforms of deviator fields whose two sides about the plane y = 0 are mirror images (Symmetry::in_y): half the work of
-/// BlockedFft, from half of the rows to half of the wavenumbers along y and back.
+/// BlockedFft, between half of the rows and half of the wavenumbers along y.
 ///
-/// Of a field that is even in y the spectrum at -n is w^n times that at n, of an odd one -w^n times, w = e^{2 pi i (ny - 1)/py}
-/// for the place of the plane y = 0. So an even and an odd field are transformed as one, their sum, whose spectrum tells both:
+/// The spectrum at -n is w^n times that at n for a field that is even in y, and -w^n times for an odd field, where
+/// w = e^{2 pi i (ny - 1)/py} accounts for the position of the plane y = 0. An even and an odd field are therefore transformed
+/// together as their sum, from whose spectrum both are recovered:
 ///   even(n) = (both(n) + w^{-n} both(-n)) / 2      odd(n) = (both(n) - w^{-n} both(-n)) / 2
-/// Three components are even and two odd: in each layer xx goes with xy and yy with yz. What is left, the half rows of xz, is
-/// put together from two layers for the transform along x.
+/// Three components are even and two odd: in each layer xx is paired with xy and yy with yz. The remaining half rows of xz are
+/// combined from two layers for the transform along x.
 class MirroredFft
 {
 public:
   /// @param px, py  padded lengths
   MirroredFft(const VolumeGrid& grid, int px, int py);
 
-  [[nodiscard]] int independent_rows() const { return half_; } ///< of a field: those that are read and written
-  /// Of all planes, between the transforms along x and y.
+  [[nodiscard]] int independent_rows() const { return half_; } ///< rows of a field that are read and written
+  /// Number of values in the rows of all planes, between the transforms along x and y.
   [[nodiscard]] std::size_t rows_size() const;
 
-  /// Two layers share their planes.
+  /// Two layers form a group, which has five planes.
   static constexpr int layers_of_group = 2;
   static constexpr int planes_of_group = 5;
   [[nodiscard]] static int groups(int layers) { return (layers + layers_of_group - 1) / layers_of_group; }
@@ -41,14 +42,15 @@ public:
     int layer = -1, component = 0; ///< layer -1: none
     [[nodiscard]] bool is_there() const { return layer >= 0; }
   };
-  /// What a plane is made of: an even part and an odd one, or two even ones.
+  /// Contents of a plane: an even part and an odd one, or two even ones.
   struct Plane
   {
     Part first, second;
-    bool is_shared; ///< each of them has half of the rows; else they have all of them together
+    bool
+        is_shared; ///< true: each part has half of the rows (two even parts); false: the plane is the sum of both parts
     [[nodiscard]] bool is_empty() const { return !first.is_there(); }
   };
-  /// @param layers  of the field that are wanted
+  /// @param layers  number of layers of the field that are transformed
   [[nodiscard]] static Plane plane(int number, int layers);
 
   struct Scratch
@@ -62,20 +64,20 @@ public:
   [[nodiscard]] Scratch make_scratch() const;
 
   /// Along x: one plane of a field of deviators.
-  /// @param first_rows  of the parts of the plane, the first independent row that is not zero; those before are not read
-  /// @param out         rows of all planes; those of the second of two parts that share a plane are in reverse order, so that
-  ///                    the rows that are not zero are neighbours
+  /// @param first_rows  for each part of the plane, the first independent row that is not zero; rows before it are not read
+  /// @param out         rows of all planes; if two parts share a plane, those of the second are in reverse order, so that the
+  ///                    nonzero rows of both are contiguous
   void rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
                     ComplexLanes* out, Scratch& scratch) const;
-  /// Along y: the planes of one group in one block to the spectrum of the block at the wavenumbers >= 0,
+  /// Along y: transforms the planes of one group in one block to the spectrum of the block at the wavenumbers >= 0,
   /// [layer][component][pitch].
   void columns_forward(const ComplexLanes* in, int block, int group, int layers, ComplexLanes* spectrum, int pitch,
                        Scratch& scratch) const;
-  /// The way back along y: the parts of a plane at the wavenumbers >= 0 in one block to its rows in the scratch.
+  /// Inverse along y: the parts of a plane at the wavenumbers >= 0 in one block to the rows of the plane in the scratch.
   /// @param second  nullptr if there is none
   void columns_inverse(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, int block,
                        Scratch& scratch) const;
-  /// The way back along x: from the rows in the scratch to the independent rows of the parts.
+  /// Inverse along x: from the rows in the scratch to the independent rows of the parts.
   void rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const;
 
   /// The spectrum of one even or odd field at its wavenumbers < 0 along y, from those >= 0.
@@ -100,7 +102,7 @@ private:
   int half_;
   RowFft rows_;
   LaneFft columns_;
-  std::vector<Complex> turn_; ///< w^n
+  std::vector<Complex> phase_; ///< w^n
 };
 
 } // namespace brinell::halfspace

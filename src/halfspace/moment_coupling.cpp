@@ -65,7 +65,7 @@ void MomentCoupling::multiply(const double* strain, Symmetry symmetry, int compo
                         static_cast<std::size_t>(q / lane_count)][q % lane_count];
 }
 
-/// Calls add(moment of the strain at all depths, moment of the stress likewise) for all that a term multiplies.
+/// Calls add(moment of the strain, moment of the stress), each at all depths, for all pairs of moments that a term couples.
 template <typename Add>
 void MomentCoupling::for_products(const Term& term, Symmetry symmetry, Work& work, const Add& add) const
 {
@@ -79,7 +79,7 @@ void MomentCoupling::for_products(const Term& term, Symmetry symmetry, Work& wor
           stress + static_cast<std::ptrdiff_t>(monomial(a, b)) * parts());
 }
 
-/// Of few depths: the kernel stays in registers.
+/// For few depths: the kernel stays in registers.
 template <std::size_t depths>
 void MomentCoupling::add_short_term(const Term& term, Symmetry symmetry, Work& work) const
 {

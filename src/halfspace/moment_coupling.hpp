@@ -15,36 +15,36 @@ namespace brinell::halfspace
 /// most `degree`, each with a matrix over functions of the depths. By the binomial theorem
 ///   a'! b'! stress[a', b'] = sum over a'', b'' of  (a' + a'')! (b' + b'')! kernel[a' + a'', b' + b'']
 ///                                                  (-1)^(a'' + b'') strain[a'', b''] / (a''! b''!)
-/// so that only the kernel is stored, which stays in the cache, and not the matrix, which is several times as large.
+/// so that only the kernel needs to be stored. It fits into the cache, unlike the matrix, which is several times as large.
 class MomentCoupling
 {
 public:
-  /// @param depths  number of the functions of depth
+  /// @param depths  number of functions of depth
   MomentCoupling(int depths, int degree);
 
-  /// Adds a term to the stress `c` of the strain `e`. @param value  [function of z][function of z']
+  /// Adds a term to the stress component `c` by the strain component `e`. @param value  [function of z][function of z']
   void add(int c, int e, const images::Powers& power, double factor, const Eigen::MatrixXd& value);
 
   struct Work
   {
     std::vector<double> strain;  ///< [component][monomial][depth]
-    AlignedVector<Lanes> stress; ///< likewise, depths in lanes
+    AlignedVector<Lanes> stress; ///< in the same order, with the depths in lanes
   };
   [[nodiscard]] Work make_work() const;
 
   /// Moments are [component][depth][monomial].
-  /// @param symmetry    with one, moments of the strain that are odd for it are zero, and so are those of the stress
-  /// @param components  of the stress that are wanted, the first ones
+  /// @param symmetry    with one, moments of strain and stress that vanish by the symmetry are skipped
+  /// @param components  number of components of the stress that are computed, from the first one
   void multiply(const double* strain, Symmetry symmetry, int components, Work& work, double* stress) const;
 
-  /// Place of x^a y^b among the monomials.
+  /// Index of x^a y^b among the monomials.
   [[nodiscard]] static constexpr int monomial(int a, int b) { return (a + b) * (a + b + 1) / 2 + b; }
 
 private:
   struct Term
   {
     int c, e, a, b;
-    std::size_t value; ///< [depth of strain][part of the depths of stress]
+    std::size_t value; ///< index into `value_` of the matrix [depth of strain][depth of stress, in lanes]
   };
   template <typename Add>
   void for_products(const Term& term, Symmetry symmetry, Work& work, const Add& add) const;

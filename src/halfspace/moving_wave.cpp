@@ -30,14 +30,14 @@ Later later(Complex b, double d)
   return {is_deep ? 2.0 * straight - common * faddeeva(i_unit * (d - b)) : common * faddeeva(i_unit * (b - d)), up};
 }
 
-/// Integrals over the time since heat entered, times kappa, of the temperature of a unit, e^{-z^2/4 kappa t}/sqrt(pi kappa t) e^{-kappa s^2 t}, and of
-/// its potential, at s^2 = k^2 + i turn.
+/// Integrals over the time since heat entered, times kappa, of the temperature of a unit, e^{-z^2/4 kappa t}/sqrt(pi kappa t)
+/// e^{-kappa s^2 t}, and of its potential, at s^2 = k^2 + i turn.
 struct Integrals
 {
   Complex temperature, potential, slope; ///< [m], [m^2], [m^2]
 };
 
-/// From 0 for ever: e^{-sz}/s, and its potential without what cancels for s near k.
+/// The integrals from 0 to infinity: e^{-sz}/s, and its potential in a form without cancellation for s near k.
 Integrals of_all_time(double k, Complex s, Complex turn, double depth)
 {
   const Complex sum = s + k, wound = i_unit * turn * depth / sum; // (s - k) z
@@ -47,8 +47,9 @@ Integrals of_all_time(double k, Complex s, Complex turn, double depth)
   return {std::exp(-s * depth) / s, decayed * (1.0 + k * depth * mean) / (s * sum), -depth * decayed * mean / sum};
 }
 
-/// What enters later than `time` is not there; as d psi/dt = -kappa T of a unit, its potential follows by parts.
-/// @param now  that of a unit at the end
+/// The integrals from 0 to `time`: those to infinity minus the rest. The potential follows by integration by parts, since
+/// d psi/dt = -kappa T for a unit of heat.
+/// @param now  the erfc terms at `time`
 Integrals integrals(double k, Complex turn, double depth, double time, const Later& now)
 {
   const Complex s = std::sqrt(k * k + i_unit * turn);
@@ -69,7 +70,8 @@ ThermalWave moving_wave(const MovingFlux& flux, double kx, double k, double dept
   const double time = flux.diffusivity * flux.duration; // [m^2]
   const double turn = -kx * flux.velocity / flux.diffusivity;
   const Later now = later(k * std::sqrt(time), 0.5 * depth / std::sqrt(time));
-  // A wave that hardly turns has nothing to be divided by. All is smooth in the turn: the mean about it, of second order.
+  // For a small `turn` the difference quotients are ill-conditioned. The result is smooth in `turn`, so it is approximated by the
+  // mean of two values beside it, with an error of second order.
   constexpr double small = 1e-4;
   const double aside = std::abs(turn) * time < 10.0 * small ? small / time : 0.0;
   Integrals all = integrals(k, turn + aside, depth, time, now);

@@ -14,8 +14,10 @@ struct MovingFlux
   double duration;                  ///< [s], > 0, finite
 };
 
-/// What one wave of a unit flux [W/m^2] gives at a depth at the end, in closed form, as seen from the flux.
-/// @param kx  for which it moves: that of the wave; the wavenumber may be zero
+/// Temperature and potential at one depth by one wave of a unit flux [W/m^2] at the end of the duration, in closed form, in the
+/// frame that moves with the flux.
+/// @param kx  wavenumber along x, which determines the effect of the motion [rad/m]
+/// @param k   magnitude of the wavevector [rad/m]; may be zero
 [[nodiscard]] ThermalWave moving_wave(const MovingFlux& flux, double kx, double k, double depth);
 
 } // namespace brinell::halfspace

@@ -15,28 +15,28 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Heat has spread so many times sqrt(4 kappa t) where nothing of it is felt any more: e^{-9}, and further away besides.
+/// Distance in units of sqrt(4 kappa t) at which heat is negligible: it has decayed to e^{-9}.
 constexpr double reach = 3.0;
 
-/// Whether the images along an axis are taken off on cells four times as long from the beginning.
+/// Whether already the nearest images along an axis are removed on cells four times as long.
 bool begins_coarser(int cells, bool is_periodic, HeatImages images)
 {
   return images == HeatImages::coarse && !is_periodic && is_long(cells);
 }
 
-/// Cells of one axis of the memory, with the padding of an open one.
+/// Period of the memory along one axis in cells, with the padding of an open axis.
 int period(int cells, bool is_periodic, HeatImages images)
 {
   return is_periodic ? cells : memory_length(cells, begins_coarser(cells, is_periodic, images));
 }
 
-/// Whether images lie along one axis only, and their fields fall off as the second power of the distance.
+/// Whether images lie along one axis only, so that their fields decrease with the second power of the distance.
 bool is_strip(const SurfaceGrid& grid)
 {
   return grid.is_periodic_x() != grid.is_periodic_y();
 }
 
-/// Of the polynomial through the values at all nodes, the part of one of them.
+/// Lagrange polynomial of node number `of`, at a depth.
 double lagrange(std::span<const DepthFactors> nodes, std::size_t of, double depth)
 {
   double weight = 1.0;
@@ -46,22 +46,22 @@ double lagrange(std::span<const DepthFactors> nodes, std::size_t of, double dept
   return weight;
 }
 
-constexpr std::size_t together = 5;
+constexpr std::size_t fields_per_pass = 5;
 
-/// Adds some fields of a grid, each times its weight, in one pass.
-/// @param first, apart  their numbers among `fields`
-/// @param window        cells that `to` has
+/// Adds weighted fields of a grid in one pass.
+/// @param first, apart  the fields are fields[first], fields[first + apart], ...
+/// @param window        cells of the grid that `to` contains
 void add_weighted(std::span<const double> weights, std::span<const std::vector<double>> fields, std::size_t first,
                   std::size_t apart, const SurfaceGrid& grid, const HeatMemory::Window& window, std::span<double> to)
 {
-  std::array<double, together> weight{};
+  std::array<double, fields_per_pass> weight{};
   for (std::size_t n = 0; n < weights.size(); ++n)
     weight[n] = weights[n];
   double* sum = to.data();
   for (int j = 0; j < window.rows; ++j, sum += window.columns)
   {
-    std::array<const double*, together> field{};
-    for (std::size_t n = 0; n < together; ++n)
+    std::array<const double*, fields_per_pass> field{};
+    for (std::size_t n = 0; n < fields_per_pass; ++n)
       field[n] = fields[first + (n < weights.size() ? n : 0) * apart].data() +
                  grid.index(window.first_column, window.first_row + j);
     if (weights.size() == 1)
@@ -86,7 +86,7 @@ DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Therm
   return depth_waves(thermal.diffusivity(), {times.shortest_step, times.duration, deepest}, finest);
 }
 
-/// The layers go on until beneath all heat.
+/// Layers from the surface to a depth that no heat reaches.
 std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heated, const Thermal& thermal,
                                                         const HeatTimes& times)
 {
@@ -112,8 +112,8 @@ OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const
 {
   if (!grid.is_periodic())
     plan_images(thermal, wanted);
-  // Images are at least as far away as the grid is wide. With layers to that depth, as many points leave 1e-4 of what they give; five,
-  // some 1e-3.
+  // Images are at least as far away as the grid is wide. For layers down to that depth, seven points have an error of 1e-4 of the
+  // fields of the images; five points, about 1e-3.
   const int points = wanted.images == HeatImages::coarse ? 5 : 7;
   std::vector<double> nodes;
   for (int n = 0; n < points && wanted.deepest > 0.0 && !farther_.empty(); ++n)
@@ -125,18 +125,19 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
 {
   const SurfaceGrid& grid = near_.grid();
   const int px = near_.period_x(), py = near_.period_y();
-  // The shortest way from the grid to an image of it.
+  // The shortest distance from the grid to one of its images.
   double clear = std::numeric_limits<double>::infinity();
   if (!grid.is_periodic_x())
     clear = std::min(clear, (px - grid.nx) * grid.dx);
   if (!grid.is_periodic_y())
     clear = std::min(clear, (py - grid.ny) * grid.dy);
-  // Temperature ends where heat has come to. Displacement and stress go on beyond, as a power of the distance; from twice as far on
-  // what the next lattices would add is a series: see `fields`.
+  // The temperature is negligible beyond the reach of the heat. Displacement and stress decrease only with a power of the
+  // distance; from twice that distance on, the contributions of further lattices are a geometric series: see `add_images`.
   const double spread = reach * std::sqrt(4.0 * thermal.diffusivity() * times_.duration);
   const double farther = is_strip(grid) ? 4.0 : 2.0;
   const double end = waves_.has_fields ? farther * std::max(spread, 1.5 * clear) : spread;
-  // What decays before heat comes from the images tells nothing of them; of stress it tells little, as it stays at the surface.
+  // Waves in depth that decay before heat arrives from the images do not contribute to the temperature by the images, and little
+  // to the stress, because that heat remains near the surface.
   const double decayed = waves_.has_fields ? 600.0 : 2.0 * reach * reach;
   const bool x_is_coarser = begins_coarser(grid.nx, grid.is_periodic_x(), wanted.images),
              y_is_coarser = begins_coarser(grid.ny, grid.is_periodic_y(), wanted.images);
@@ -168,14 +169,14 @@ void OpenHeatMemory::require_step(const char* function_name, double duration) co
                                  duration, time_, times_.shortest_step, times_.duration));
 }
 
-/// What takes off the images, on the cells of the grid.
+/// Sum of the corrections of all lattices that removes the images, on the cells of the grid.
 OpenHeatMemory::Fields OpenHeatMemory::sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const
 {
-  // From the coarsest cells to the finest.
+  // From the coarsest to the finest cells.
   Fields sums(count);
-  std::vector<double> room, finer;
+  std::vector<double> buffer, finer;
   for (std::vector<double>& field : sums)
-    field.reserve(grid().size()); // for the last of the grids that it comes to
+    field.reserve(grid().size()); // for the finest grid
   for (std::size_t n = farther_.size(); n-- > 0;)
   {
     const FartherImages& images = farther_[n];
@@ -189,7 +190,7 @@ OpenHeatMemory::Fields OpenHeatMemory::sum_of_images(std::size_t count, double f
     }
     for (std::vector<double>& field : sums)
     {
-      images.cells.to_finer(field, room, finer);
+      images.cells.to_finer(field, buffer, finer);
       field.swap(finer);
     }
   }
@@ -216,22 +217,23 @@ void OpenHeatMemory::fields(const char* function_name, double duration, std::spa
   if (duration != 0.0)
     require_step(function_name, duration);
   const std::size_t count = fields_of_heat.is_odd.size();
-  // So many that their spectra stay in the cache until they are transformed, and yet many, as the memory is read again for each lot.
+  // Depths per pass: few enough that their spectra stay in the cache until they are transformed, but not too few, because every
+  // pass reads the whole memory again.
   constexpr std::size_t most_bytes = 5 * 1024 * 1024, least_at_once = 8;
   const std::size_t most_at_once = std::max(least_at_once, most_bytes / (count * near_.spectrum_bytes()));
   for (std::size_t done = 0; done < depths.size(); done += most_at_once)
   {
-    const auto some = depths.subspan(done, std::min(most_at_once, depths.size() - done));
+    const auto group = depths.subspan(done, std::min(most_at_once, depths.size() - done));
     const std::vector<std::span<double>> to(out.begin() + static_cast<std::ptrdiff_t>(done * count),
-                                            out.begin() + static_cast<std::ptrdiff_t>((done + some.size()) * count));
-    near_.fields(duration, 1.0, some, fields_of_heat, to, false, window);
+                                            out.begin() + static_cast<std::ptrdiff_t>((done + group.size()) * count));
+    near_.fields(duration, 1.0, group, fields_of_heat, to, false, window);
   }
   if (!farther_.empty())
     add_images(duration, depths, fields_of_heat, out, window);
 }
 
-/// What the images give varies slowly in depth, as they are far away: of many layers it is interpolated, by the polynomial
-/// through Chebyshev's points.
+/// Fields of the images vary slowly with depth, as the images are far away: for many layers they are interpolated by the
+/// polynomial through Chebyshev points.
 void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> depths,
                                 const HeatMemory::FieldsOfHeat& fields_of_heat,
                                 const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const
@@ -239,8 +241,8 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
   const bool each = image_depths_.empty() || depths.size() <= image_depths_.size();
   const std::span<const DepthFactors> nodes = each ? depths : std::span(image_depths_);
   const std::size_t count = fields_of_heat.is_odd.size();
-  // Displacements and stresses fall off with the third power of the distance, and in plane strain with the second: from
-  // lattice to lattice by 8 and 4, and all that follow are a seventh and a third of the last one.
+  // Displacements and stresses decrease with the third power of the distance, and in plane strain with the second: from lattice
+  // to lattice by factors of 8 and 4, so the sum of all further lattices is 1/7 and 1/3 of the last one.
   const double farthest = is_strip(grid()) ? 4.0 / 3.0 : 8.0 / 7.0;
   const Fields images =
       sum_of_images(nodes.size() * count, farthest,
@@ -256,15 +258,15 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
     for (std::size_t n = first; n < last; ++n)
       weights.push_back(each ? 1.0 : lagrange(nodes, n, depths[d].depth));
     for (std::size_t f = 0; f < count; ++f)
-      for (std::size_t n = first; n < last; n += together)
-        add_weighted(std::span(weights).subspan(n - first, std::min(together, last - n)), images, n * count + f, count,
-                     grid(), window, out[d * count + f]);
+      for (std::size_t n = first; n < last; n += fields_per_pass)
+        add_weighted(std::span(weights).subspan(n - first, std::min(fields_per_pass, last - n)), images, n * count + f,
+                     count, grid(), window, out[d * count + f]);
   }
 }
 
-/// Gives each lattice the flux on its own cells.
+/// Calls `use` for each lattice, with the flux on the cells of this lattice.
 template <typename Use>
-void OpenHeatMemory::with_coarser(std::span<const double> flux, const Use& use)
+void OpenHeatMemory::for_each_lattice(std::span<const double> flux, const Use& use)
 {
   use(near_, flux);
   std::vector<double> coarse(flux.begin(), flux.end());
@@ -292,19 +294,20 @@ void OpenHeatMemory::take_up(const char* function_name, std::span<const double> 
     before->lattices.resize(lattices().size());
     before->time = time_;
   }
-  with_coarser(flux, [&](HeatMemory& memory, std::span<const double> given)
-               { memory.take_up(given, motion, before != nullptr ? &before->lattices[lattice++] : nullptr); });
+  for_each_lattice(flux, [&](HeatMemory& memory, std::span<const double> given)
+                   { memory.take_up(given, motion, before != nullptr ? &before->lattices[lattice++] : nullptr); });
   time_ += motion.duration;
 }
 
 void OpenHeatMemory::amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion)
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
-  with_coarser(flux, [&](HeatMemory& memory, std::span<const double> given) { memory.amend(given, motion); });
+  for_each_lattice(flux, [&](HeatMemory& memory, std::span<const double> given) { memory.amend(given, motion); });
 }
 
-/// On all layers that conduct: heat that arises beneath those of one thickness is shared by what they overlap. Cold layers are empty.
-std::vector<std::vector<double>> OpenHeatMemory::in_layers(std::span<const double> rise) const
+/// Converts the temperature rise to all conducting layers: beneath the layers of uniform thickness, heat is distributed in
+/// proportion to the overlap. Fields of layers without new heat are empty.
+std::vector<std::vector<double>> OpenHeatMemory::on_conducting_layers(std::span<const double> rise) const
 {
   const std::size_t cells = grid().size(), given = rise.size() / cells;
   std::vector<std::vector<double>> of_layers(layers_->size());
@@ -335,7 +338,7 @@ void OpenHeatMemory::take_up_in_body(const char* function_name, std::span<const 
   require_step(function_name, duration);
   if (rise.size() % grid().size() != 0)
     throw InternalError(fmt::format("{}: {} values on {} cells", function_name, rise.size(), grid().size()));
-  std::vector<std::vector<double>> of_layers = in_layers(rise);
+  std::vector<std::vector<double>> of_layers = on_conducting_layers(rise);
   near_.take_up_in_body(of_layers, duration);
   const LayeredConduction* layers = layers_.get();
   for (FartherImages& images : farther_)

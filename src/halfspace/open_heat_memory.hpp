@@ -14,51 +14,52 @@
 namespace brinell::halfspace
 {
 
-/// The memory of a surface that may be open: that of a periodic one, and what takes off its images. With T_P of a period P,
+/// Memory of a surface whose axes may be open: that of a periodic surface, and corrections that remove its images. With the
+/// temperature T_P for the period P,
 ///     T = T_P + (T_2P - T_P) + (T_4P - T_2P) + ...
 /// docs/theory/heat.md (images-of-heat).
 class OpenHeatMemory
 {
 public:
-  /// What is wanted beside the temperature of the surface.
+  /// Requirements beyond the temperature of the surface.
   struct Wanted
   {
-    double deepest = -1.0; ///< of fields in the body [m]; negative: none
+    double deepest = -1.0; ///< largest depth of fields in the body [m]; negative: no fields in the body
     HeatImages images = HeatImages::fine;
     Symmetry symmetry = Symmetry::none; ///< of all fluxes
-    HeatedLayers heated{};              ///< where heat may arise in the body
+    HeatedLayers heated{};              ///< layers of the body in which heat may be generated
   };
   /// @throws InputError if a constant or a time is not above 0
   OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                  const Wanted& wanted);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return near_.grid(); }
-  [[nodiscard]] double time() const { return time_; } ///< of all steps taken up [s]
+  [[nodiscard]] double time() const { return time_; } ///< total duration of all steps so far [s]
   [[nodiscard]] const DepthWaves& waves() const { return waves_; }
 
   /// The temperature of the surface that remains after `duration`.
   void remaining(const char* function_name, double duration, std::span<double> temperature) const;
-  /// Fields that remain after `duration`, or are there at once.
-  /// @param out  as many at each depth, [depth][field]
-  /// @param window  of the cells that are wanted
+  /// Fields that remain after `duration`; for duration = 0, the present fields.
+  /// @param out     [depth][field], with the same fields at each depth
+  /// @param window  cells for which the fields are computed
   void fields(const char* function_name, double duration, std::span<const DepthFactors> depths,
               const HeatMemory::FieldsOfHeat& fields_of_heat, const std::vector<std::span<double>>& out,
               const HeatMemory::Window& window) const;
   [[nodiscard]] HeatMemory::Window whole() const { return near_.whole(); }
   struct Heat;
-  /// @param before  gets what is remembered before the step; nullptr: nothing does
+  /// @param before  receives the memory before the step; may be nullptr
   void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
                Heat* before = nullptr);
   void amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
 
-  /// A step of the heat in the body: ThermalField::take_up_in_body.
-  /// @param rise  by which it would warm the heated layers if they kept it [K], [layer][cell]
+  /// A step of the heat generated in the body: ThermalField::take_up_in_body.
+  /// @param rise  temperature rise of the heated layers if they retained all of the new heat [K], [layer][cell]
   void take_up_in_body(const char* function_name, std::span<const double> rise, double duration);
   void go_back_in_body();
-  /// Adds the temperature of the surface that the heat in the body gives as it is.
+  /// Adds the temperature of the surface due to the heat generated in the body, in its present state.
   void add_temperature_of_body(std::span<double> temperature) const;
 
-  /// What it remembers: of every lattice, and the time.
+  /// The state of the memory: heat of every lattice, and the time.
   struct Heat
   {
     std::vector<HeatMemory::Heat> lattices;
@@ -69,23 +70,23 @@ public:
   void exchange(Archive& archive);
 
 private:
-  /// What the images of one lattice give, less those that a lattice with twice the period has, too: on cells as coarse as
-  /// that far away suffices.
+  /// Two lattices whose difference removes the images that the lattice `once` has but the lattice with twice the period has not;
+  /// on cells that are as coarse as the distance of these images allows.
   struct Lattices
   {
     HeatMemory twice, once;
-    std::shared_ptr<const LayeredConduction> layers; ///< of both; nullptr: no heat arises in the body
+    std::shared_ptr<const LayeredConduction> layers; ///< of both; nullptr: no heat is generated in the body
   };
   struct FartherImages
   {
     CoarserSurface cells;
-    std::optional<Lattices> lattices{}; ///< none: only the way to coarser cells
+    std::optional<Lattices> lattices{}; ///< empty: this level only transfers fields between finer and coarser cells
   };
   using Fields = std::vector<std::vector<double>>;
   using Add = std::function<void(const HeatMemory&, double factor, Fields&)>;
 
   template <typename Use>
-  void with_coarser(std::span<const double> flux, const Use& use);
+  void for_each_lattice(std::span<const double> flux, const Use& use);
   [[nodiscard]] std::vector<HeatMemory*> lattices();
   void add_images(double duration, std::span<const DepthFactors> depths, const HeatMemory::FieldsOfHeat& fields_of_heat,
                   const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const;
@@ -93,17 +94,18 @@ private:
   void require_step(const char* function_name, double duration) const;
   [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;
 
-  [[nodiscard]] std::vector<std::vector<double>> in_layers(std::span<const double> rise) const;
+  [[nodiscard]] std::vector<std::vector<double>> on_conducting_layers(std::span<const double> rise) const;
 
   HeatTimes times_;
   HeatedLayers heated_;
-  std::shared_ptr<const LayeredConduction> layers_; ///< nullptr: no heat arises in the body
+  std::shared_ptr<const LayeredConduction> layers_; ///< nullptr: no heat is generated in the body
   Symmetry symmetry_;
   double time_ = 0.0;
   DepthWaves waves_;
   HeatMemory near_;
   std::vector<FartherImages> farther_;
-  std::vector<DepthFactors> image_depths_; ///< between which what images give is interpolated; empty without fields
+  std::vector<DepthFactors>
+      image_depths_; ///< depths between which fields of images are interpolated; empty without fields
 };
 
 } // namespace brinell::halfspace

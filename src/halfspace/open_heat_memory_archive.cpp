@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-/// What a memory holds, as it is kept and stored.
+/// Saving and restoring the state of the memory.
 namespace brinell::halfspace
 {
 

@@ -10,15 +10,15 @@
 namespace brinell::halfspace
 {
 
-/// Of a kernel that is even or odd in x and in y. Odd in one of them alone, it has an imaginary spectrum, otherwise a real one:
-/// one number is stored, for wavenumbers >= 0 along y.
+/// Parity of a kernel that is even or odd in x and in y. If it is odd in exactly one of them, its spectrum is imaginary,
+/// otherwise real: one number per wavenumber is stored, only for wavenumbers >= 0 along y.
 struct Parity
 {
   bool odd_x, odd_y;
 
   [[nodiscard]] bool is_imaginary() const { return odd_x != odd_y; }
-  /// The stored number of a row of wavenumbers times what this returns is the spectrum times `value`.
-  /// @param row  wrapped, of py
+  /// Applies the phase and sign of the spectrum to `value`: the stored number times the result is the spectrum times `value`.
+  /// @param row  wavenumber index along y, wrapped, < py
   [[nodiscard]] ComplexLanes phased(int row, int py, const ComplexLanes& value) const
   {
     const ComplexLanes signed_value = odd_y && row > py / 2 ? -1.0 * value : value;
@@ -26,9 +26,9 @@ struct Parity
   }
 };
 
-/// Spectrum of the kernel of a convolution on a grid: f(row, column, number).
-/// @param value  of the kernel at offsets in cells; asked for the sizes of offsets alone
-/// @param store  takes row, column, number
+/// Computes the spectrum of the kernel of a convolution on a grid.
+/// @param value  value(i, j) of the kernel at offsets in cells; only the magnitudes of i and j matter
+/// @param store  store(row, column, number) is called with each number of the spectrum
 template <typename Value, typename Store>
 void parity_spectrum(const PaddedFft& fft, const Parity& parity, const Value& value, const Store& store)
 {

@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
-/// The checks at the doors of the operators.
+/// Checks of the arguments of operators on a surface.
 namespace brinell::halfspace
 {
 
-/// @param part_name  "pressure"
+/// Checks that a part is empty or has one value per cell.
+/// @param part_name  e.g. "pressure"
+/// @throws InternalError
 inline void require_part(const char* function_name, const char* part_name, std::span<const double> part,
                          std::size_t cells)
 {
@@ -18,9 +20,9 @@ inline void require_part(const char* function_name, const char* part_name, std::
     require_size(fmt::format("{}: the {}", function_name, part_name).c_str(), part, cells);
 }
 
-/// That a load has the parts that an operator can compute, with a value per cell or none.
-/// @param function_name  "HalfSpace::Loaded::stress"
-/// @throws InputError if it has others, InternalError if a size is wrong
+/// Checks that a load has only parts that an operator supports, each empty or with one value per cell.
+/// @param function_name  e.g. "HalfSpace::Loaded::stress"
+/// @throws InputError if the load has an unsupported part, InternalError if a size is wrong
 inline void require_load(const char* function_name, const SurfaceLoad& load, std::size_t cells)
 {
   if (!load.heat.empty())
@@ -31,7 +33,7 @@ inline void require_load(const char* function_name, const SurfaceLoad& load, std
   require_part(function_name, "shear along y", load.shear_y, cells);
 }
 
-/// That every part of a displacement that is asked for has a value per cell, and that there is one.
+/// Checks that every requested part of a displacement has one value per cell, and that at least one part is requested.
 /// @throws InternalError
 inline void require_displacement(const char* function_name, const SurfaceDisplacement& displacement, std::size_t cells)
 {

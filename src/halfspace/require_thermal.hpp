@@ -10,8 +10,8 @@
 namespace brinell::halfspace
 {
 
-/// That heat can be conducted.
-/// @throws InputError with the name of the function and the constant
+/// Checks that the constants of heat conduction are positive and finite.
+/// @throws InputError with the name of the function and of the constant
 inline void require_thermal(const char* function_name, const Thermal& thermal)
 {
   const auto require = [&](const char* name, double value)

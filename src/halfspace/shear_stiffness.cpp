@@ -36,7 +36,7 @@ ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& large
       stiffness_(static_cast<std::size_t>(fft_.blocks()) * static_cast<std::size_t>(rows_))
 {
   const std::vector<ShearWave> compliance = waves(larger, constants, reference);
-  // Uniform shears without any response must have a stiffness: see `inverse` in surface_compliance.cpp.
+  // Uniform shears, which cause no displacement, are assigned a stiffness: see `inverse` in surface_compliance.cpp.
   constexpr double share = 1.0 / 64.0;
   const double uniform = share * largest(compliance);
   double sum = 0.0;

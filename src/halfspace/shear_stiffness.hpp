@@ -7,8 +7,8 @@
 namespace brinell::halfspace
 {
 
-/// Displacement along a surface -> about the shears that cause it: the inverse of the nearest operator that is periodic on the
-/// grid (T. Chan 1988), as `SurfaceCompliance::apply_inverse` is for pressure and z.
+/// Displacement along a surface -> approximately the shears that cause it: the inverse of the nearest operator that is periodic
+/// on the grid (T. Chan 1988), the analogue of `SurfaceCompliance::apply_inverse` for shears.
 class ShearStiffness
 {
 public:
@@ -19,11 +19,11 @@ public:
   [[nodiscard]] Scratch make_scratch() const { return Product::make_scratch(fft_); }
   [[nodiscard]] bool fits(const Scratch& scratch) const { return Product::fits(fft_, scratch); }
 
-  /// In and out may be the same fields, along x and y.
-  /// @param added  compliance of each cell besides [m/Pa]
+  /// Input and output are fields along x and y and may be the same.
+  /// @param added  additional compliance of each cell [m/Pa]
   void apply(const std::array<std::span<const double>, 2>& displacement, const std::array<std::span<double>, 2>& shear,
              Scratch& scratch, double added) const;
-  /// Mean over all waves and both directions: the shear on a cell for a displacement of this cell alone [Pa/m].
+  /// Mean over all waves and both directions: the shear on a cell per unit displacement of this cell alone [Pa/m].
   [[nodiscard]] double of_one_cell() const { return of_one_cell_; }
 
 private:

@@ -44,7 +44,7 @@ std::vector<ShearWave> periodic_shear_waves(const SurfaceGrid& grid, const green
   for (int row = 0; row <= grid.ny / 2; ++row)
     for (int i = 0; i <= grid.nx / 2; ++i)
     {
-      if (i == 0 && row == 0) // what is uniform displaces nothing
+      if (i == 0 && row == 0) // uniform shears cause no displacement
       {
         waves.emplace_back();
         continue;
@@ -52,7 +52,7 @@ std::vector<ShearWave> periodic_shear_waves(const SurfaceGrid& grid, const green
       const double m = 2.0 * std::numbers::pi * i / (grid.nx * grid.dx);
       const double n = 2.0 * std::numbers::pi * row / (grid.ny * grid.dy);
       const green::SurfaceTerms term = green::surface_wave_terms(m, n);
-      // At the shortest wave of an even number of cells the lattice cannot hold an odd function.
+      // At the Nyquist wave an odd function cannot be represented on the grid.
       const bool is_resolved = 2 * i != grid.nx && 2 * row != grid.ny;
       waves.push_back(ShearWave::of_terms(term[0], term[1], is_resolved ? term[2] : 0.0, constants));
     }

@@ -10,12 +10,12 @@
 namespace brinell::halfspace
 {
 
-/// What shears along x and y displace along x and y, for one wave: a symmetric matrix.
+/// Compliance along x and y to shears along x and y, for one wave: a symmetric matrix [m/Pa].
 struct ShearWave
 {
   double xx = 0.0, yy = 0.0, xy = 0.0;
 
-  /// Of the terms x^2/r^3, y^2/r^3, x y/r^3 (green::SurfaceTerms).
+  /// Matrix from the spectra of the terms x^2/r^3, y^2/r^3, x y/r^3 (green::SurfaceTerms).
   [[nodiscard]] static ShearWave of_terms(double xx, double yy, double xy, const green::PairConstants& constants);
   [[nodiscard]] double smallest() const; ///< eigenvalue
   [[nodiscard]] double largest() const;  ///< eigenvalue
@@ -25,11 +25,12 @@ struct ShearWave
 /// Largest eigenvalue of all.
 [[nodiscard]] double largest(const std::vector<ShearWave>& waves);
 
-/// Of bodies without ends, row by row, [ny / 2 + 1][nx / 2 + 1]; zero where the wave is uniform [m/Pa].
+/// Compliances of bodies that are periodic along both axes, row by row, [ny / 2 + 1][nx / 2 + 1]; zero for the uniform wave
+/// [m/Pa].
 [[nodiscard]] std::vector<ShearWave> periodic_shear_waves(const SurfaceGrid& grid,
                                                           const green::PairConstants& constants);
 
-/// Of a kernel on the grid, row by row [m/Pa].
+/// Compliances from a kernel on the grid, row by row [m/Pa].
 [[nodiscard]] std::vector<ShearWave> shear_waves(const SurfaceGrid& grid, const KernelPlaces& places,
                                                  const Quadrant<green::SurfaceTerms>& response,
                                                  const green::PairConstants& constants);

@@ -21,7 +21,7 @@ struct Offsets
   Offsets(int cells, bool is_periodic) : count(is_periodic ? cells : 2 * cells - 1), middle(is_periodic ? 0 : cells - 1)
   {
   }
-  /// Where the offset with the number n is in a transform of this length.
+  /// Index of the offset number n in a transform of this length.
   [[nodiscard]] int wrapped(int n, int length) const { return n >= middle ? n - middle : n - middle + length; }
 };
 
@@ -56,9 +56,10 @@ std::vector<double> steady_displacement(const SteadyLattices& lattices, const Th
     throw InputError(
         "the steady displacement of a flux that rests grows with the logarithm of the distance without end; "
         "allowed: a reference, at which it counts as zero, or a velocity");
-  // How far it has come on the last lattice says nothing. Far from the cell it is (1 + nu) alpha Q/(2 pi K) ln(r/reference) (Barber 1971).
+  // The constant part of the displacement on the lattices is arbitrary. Far from the cell the displacement is
+  // (1 + nu) alpha Q/(2 pi K) ln(r/reference) (Barber 1971), which fixes it.
   const SurfaceGrid& g = lattices.offsets();
-  // In the corner waves of cells do not ring.
+  // It is evaluated in the corner, where the interpolation of single cells causes no oscillations.
   const double distance = std::hypot(0.5 * (g.nx - 1) * g.dx, 0.5 * (g.ny - 1) * g.dy);
   const double unit = (1.0 + elastic.poisson_ratio) * thermal.expansion * g.cell_area() /
                       (2.0 * std::numbers::pi * thermal.conductivity);

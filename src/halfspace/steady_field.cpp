@@ -15,7 +15,7 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Fields of a layer: temperature, trace, and the deviator.
+/// Number of fields of a layer: temperature, trace, and components of the deviator.
 constexpr std::size_t parts = 2 + Deviator::size;
 
 void require_depths(const std::vector<double>& depths, const Thermal& thermal, const Elastic& elastic)
@@ -29,7 +29,7 @@ void require_depths(const std::vector<double>& depths, const Thermal& thermal, c
     throw InputError(fmt::format("SteadyField: expansion = {}; allowed: a finite number", thermal.expansion));
 }
 
-/// [depth][part][offset]
+/// Fields by a unit flux through one cell, [depth][part][offset].
 std::vector<std::vector<double>> layer_tables(const SteadyLattices& lattices, const Thermal& thermal,
                                               const Elastic& elastic, const std::vector<double>& depths)
 {

@@ -15,8 +15,8 @@ namespace
 
 constexpr double pi = std::numbers::pi;
 
-/// How much of a wave is kept of what comes from afar: of a length `clear` and longer ones all, and so smoothly less that what is left out stays
-/// where it comes from.
+/// Low-pass factor on a wave of the far fields: 1 for wavelengths of `clear` and more, with a decrease so smooth that the omitted
+/// part remains localised at its source.
 double kept(double k, double clear)
 {
   constexpr double middle = 38.0, width = 9.0;
@@ -24,7 +24,7 @@ double kept(double k, double clear)
 }
 constexpr double last_kept = 68.0; ///< k times clear
 
-/// Chebyshev's points, and what a polynomial through them has at other places: barycentric interpolation.
+/// Chebyshev points, and barycentric interpolation by the polynomial through the values at these points.
 struct Chebyshev
 {
   std::vector<double> points, weights;
@@ -60,7 +60,7 @@ struct Chebyshev
   }
 };
 
-/// The waves of a unit flux at all depths, and their fields.
+/// Waves of the fields by a unit flux, at all depths.
 struct WaveFields
 {
   const SteadyLattices::Fields& fields;
@@ -89,11 +89,12 @@ struct WaveFields
 SteadyLattices::SteadyLattices(const SurfaceGrid& grid, const Thermal& thermal, double velocity)
     : thermal_(thermal), velocity_(velocity), offsets_(grid)
 {
-  // Of a small grid the lattice is larger: what comes from afar shall be longer than waves of cells.
+  // On a small grid the lattice is larger, so that the waves of the far fields are longer than the cells.
   const double far_enough = last_kept / pi * (grid.is_periodic_y() ? grid.dx : std::max(grid.dx, grid.dy));
   const double length = std::max(grid.nx * grid.dx, far_enough), width = grid.ny * grid.dy;
   x_ = {fast_length(static_cast<int>(std::ceil(4.0 * length / grid.dx))), 1 - grid.nx, 2 * grid.nx - 1, grid.dx, true};
-  clear_ = 0.5 * x_.length * grid.dx - grid.nx * grid.dx; // to the heat of before, and to that of the next image
+  // Distance to the omitted earlier heat, and to that of the nearest image.
+  clear_ = 0.5 * x_.length * grid.dx - grid.nx * grid.dx;
   y_ = {grid.ny, 0, grid.ny, grid.dy, false};
   if (!grid.is_periodic_y())
   {
@@ -106,7 +107,7 @@ SteadyLattices::SteadyLattices(const SurfaceGrid& grid, const Thermal& thermal, 
   offsets_.ny = y_.count;
 }
 
-/// The heat of the time in which the flux comes half of the period, or in which heat spreads as far.
+/// The flux during the time in which it moves by half of the period, or in which heat spreads by that distance.
 MovingFlux SteadyLattices::flux(int level) const
 {
   const double way = 0.5 * x_.period(level), diffusivity = thermal_.diffusivity();
@@ -114,7 +115,7 @@ MovingFlux SteadyLattices::flux(int level) const
   return {thermal_.conductivity, diffusivity, velocity_, duration};
 }
 
-/// As many as there are until what is left follows its law for far away.
+/// Number of levels of far fields after which the remainder follows its asymptotic law.
 int SteadyLattices::levels(double deepest) const
 {
   const double largest = std::max({x_.extent(), y_.extent(), deepest});
@@ -122,7 +123,7 @@ int SteadyLattices::levels(double deepest) const
   if (velocity_ == 0.0)
     return of_rest;
   int level = 0;
-  // The displacement by a wake: in the plane it goes with the root of the distance only.
+  // The displacement by the wake converges slowest: in plane strain only with the square root of the distance.
   const double far = y_.is_open ? 128.0 : 1024.0, cooled = y_.is_open ? 400.0 : 1e4;
   while (level < most && (0.5 * x_.period(level) < far * largest ||
                           0.5 * x_.period(level) * std::abs(velocity_) / thermal_.diffusivity() < cooled))
@@ -138,7 +139,7 @@ SurfaceWave SteadyLattices::wave(int a, int b, int level) const
   return {kx, ky, std::hypot(kx, ky), shortest(a, x_) ? 0.0 : kx, shortest(b, y_) ? 0.0 : ky};
 }
 
-/// All waves of the finest lattice.
+/// Adds the fields of all waves of the finest lattice.
 void SteadyLattices::add_near(std::span<const double> depths, const Fields& fields, std::span<Values> out) const
 {
   const PaddedFft fft(offsets_, x_.length, y_.length);
@@ -173,7 +174,7 @@ void SteadyLattices::add_near(std::span<const double> depths, const Fields& fiel
     fft.inverse(spectra[f].data(), out[f].data(), room);
 }
 
-/// What a lattice of twice the period and more time has, less what this one has: at the nodes.
+/// Adds, at the nodes, the fields of a lattice with twice the period and more time minus those of this lattice.
 void SteadyLattices::add_far(int level, double factor, std::span<const double> depths, const Fields& fields,
                              const Nodes& along_x, const Nodes& along_y, std::vector<Values>& out) const
 {
@@ -285,7 +286,7 @@ std::vector<std::vector<double>> SteadyLattices::tables(std::span<const double> 
   std::vector<Values> result(depths.size() * count, Values(offsets_.size()));
   if (depths.empty())
     return result;
-  constexpr std::size_t at_once = 4; // depths, as their spectra take room
+  constexpr std::size_t at_once = 4; // depths per pass, to limit the memory of their spectra
   for (std::size_t d = 0; d < depths.size(); d += at_once)
   {
     const std::size_t some = std::min(at_once, depths.size() - d);
@@ -296,7 +297,8 @@ std::vector<std::vector<double>> SteadyLattices::tables(std::span<const double> 
   const std::size_t plane = along_x.size() * along_y.size();
   std::vector<Values> far(down.size() * count, Values(plane));
   const int all = levels(down.places.back());
-  // What would follow is a geometric series: of a flux at rest that of a temperature, else that of the displacement by a wake.
+  // Further levels are a geometric series: for a flux at rest that of the temperature, otherwise that of the displacement by a
+  // wake.
   const double ratio = velocity_ == 0.0 ? 0.5 : y_.is_open ? std::pow(0.5, 1.5) : std::sqrt(0.5);
   for (int level = 0; level < all; ++level)
     add_far(level, level + 1 == all ? 1.0 / (1.0 - ratio) : 1.0, down.places, fields, along_x, along_y, far);

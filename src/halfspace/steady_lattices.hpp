@@ -13,25 +13,26 @@
 namespace brinell::halfspace
 {
 
-/// What a unit flux through one cell, which has moved along x for ever, gives at the offsets between all cells:
+/// Fields by a unit flux through one cell that has moved along x for an infinite time, at all offsets between cells:
 /// docs/theory/heat.md (steady-lattices).
 ///
-/// A periodic lattice sees the heat of the time in which the flux has come half of its period, and lattices of two, four, eight times its period
-/// that of all times before, with what takes off its images: far away, smooth, and of few waves.
+/// A periodic lattice accounts for the heat that has entered while the flux moved by half of the period. Lattices with two, four,
+/// eight, ... times the period account for the heat of earlier times and remove the images of the lattice before; these far
+/// fields are smooth and consist of few waves.
 class SteadyLattices
 {
 public:
-  /// @param velocity  along x [m/s]; 0 on open grids only
+  /// @param velocity  along x [m/s]; may be 0 only on open grids
   SteadyLattices(const SurfaceGrid& grid, const Thermal& thermal, double velocity);
 
-  /// Some fields at one depth.
+  /// Definition of some fields at one depth.
   struct Fields
   {
-    /// Their waves from those of the heat.
+    /// Computes one wave of each field from the wave of the heat.
     std::function<void(const SurfaceWave&, double depth, const ThermalWave&, std::span<Complex> out)> waves;
     std::vector<bool> is_odd; ///< in y
   };
-  /// The offsets, as cells of a grid with that of no offset in the middle; a periodic axis begins with it.
+  /// All offsets, as cells of a grid; zero offset is in the middle along an open axis and first along a periodic one.
   [[nodiscard]] const SurfaceGrid& offsets() const { return offsets_; }
   /// @returns [depth][field][offset]
   [[nodiscard]] std::vector<std::vector<double>> tables(std::span<const double> depths, const Fields& fields) const;
@@ -41,13 +42,13 @@ private:
   struct Axis
   {
     int length;       ///< cells of its period
-    int first, count; ///< of the offsets [cells]
+    int first, count; ///< smallest offset and number of offsets [cells]
     double size;      ///< of a cell [m]
     bool is_open;
     [[nodiscard]] double extent() const { return count == 1 ? size : 0.5 * (count + 1) * size; }
     [[nodiscard]] double period(int level) const { return is_open ? std::ldexp(length * size, level) : length * size; }
   };
-  /// Where fields that come from afar are computed, and from there to all offsets.
+  /// Nodes along one axis at which far fields are computed, and weights that interpolate from them to all offsets.
   struct Nodes
   {
     std::vector<double> places;  ///< [m]
@@ -69,7 +70,8 @@ private:
   double velocity_;
   Axis x_{}, y_{};
   SurfaceGrid offsets_;
-  double clear_ = 0.0; ///< from what a lattice leaves out to the nearest offset: twice as far at each level [m]
+  /// Distance from the heat that a lattice omits to the nearest offset; doubles with each level [m].
+  double clear_ = 0.0;
 };
 
 } // namespace brinell::halfspace

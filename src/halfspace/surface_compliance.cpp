@@ -19,7 +19,7 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Spectrum for bodies without ends, row by row: a wave of pressure gives one of displacement, 2 / (E' k) times as high.
+/// Spectrum for bodies that are periodic along both axes, row by row: 2 / (E' k), the displacement by a wave of unit pressure.
 std::vector<double> wave_spectrum(const SurfaceGrid& grid, double contact_modulus)
 {
   std::vector<double> spectrum;
@@ -32,11 +32,11 @@ std::vector<double> wave_spectrum(const SurfaceGrid& grid, double contact_modulu
   return spectrum;
 }
 
-/// Reciprocals. A uniform pressure without any response must have a stiffness: restricted to a contact that is nearly full,
-/// its response is that of the spots that are open, much less than that of any wave on the grid.
+/// Reciprocals of a spectrum. A uniform pressure, whose compliance is zero, must be assigned a stiffness: restricted to a nearly
+/// full contact, its compliance is that of the open spots, much less than that of any wave on the grid.
 std::vector<double> inverse(std::vector<double> spectrum)
 {
-  // Of 1, 1/4, 1/16, 1/64 and 1/1000 that with the fewest iterations over all areas.
+  // Of the values 1, 1/4, 1/16, 1/64 and 1/1000, this one needs the fewest iterations over all contact areas.
   constexpr double share = 1.0 / 64.0;
   const double uniform = share * *std::max_element(spectrum.begin(), spectrum.end());
   for (double& response : spectrum)
@@ -44,7 +44,7 @@ std::vector<double> inverse(std::vector<double> spectrum)
   return spectrum;
 }
 
-/// The operator and about its inverse, row by row.
+/// Spectra of the operator and of its approximate inverse, row by row.
 struct Spectra
 {
   std::vector<double> compliance; ///< [m/Pa]

@@ -19,9 +19,10 @@ namespace brinell::halfspace
 namespace
 {
 
-/// The trace and the deviator of the thermal stress of a row of waves: what `stress_wave` gives of each, with the traction-free surface
-/// already in it, where zz = k [(1 + kz) S - psi] and so the trace is 2 [(1 + nu) k S - T], S being e^{-kz} times the potential of the
-/// surface. Real and imaginary parts apart, as the compiler then takes several waves at a time.
+/// Trace and deviator of the thermal stress of a row of waves, as by `stress_wave` for each wave, with the condition of a
+/// traction-free surface inserted: zz = k [(1 + kz) S - psi], and so the trace is 2 [(1 + nu) k S - T], where S is e^{-kz} times
+/// the potential at the surface. Real and imaginary parts are computed separately so that the compiler can vectorise over the
+/// waves.
 class StressOfRow
 {
 public:
@@ -98,14 +99,14 @@ double largest_of(const std::vector<double>& depths)
 namespace
 {
 
-/// Factors of the waves at the depths, found when a depth is asked for, as a plan has room for deeper ones than may ever be. Several
-/// threads may ask.
+/// Factors of the waves at the depths, computed when a depth is first requested, because a plan may contain depths that are never
+/// used. Thread-safe.
 class LayerFactors
 {
 public:
   LayerFactors(DepthWaves waves, std::vector<double> depths) : waves_(std::move(waves)), depths_(std::move(depths))
   {
-    found_.reserve(depths_.size()); // so that those that are there stay where they are
+    found_.reserve(depths_.size()); // so that elements are never moved
   }
   [[nodiscard]] std::span<const DepthFactors> some(std::size_t first, std::size_t count)
   {
@@ -129,7 +130,7 @@ struct ThermalField::State
 {
   Elastic elastic;
   double expansion; ///< alpha [1/K]
-  double strain;    ///< of a layer that cannot expand along the surface: alpha (1 + nu)/(1 - nu) [1/K]
+  double strain;    ///< of a layer constrained along the surface: alpha (1 + nu)/(1 - nu) [1/K]
   double capacity;  ///< rho c [J/(m^3 K)]
   std::vector<double> depths;
   OpenHeatMemory memory;
@@ -149,7 +150,7 @@ struct ThermalField::State
   }
 };
 
-/// @param wanted  tells which fields there are of each layer
+/// @param wanted  the parts that are not empty determine which fields of each layer are computed
 void ThermalField::State::find_layers(double duration, const Layers& which, const ThermalLayer& wanted,
                                       const std::vector<std::span<double>>& fields,
                                       const HeatMemory::Window& window) const
@@ -275,7 +276,7 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
   require_displacement(name, displacement, grid().size());
   const State& state = *state_;
   const double factor = -2.0 * (1.0 + state.elastic.poisson_ratio) * state.expansion;
-  // What is uniform and has no ends expands along z alone.
+  // A uniform temperature of a body periodic along both axes causes expansion along z only.
   const double of_uniform = grid().is_periodic() ? -state.strain : factor;
   std::vector<std::span<double>> out;
   std::vector<bool> is_odd;
@@ -307,7 +308,7 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
 namespace
 {
 
-/// The parts of a layer that are wanted.
+/// The parts of a layer whose spans are not empty.
 std::vector<std::span<double>> wanted(const ThermalLayer& out, std::size_t cells)
 {
   require_part("ThermalField::layer", "temperature", out.temperature, cells);

@@ -13,7 +13,7 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Table of all offsets, of a step that has a beginning: the last one that a cold body has taken up.
+/// Displacement by a unit flux through one cell at all offsets, for a step of finite duration of an initially cold body.
 std::vector<double> displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
                                          const HeatMotion& motion)
 {
@@ -22,7 +22,7 @@ std::vector<double> displacement_of_cell(const SurfaceGrid& grid, const Thermal&
   offsets.ny = grid.is_periodic_y() ? grid.ny : 2 * grid.ny - 1;
   std::vector<double> flux(offsets.size()), displacement(offsets.size());
   flux[offsets.index(grid.is_periodic_x() ? 0 : grid.nx - 1, grid.is_periodic_y() ? 0 : grid.ny - 1)] = 1.0;
-  // One cell in the middle row has two sides that are alike.
+  // The heated cell is in the middle row, so the field is symmetric in y.
   const bool is_symmetric = !grid.is_periodic_y() && motion.velocity_y == 0.0;
   ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration}, {}, HeatImages::fine,
                      is_symmetric ? Symmetry::in_y : Symmetry::none);
@@ -31,7 +31,7 @@ std::vector<double> displacement_of_cell(const SurfaceGrid& grid, const Thermal&
   return displacement;
 }
 
-/// Of one that has not.
+/// Likewise for a flux that has acted for an infinite time.
 std::vector<double> steady_displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
                                                 const HeatMotion& motion, std::optional<double> reference)
 {

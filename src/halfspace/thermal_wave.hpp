@@ -8,8 +8,8 @@
 namespace brinell::halfspace
 {
 
-/// A wave along the surface of the temperature at one depth, and what its potential psi, lap(psi) = -T with d psi/dz = 0 at the
-/// surface, is there.
+/// One wave along the surface of the temperature T at one depth, and its potential psi there: lap(psi) = -T with d psi/dz = 0 at
+/// the surface.
 struct ThermalWave
 {
   Complex temperature;          ///< [K]
@@ -23,7 +23,7 @@ struct ThermalWave
   return {value.imag(), -value.real()};
 }
 
-/// The stress of one wave at one depth, of a unit 2 mu alpha (1 + nu)/(1 - nu).
+/// Stress of one wave at one depth, divided by 2 mu alpha (1 + nu)/(1 - nu) [K].
 struct StressWave
 {
   Complex xx, yy, zz, yz, xz, xy;
@@ -31,8 +31,8 @@ struct StressWave
   [[nodiscard]] Complex trace() const { return xx + yy + zz; }
 };
 
-/// docs/theory/heat.md (thermal-stress). The potential of the temperature leaves a normal traction on the surface, and a pressure takes it
-/// off. In the body they cancel to what is left in zz, xz and yz.
+/// docs/theory/heat.md (thermal-stress). The potential of the temperature causes a normal traction on the surface, which a
+/// pressure cancels. zz, xz and yz contain what remains in the body of the two, which largely cancel.
 [[nodiscard]] inline StressWave stress_wave(const SurfaceWave& along, double depth, const ThermalWave& heat,
                                             double poisson_ratio)
 {

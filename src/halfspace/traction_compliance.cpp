@@ -18,7 +18,7 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Places in green::SurfaceTerms.
+/// Indices into green::SurfaceTerms.
 enum : std::size_t
 {
   xx,
@@ -34,7 +34,7 @@ constexpr std::array<Parity, term_count> parities{
 /// The displacement along z, x and y of a pressure and the shears along x and y.
 using Product = CoupledProduct<3>;
 using Triple = Product::Values;
-/// Spectra of the terms for `lane_count` wavenumbers, as their parities say.
+/// Spectra of the terms for `lane_count` wavenumbers: real or imaginary parts, according to their parities.
 using Terms = std::array<Lanes, term_count>;
 
 } // namespace
@@ -89,12 +89,12 @@ struct TractionCompliance::Operator
   void tabulate_waves(const PaddedFft& padded)
   {
     for (int row = 0; row < rows; ++row)
-      for (int i = row == 0 ? 1 : 0; i < padded.kx(); ++i) // what is uniform displaces nothing
+      for (int i = row == 0 ? 1 : 0; i < padded.kx(); ++i) // uniform tractions cause no displacement
       {
         const green::SurfaceTerms value = green::surface_wave_terms(padded.wavenumber_x(i), padded.wavenumber_y(row));
         for (std::size_t t = 0; t < term_count; ++t)
         {
-          // At the shortest wave of an even number of cells the lattice cannot hold an odd function.
+          // At the Nyquist wave an odd function cannot be represented on the grid.
           const bool is_resolved =
               !(parities[t].odd_x && 2 * i == padded.px()) && !(parities[t].odd_y && 2 * row == padded.py());
           terms_at(row, i)[t][i % lane_count] = is_resolved ? value[t] : 0.0;

@@ -56,7 +56,7 @@ Parity TractionStress::parity(int which) const
 namespace
 {
 
-/// What is stored of a stress, in the order of the kernels.
+/// Values of a stress that are stored, in the order of the kernels.
 std::array<double, 6> kernel_values(const SymTensor& t)
 {
   const double mean = trace(t) / 3.0;
@@ -93,7 +93,7 @@ void TractionStress::tabulate_cells(int layer, double poisson_ratio, const Padde
 namespace
 {
 
-/// Of a wave, means over a layer.
+/// Depth factors of a wave, as means over a layer.
 struct Decay
 {
   double level;  ///< of e^{-kz}
@@ -107,12 +107,12 @@ Decay mean_decay(double thickness, int layer)
   return {std::exp(-top) * mean, std::exp(-top) * ((1.0 + top) * mean - std::exp(-thickness))};
 }
 
-/// With l along the wavevector, t across it, a wave of unit pressure gives, times e^{-kz},
+/// With l along the wavevector and t across it, the stress of a wave of unit pressure is e^{-kz} times
 ///     ll = -(1 - k z)    zz = -(1 + k z)    tt = -2 nu    lz = i k z
-/// one of a unit shear along l
+/// that of a wave of unit shear along l
 ///     ll = i (2 - k z)   zz = i k z         tt = 2 i nu   lz = -(1 - k z)
-/// and one along t: lt = i, tz = -1 (Johnson 1985, section 13.2; docs/theory/half-space.md).
-/// @param lx, ly  of the unit vector along l
+/// and that of one along t: lt = i, tz = -1 (Johnson 1985, section 13.2; docs/theory/half-space.md).
+/// @param lx, ly  components of the unit vector along l
 /// @return  amplitudes, without the factor i in those that are odd in x and even in y, or the other way round
 SymTensor wave_stress(Traction traction, double lx, double ly, const Decay& decay, double nu)
 {
@@ -139,7 +139,7 @@ SymTensor wave_stress(Traction traction, double lx, double ly, const Decay& deca
           ly * (xx * (ll - tt) + (yy - xx) * lt)};
 }
 
-/// Of a unit traction that is uniform, without mean strain in the plane.
+/// Stress of a uniform unit traction, without mean strain in the plane.
 SymTensor uniform_stress(Traction traction, double nu)
 {
   const double held = -nu / (1.0 - nu);
@@ -168,7 +168,7 @@ void TractionStress::tabulate_waves(int layer, double poisson_ratio, const Padde
       const std::array<double, kernel_count> value = kernel_values(
           k == 0.0 ? uniform_stress(traction_, poisson_ratio)
                    : wave_stress(traction_, m / k, n / k, mean_decay(k * grid_.dz, layer), poisson_ratio));
-      // At the shortest wave of an even number of cells the lattice cannot hold an odd function.
+      // At the Nyquist wave an odd function cannot be represented on the grid.
       const bool shortest_x = 2 * i == fft.px(), shortest_y = 2 * row == fft.py();
       for (int which = 0; which < kernel_count; ++which)
       {
@@ -193,7 +193,7 @@ void for_rows(int rows, const BlockedFft& fft, const Work& work)
     work(row, fft.folded(row), std::true_type{});
 }
 
-/// A kernel, the spectrum that it acts on, and whether the kernel changes its sign with that of the wavenumber along y.
+/// A kernel, the spectrum by which it is multiplied, and whether the kernel is odd in the wavenumber along y.
 struct Source
 {
   const Lanes* kernel = nullptr;
@@ -211,7 +211,7 @@ struct Source
   }
 };
 
-/// @tparam parts  of the traction that act, a bit each
+/// @tparam parts  bit mask of the components of the traction that are not zero
 template <unsigned parts>
 void add_parts(const OfTraction<Source> sources, bool pressure_is_imaginary, int rows, const BlockedFft& fft,
                const ComplexLanes* stress, const ComplexLanes* next, ComplexLanes* total)
@@ -242,7 +242,7 @@ void add_parts(const OfTraction<Source> sources, bool pressure_is_imaginary, int
 
 } // namespace
 
-/// Of one component the kernels of both shears are imaginary where that of the pressure is real, and the other way round.
+/// For each component of the stress, the kernels of both shears are imaginary if that of the pressure is real, and vice versa.
 void TractionStress::add(const OfTraction<const TractionStress*>& kernels, int block, int component, int layer,
                          int rows, const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress,
                          const ComplexLanes* next, ComplexLanes* total)
@@ -302,7 +302,7 @@ void TractionStress::add_displacement(int block, int layer, int rows, const Comp
                    times(xx, e_xx + sum) + times(yy, e_yy + sum) + 2.0 * times(xy, strain[xy * pitch + row]);
                const ComplexLanes across =
                    2.0 * (times(yz, strain[yz * pitch + row]) + times(xz, strain[xz * pitch + row]));
-               // Of the transpose, with conj(i K) = -i K.
+               // The kernel of the transpose is the conjugate: conj(i K) = -i K.
                displacement[row] = displacement[row] +
                                    thickness * (is_pressure ? in_plane - times_i(across) : across - times_i(in_plane));
              });

@@ -12,7 +12,7 @@
 namespace brinell::halfspace
 {
 
-/// A value for each component of the traction on the surface, and of the displacement that it works on.
+/// A value for each component of the traction on the surface, or for the displacement component conjugate to it.
 template <typename Value>
 using OfTraction = std::array<Value, 3>;
 
@@ -20,10 +20,10 @@ using OfTraction = std::array<Value, 3>;
 /// surface along that component.
 ///
 /// Closed form of the uniformly loaded rectangle (Love 1929, Cerruti), one convolution per layer; the value of a cell is the
-/// mean over the layer's thickness at the middle of the cell in x and y. On a grid with two periodic axes, waves in their
-/// place. The transpose is Betti's theorem,
+/// mean over the layer's thickness at the middle of the cell in x and y. On a grid with two periodic axes, waves are used
+/// instead. The transpose follows from Betti's theorem,
 ///   u(x) = integral of s^(unit load at x) : eps_p dV,    docs/theory/half-space.md (residual-displacement),
-/// with the same coefficients, so the discrete system stays symmetric.
+/// with the same coefficients, so the discrete system is symmetric.
 ///
 /// Works on the spectra of single blocks of BlockedFft.
 class TractionStress
@@ -32,24 +32,24 @@ public:
   /// @param fft  transform of single planes on the surface of `grid`; must outlive this object.
   TractionStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft, Traction traction);
 
-  static constexpr int trace = Deviator::size; ///< component of the stress after those of its deviator
-  /// Adds one component of the stress of a traction in one layer, in one go for those of its components that act.
-  /// @param kernels        of them; nullptr where there is no traction
-  /// @param rows           of the spectra that are worked on, from the first one
+  static constexpr int trace = Deviator::size; ///< component index of the trace, after those of the deviator
+  /// Adds one component of the stress in one layer by all components of the traction that are not zero, in one pass.
+  /// @param kernels        one per component of the traction; nullptr if that component is zero
+  /// @param rows           number of rows of the spectra that are computed, from the first one
   /// @param traction       [row]
   /// @param stress, total  [row] [Pa]; may be the same
-  /// @param next           the stress of the same plane in the next block, which is fetched meanwhile, with its kernels; `stress`
-  ///                       itself in the last block
+  /// @param next           the stress of the same plane in the next block, which is prefetched together with its kernels;
+  ///                       `stress` itself in the last block
   static void add(const OfTraction<const TractionStress*>& kernels, int block, int component, int layer, int rows,
                   const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress, const ComplexLanes* next,
                   ComplexLanes* total);
-  /// Adds the displacement of the surface [m] of the plastic strain in one layer: that which the traction works on.
+  /// Adds the displacement of the surface [m] by the plastic strain in one layer, in the direction of this traction component.
   /// @param strain        [component][pitch], traceless
   /// @param displacement  [row]
   void add_displacement(int block, int layer, int rows, const ComplexLanes* strain, ComplexLanes* displacement) const;
 
 private:
-  /// Kernels of a layer.
+  /// Kernels of a layer, one per component of the stress.
   enum : int
   {
     xx = Deviator::xx,
@@ -69,8 +69,8 @@ private:
   const BlockedFft& fft_;
   Traction traction_;
   int rows_; ///< stored rows, ky >= 0
-  /// [block][layer][kernel][row]. Every kernel is even or odd in x and in y: the imaginary parts of those that are odd in one
-  /// of them alone, real parts otherwise.
+  /// [block][layer][kernel][row]. Every kernel is even or odd in x and in y; the imaginary part of its spectrum is stored if it
+  /// is odd in exactly one of them, otherwise the real part.
   AlignedVector<Lanes> kernels_;
 };
 

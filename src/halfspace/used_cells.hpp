@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Where a field is not zero, so that work on the rest can be left out without a change of any sum.
+/// Range of cells where a field is not zero; work on the other cells can be skipped without changing any sum.
 namespace brinell::halfspace
 {
 
@@ -19,7 +19,7 @@ struct CellRectangle
   [[nodiscard]] bool is_empty() const { return first_y == end_y; }
 };
 
-/// A NaN counts.
+/// Whether any value is not zero; a NaN is not zero.
 [[nodiscard]] inline bool has_nonzero(const double* values, int count)
 {
   std::uint64_t bits = 0;
@@ -29,7 +29,7 @@ struct CellRectangle
   return bits << 1U != 0; // all but the sign
 }
 
-/// Place of the first value that is not zero, behind the last one if there is none. Eight are looked at together.
+/// Index of the first value that is not zero; `count` if there is none. Whole vectors of values are tested at a time.
 [[nodiscard]] inline int first_nonzero(const double* values, int count)
 {
   int i = 0;
@@ -40,7 +40,7 @@ struct CellRectangle
   return i;
 }
 
-/// Behind the last value from `first` on that is not zero, `first` if there is none.
+/// Index after the last nonzero value in [first, count); `first` if there is none.
 [[nodiscard]] inline int end_of_nonzero(const double* values, int first, int count)
 {
   int end = count;
@@ -51,7 +51,8 @@ struct CellRectangle
   return end;
 }
 
-/// The smallest rectangle that holds all values of a plane that are not zero. What lies between the ends of a row is not read.
+/// The smallest rectangle that contains all nonzero values of a plane. Each row is read from its beginning to the first nonzero
+/// value, and from its end to the last one or to the rectangle found so far.
 [[nodiscard]] inline CellRectangle used_cells(const double* plane, int nx, int rows)
 {
   CellRectangle used{nx, 0, rows, 0};

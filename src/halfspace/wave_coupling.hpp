@@ -12,32 +12,33 @@
 namespace brinell::halfspace
 {
 
-/// What MomentCoupling is to polynomials in two distances, of waves along one axis times polynomials of the distance y - y' across it:
-/// the waves do not couple, so they lie in lanes. Both the cosines and the sines of a wave are multiplied by the same.
+/// The analogue of MomentCoupling for kernels that are sums of waves along one axis times polynomials of the distance y - y'
+/// across it. The waves do not couple, so neighbouring waves are processed in lanes; cosine and sine of a wave have the same
+/// factors.
 class WaveCoupling
 {
 public:
-  /// @param depths  number of the functions of depth
-  /// @param odd     whether a component changes its sign if y is mirrored
+  /// @param depths  number of functions of depth
+  /// @param odd     1 for components that change their sign if y is mirrored, otherwise 0
   WaveCoupling(int waves, int depths, int degree, const std::array<int, images::stresses>& odd);
 
-  /// Sets the term (y - y')^b of one wave in the stress `c` of the strain `e`, which is there for b even (odd) where both components
-  /// are of like (unlike) parity. Threads may set terms of unlike waves at the same time.
+  /// Sets the term (y - y')^b of one wave in the stress component `c` by the strain component `e`. b must be even if both
+  /// components have the same parity, otherwise odd. Different threads may set terms of different waves concurrently.
   /// @param value  [function of z][function of z']
   void set(int wave, int c, int e, int b, double factor, const Eigen::MatrixXd& value);
 
-  [[nodiscard]] int parts() const { return parts_; } ///< of the waves, each as many as there are lanes
+  [[nodiscard]] int parts() const { return parts_; } ///< number of groups of `lane_count` waves
 
-  /// Multiplies the moments of the waves of one part, [component][power][depth]; those of the stress must be zero before. Moments
-  /// have to be weighted by `of_strain` before, and by `of_stress` after.
-  /// @param symmetry    with one, the moments that are odd across the axis are zero
-  /// @param components  of the stress that are wanted, the first ones
+  /// Multiplies the moments of the waves of one part, [component][power][depth]; `stress` must be zero on entry. The moments of
+  /// the strain must have been multiplied by `of_strain`, and the result must still be multiplied by `of_stress`.
+  /// @param symmetry    with one, moments that vanish by the symmetry are skipped
+  /// @param components  number of components of the stress that are computed, from the first one
   void multiply(int part, const ComplexLanes* strain, Symmetry symmetry, int components, ComplexLanes* stress) const;
   [[nodiscard]] static double of_strain(int power) { return (power % 2 == 0 ? 1.0 : -1.0) / images::factorial(power); }
   [[nodiscard]] static double of_stress(int power) { return 1.0 / images::factorial(power); }
 
 private:
-  /// Of one term, [depth of stress][depth of strain].
+  /// Index into `value_` of the matrix [depth of stress][depth of strain] of one term.
   [[nodiscard]] std::size_t place(int c, int e, int b, int part) const
   {
     return static_cast<std::size_t>((((c * images::strains + e) * (degree_ / 2 + 1) + b / 2) * parts_ + part) *

@@ -33,7 +33,7 @@ WaveProduct::Scratch WaveProduct::make_scratch() const
   return scratch;
 }
 
-/// From the rows of one block and back to them.
+/// Transforms the rows of one block along y, multiplies them and transforms them back.
 void WaveProduct::apply_to_block(int block, AlignedVector<ComplexLanes>& values, BlockedFft::Scratch& own) const
 {
   fft_.columns_forward(values.data(), block, 0, own.column.data(), own);

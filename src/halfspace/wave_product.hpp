@@ -10,9 +10,9 @@
 namespace brinell::halfspace
 {
 
-/// A field on a surface -> the field whose waves are as many times as high as the factors say.
+/// A field on a surface -> the field with each wave multiplied by a factor.
 ///
-/// The work on a block of neighbouring columns, transform, product and transform back, is done in one go in the cache.
+/// A block of neighbouring columns is transformed, multiplied and transformed back while it is in the cache.
 class WaveProduct
 {
 public:
@@ -23,7 +23,7 @@ public:
   struct Scratch
   {
     AlignedVector<ComplexLanes> rows;
-    std::vector<BlockedFft::Scratch> threads; ///< one where the grid is too small to share
+    std::vector<BlockedFft::Scratch> threads; ///< only one if the grid is too small to share
   };
   [[nodiscard]] Scratch make_scratch() const;
   /// Whether a scratch is large enough.

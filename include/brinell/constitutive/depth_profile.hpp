@@ -6,14 +6,14 @@
 namespace brinell::constitutive
 {
 
-/// A quantity over depth: linear between points, constant before the first and after the last one.
+/// A quantity as a function of depth: linear between points, constant before the first and after the last one.
 class DepthProfile
 {
 public:
   /// No points: the quantity does not depend on depth.
   DepthProfile() = default;
   /// @param depth  ascending, >= 0 [m]
-  /// @param value  as many
+  /// @param value  one per depth
   /// @throws InputError
   DepthProfile(std::vector<double> depth, std::vector<double> value);
 

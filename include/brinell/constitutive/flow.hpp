@@ -13,12 +13,12 @@ enum class Integration
   backward_euler ///< one radial return at the end of the step, as in the paper: first order
 };
 
-/// Plastic flow of one point in one increment, by the return mapping that belongs to the material and to the integration.
-/// @param s0         stress deviator before the increment [Pa]; the path begins there.
+/// Plastic flow of one point in one increment, by the return mapping for this material and this integration.
+/// @param s0         stress deviator before the increment [Pa], where the path begins.
 /// @param q          trial deviator s + c d_eps [Pa]
 /// @param e          equivalent plastic strain before the increment
-/// @param stiffness  c [Pa]: twice the shear modulus at a point by itself; a share of it in the fixed point of a body, whose
-///                   other points take a part of the stress (docs/theory/elastoplastic.md).
+/// @param stiffness  c [Pa]: twice the shear modulus for an isolated point; a fraction of that in the fixed-point iteration of a
+///                   body, whose other points carry a part of the stress (docs/theory/elastoplastic.md).
 /// @param terms      of kinematic hardening; may be empty.
 /// @param back       their back stresses [Pa]; in: before the increment, out: after it.
 template <typename Law>

@@ -10,12 +10,12 @@
 #include <vector>
 
 /// Hardening laws: the yield stress as a function of the accumulated equivalent plastic strain e >= 0.
-/// A law is a struct that can be compared, with three members,
+/// A law is an equality-comparable struct with three member functions,
 ///   yield_stress_at(e)  sigma_y(e) [Pa], > 0, non-decreasing;
 ///   modulus_at(e)       d sigma_y / d e [Pa], >= 0; may be infinite at e = 0;
 ///   work(e)             integral of sigma_y from 0 to e [J/m^3]: the potential of the increment's convex problem,
-/// and one line in the variant below. The return mapping is the same for all. A law of a user's own goes without that line,
-/// in a `UserHardening`. How a law gets into the case file: docs/developer/hardening-laws.md.
+/// and one line in the variant below. The return mapping is the same for all. A user-defined law needs no such line: it is
+/// passed as a `UserHardening`. How to add a law to the case file: docs/developer/hardening-laws.md.
 namespace brinell::constitutive
 {
 
@@ -67,8 +67,8 @@ struct SwiftHardening
   return {B * std::pow(1e6, n), 1e-6 * C, n};
 }
 
-/// A power law K (e_0 + e)^n that begins at a given yield stress, e_0 = (S_y / K)^(1/n): Hollomon's (1945) K e^n, with the
-/// strain counted from where the elastic line meets it.
+/// A power law K (e_0 + e)^n with a given initial yield stress S_y, e_0 = (S_y / K)^(1/n): the law K e^n of Hollomon (1945),
+/// with the strain measured from the point where the curve reaches S_y.
 [[nodiscard]] inline SwiftHardening hollomon(double yield_stress, double coefficient, double exponent)
 {
   return {coefficient, std::pow(yield_stress / coefficient, 1.0 / exponent), exponent};
@@ -111,7 +111,7 @@ class TabulatedHardening
 {
 public:
   /// @param plastic_strain  ascending from 0.
-  /// @param stress          [Pa], > 0, non-decreasing, as many.
+  /// @param stress          [Pa], > 0, non-decreasing, one per strain.
   /// @throws InputError
   TabulatedHardening(std::vector<double> plastic_strain, std::vector<double> stress);
 
@@ -145,7 +145,7 @@ private:
 using HardeningLaw = std::variant<PerfectPlasticity, LinearHardening, SwiftHardening, LudwikHardening, VoceHardening,
                                   TabulatedHardening, UserHardening>;
 
-/// A law times a factor: the same material, harder or softer.
+/// A law multiplied by a constant factor: the same material, harder or softer.
 template <typename Law>
 struct ScaledLaw
 {

@@ -13,8 +13,8 @@ namespace brinell::constitutive
 namespace detail
 {
 
-/// What is left of a back stress after the increment x of equivalent strain, and what of the increment has gone into it:
-/// alpha <- decay alpha + 2/3 C growth d_eps. Exact if the flow does not turn.
+/// Factors by which a back stress decays and grows in an increment x of equivalent strain:
+/// alpha <- decay alpha + 2/3 C growth d_eps. Exact if the direction of flow is constant in the increment.
 struct Recall
 {
   double decay, growth;
@@ -26,22 +26,22 @@ struct Recall
   }
 };
 
-/// Root of a function that is positive at 0 and negative at `high`: false position, with the value of an end that stays
-/// twice halved (Illinois).
+/// Root of a function that is positive at 0 and negative at `high`: regula falsi in which the value at an end that is retained
+/// twice is halved (Illinois method).
 template <typename Function>
 double bracketed_root(const Function& function, double at_zero, double high, double tolerance)
 {
   double low = 0.0;
   double f_low = at_zero;
   double f_high = function(high);
-  while (f_high > 0.0) // softer than expected
+  while (f_high > 0.0) // the law is softer than expected, so the root is beyond `high`
   {
     low = high;
     f_low = f_high;
     high *= 2.0;
     f_high = function(high);
   }
-  int kept = 0; // > 0: the upper end has stayed
+  int kept = 0; // number of iterations in which one end was retained; > 0: the upper end, < 0: the lower end
   for (int iteration = 0; iteration < 200; ++iteration)
   {
     const double x = (low * f_high - high * f_low) / (f_high - f_low);
@@ -62,8 +62,8 @@ double bracketed_root(const Function& function, double at_zero, double high, dou
 } // namespace detail
 
 /// The increment of one point. Flow is along (1 - end) n0 + end n1, with n0 the normal where the straight path of the
-/// trial deviator leaves the elastic domain and n1 that at the end: end = 1 is backward Euler, end = 1/2 of second order
-/// (see path_return).
+/// trial deviator leaves the elastic domain and n1 the normal at the end: end = 1 is backward Euler, end = 1/2 is of second
+/// order (see path_return).
 /// @param s0    stress deviator before the increment [Pa]
 /// @param q     trial deviator [Pa]
 /// @param e     equivalent plastic strain before the increment
@@ -84,7 +84,7 @@ template <typename Law>
   const Deviator entry = s0 + yield_crossing(s0 - centre, q - centre, yield) * (q - s0);
   const Deviator n0 = (1.0 / von_mises(entry - centre)) * (entry - centre);
 
-  // s - sum alpha = r(x) - 3/2 end x K n1, of the size sigma_y: so |r| = sigma_y + 3/2 end x K.
+  // s - sum alpha = r(x) - 3/2 end x K n1 has the magnitude sigma_y: so |r| = sigma_y + 3/2 end x K.
   double stiffness = 0.0;
   Deviator r;
   const auto overstress = [&](double x)
@@ -102,7 +102,7 @@ template <typename Law>
   };
   constexpr double rounding = 1e-13;
   const double x = detail::bracketed_root(overstress, trial - yield, (trial - yield) / (1.5 * mu), rounding * yield);
-  (void)overstress(x); // r and stiffness of the root
+  (void)overstress(x); // sets r and stiffness to their values at the root
   const Deviator n1 = (1.0 / von_mises(r)) * r;
   const Deviator strain = (1.5 * x * (1.0 - end)) * n0 + (1.5 * x * end) * n1;
   for (std::size_t i = 0; i < terms.size(); ++i)

@@ -14,17 +14,17 @@
 namespace brinell::constitutive
 {
 
-/// An elastic material, elastic-plastic if it has a hardening law.
+/// A material: elastic, or elastic-plastic if it has a hardening law.
 struct Material
 {
   Elastic elastic;
-  std::optional<HardeningLaw> hardening;   ///< size of the yield surface; empty: the body stays elastic
-  std::vector<KinematicTerm> kinematic{};  ///< back stresses, which move it
-  DepthProfile yield_factor{};             ///< of the yield stress, as of a hardened case; 1 without points
-  DepthProfile initial_stress{};           ///< biaxial stress xx = yy before the first load [Pa], tension positive
-  std::optional<Thermal> thermal{};        ///< empty: no heat is computed in the body
-  double temperature = 20.0;               ///< of the bulk [deg C]
-  std::optional<SofteningLaw> softening{}; ///< factor on the yield stress by temperature; empty: 1
+  std::optional<HardeningLaw> hardening;  ///< size of the yield surface; empty: the body stays elastic
+  std::vector<KinematicTerm> kinematic{}; ///< back stresses, which move the yield surface
+  DepthProfile yield_factor{};      ///< factor on the yield stress, e.g. of a case-hardened body; 1 without points
+  DepthProfile initial_stress{};    ///< biaxial stress xx = yy before the first load [Pa], tension positive
+  std::optional<Thermal> thermal{}; ///< empty: the temperature of the body is not computed
+  double temperature = 20.0;        ///< of the bulk [deg C]
+  std::optional<SofteningLaw> softening{}; ///< factor on the yield stress as a function of temperature; empty: 1
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
   bool operator==(const Material&) const = default;

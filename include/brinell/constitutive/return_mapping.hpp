@@ -23,9 +23,9 @@ struct PlasticIncrement
 namespace detail
 {
 
-/// Root of f(x) = overstress(x) - sigma_y(e + x), x >= 0, where f falls: Newton's method, kept between the bounds found so
+/// Root of f(x) = overstress(x) - sigma_y(e + x), x >= 0, where f decreases: Newton's method, restricted to the bracket found so
 /// far. The slope of sigma_y may be infinite at the start of a law.
-/// @param x  f(x) <= 0, up to rounding: the root for perfect plasticity, as hardening only shortens the flow.
+/// @param x  initial guess with f(x) <= 0, up to rounding: the root for perfect plasticity, as hardening only reduces the flow.
 template <typename Law, typename Overstress>
 double consistent_multiplier(const Law& law, double e, const Overstress& overstress, double x)
 {
@@ -67,8 +67,8 @@ template <typename Law>
   return {(1.5 * de / trial) * q, de, law.work(e + de) - law.work(e)};
 }
 
-/// Where the straight line from `from` to `to` leaves the yield surface: |from + b (to - from)| = yield. @returns b in
-/// [0, 1]; 0 if the line starts outside.
+/// Point where the straight line from `from` to `to` leaves the yield surface: |from + b (to - from)| = yield. @returns b in
+/// [0, 1]; 0 if the line starts outside the yield surface.
 [[nodiscard]] inline double yield_crossing(const Deviator& from, const Deviator& to, double yield)
 {
   const Deviator d = to - from;
@@ -78,9 +78,9 @@ template <typename Law>
   return dd > 0.0 ? std::clamp((-sd + std::sqrt(std::max(sd * sd - dd * ss, 0.0))) / dd, 0.0, 1.0) : 0.0;
 }
 
-/// Second order: the trial deviator moves on a straight line from the stress `s0` before the increment to `q`; from the
-/// point where it meets the yield surface on, flow is along the mean of the normals at both ends (generalised trapezoidal
-/// rule, Ortiz, Popov 1985), with the yield condition met at the end.
+/// Second order: the trial deviator moves along a straight line from the stress `s0` before the increment to `q`. From the point
+/// where it reaches the yield surface, the flow is along the mean of the normals at both ends of the rest of the path
+/// (generalised trapezoidal rule, Ortiz, Popov 1985), and the yield condition holds at the end.
 template <typename Law>
 [[nodiscard]] PlasticIncrement path_return(const Deviator& s0, const Deviator& q, double e, double mu, const Law& law)
 {

@@ -5,14 +5,14 @@
 #include <variant>
 #include <vector>
 
-/// Thermal softening: the factor on the yield stress by the temperature [deg C]. The yield stress of the hardening law is the
-/// one to which the factor 1 belongs. A law is a struct that can be compared, with
-///   factor(temperature)  >= 0, before the floor of `softening_factor`;
-///   melting()            where it ends, if it knows.
+/// Thermal softening: the factor on the yield stress as a function of the temperature [deg C]. The yield stress of the hardening
+/// law corresponds to the factor 1. A law is an equality-comparable struct with
+///   factor(temperature)  >= 0, before the lower limit of `softening_factor` is applied;
+///   melting()            the melting temperature [deg C], if the law has one.
 namespace brinell::constitutive
 {
 
-/// On a straight line from 1 at the reference temperature to 0 at melting; 1 below, 0 above.
+/// Linear decrease from 1 at the reference temperature to 0 at the melting point; 1 below, 0 above.
 struct LinearSoftening
 {
   double reference = 20.0;    ///< [deg C]
@@ -35,19 +35,19 @@ struct JohnsonCookSoftening
   bool operator==(const JohnsonCookSoftening&) const = default;
 };
 
-/// Linear between measured points, and therefore monotone where they are; constant outside them.
+/// Linear interpolation between measured points, and therefore monotone where they are; constant outside their range.
 class TabulatedSoftening
 {
 public:
   /// @param temperature  ascending [deg C], one or more.
-  /// @param factor       > 0, as many.
+  /// @param factor       > 0, one per temperature.
   /// @throws InputError
   TabulatedSoftening(std::vector<double> temperature, std::vector<double> factor);
 
   [[nodiscard]] double factor(double temperature) const;
   [[nodiscard]] std::optional<double> melting() const { return std::nullopt; }
   [[nodiscard]] double first() const { return temperature_.front(); } ///< temperature of the first point [deg C]
-  [[nodiscard]] double last() const { return temperature_.back(); }   ///< and of the last one
+  [[nodiscard]] double last() const { return temperature_.back(); }   ///< temperature of the last point [deg C]
   bool operator==(const TabulatedSoftening&) const = default;
 
 private:
@@ -56,18 +56,18 @@ private:
 
 using SofteningLaw = std::variant<LinearSoftening, JohnsonCookSoftening, TabulatedSoftening>;
 
-/// What is left of the yield stress however hot it gets: a solid without any has no plastic flow that could be computed, and the
-/// melt itself is not modelled. Who computes temperatures tells where they pass `melting_temperature`.
+/// Lower limit of the factor on the yield stress: the plastic flow of a solid with zero yield stress cannot be computed, and the
+/// melt itself is not modelled. The code that computes temperatures warns where they exceed `melting_temperature`.
 inline constexpr double least_softening_factor = 0.01;
 
 /// Factor on the yield stress, not below `least_softening_factor`.
 /// @param temperature  [deg C]
 [[nodiscard]] double softening_factor(const SofteningLaw& law, double temperature);
 
-/// Where a law says that the yield stress is gone [deg C].
+/// Temperature at which a law has no yield stress left [deg C], if it has such a temperature.
 [[nodiscard]] std::optional<double> melting_temperature(const SofteningLaw& law);
 
-/// Whether a law knows this temperature, or holds the value of the nearest one that it knows.
+/// Whether a law is defined at this temperature; false where it extrapolates with the value at the end of its range.
 [[nodiscard]] bool covers(const SofteningLaw& law, double temperature);
 
 } // namespace brinell::constitutive

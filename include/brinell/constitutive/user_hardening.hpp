@@ -9,7 +9,8 @@
 namespace brinell::constitutive
 {
 
-/// What a law must have; hardening.hpp says what these mean. A law without `work(e)` has it integrated numerically.
+/// Requirements on a user-defined law; hardening.hpp defines the members. If a law has no `work(e)`, the work is integrated
+/// numerically.
 template <typename Law>
 concept LawOfAUser = std::copy_constructible<Law> && requires(const Law& law, double e)
 {
@@ -21,17 +22,17 @@ concept LawOfAUser = std::copy_constructible<Law> && requires(const Law& law, do
     } -> std::convertible_to<double>;
 };
 
-/// Integral of a yield stress from 0 to e [J/m^3], for laws of which no closed form is known: Gauss's rule on parts that grow
-/// from the start, where a power law is steep.
+/// Integral of a yield stress from 0 to e [J/m^3], for laws without a known closed form: Gauss quadrature on intervals whose
+/// length grows with the distance from e = 0, where a power law is steep.
 [[nodiscard]] double integrated_work(const std::function<double(double)>& yield_stress, double e);
 
-/// A law that is none of those of this library: any struct with their members, or functions.
-/// Two are equal if one is a copy of the other, or if both hold laws of one type that can be compared and are equal. Bodies of
-/// materials that are not equal are never taken for twins: they are solved apart.
+/// A user-defined law: any struct with the members of a law, or a pair of functions.
+/// Two are equal if one is a copy of the other, or if both hold equal laws of the same equality-comparable type. Bodies whose
+/// materials are not equal are never treated as identical: each is solved separately.
 class UserHardening
 {
 public:
-  // A copy is none of its own laws; asked first, or whether it can be copied would depend on itself.
+  // Exclude UserHardening itself first: otherwise the check of whether it is copyable would depend on itself.
   template <typename Law>
   requires(!std::same_as<Law, UserHardening>) && LawOfAUser<Law> explicit UserHardening(Law law)
       : law_(std::make_shared<const Model<Law>>(std::move(law)))
@@ -40,8 +41,8 @@ public:
   }
   /// @param yield_stress  sigma_y(e) [Pa], > 0, non-decreasing
   /// @param modulus       its slope [Pa], >= 0
-  /// Functions cannot be compared: only copies are equal.
-  /// @throws InputError if they are not that for some strains from 0 to 1
+  /// Functions cannot be compared: only copies of this object are equal to it.
+  /// @throws InputError if these conditions are violated at one of the sampled strains between 0 and 1
   UserHardening(std::function<double(double)> yield_stress, std::function<double(double)> modulus);
 
   [[nodiscard]] double yield_stress_at(double e) const { return law_->yield_stress_at(e); }

@@ -6,7 +6,7 @@
 namespace brinell::contact
 {
 
-/// What a drive is called in cases, files and messages, and its unit: "load" in "N".
+/// Name of a drive in cases, files and messages, and its unit: "load" in "N".
 struct DriveText
 {
   const char *name, *unit;

@@ -18,25 +18,25 @@
 namespace brinell
 {
 
-/// The numbers of a state by name, to be stored and taken back. One function per class lists its members for both ways,
-/// so that neither can forget what the other one knows.
+/// The numbers of a state by name, to be saved and restored. Each class lists its members in one function `exchange`, which
+/// serves both directions, so that saving and restoring cannot disagree about the members.
 class Archive
 {
 public:
   using Fields = std::map<std::string, std::vector<double>>;
-  /// Takes the numbers of a field, which are valid during the call.
+  /// Receives the numbers of a field; the span is valid only during the call.
   using Take = std::function<void(const std::string& name, std::span<const double> values)>;
 
-  /// An empty archive: stores every number that it is shown.
+  /// An empty archive: saves every number that is passed to it.
   Archive() = default;
-  /// Hands every field on as it is shown, and keeps none.
+  /// Saves by passing every field on to `take` at once, and stores none.
   explicit Archive(Take take) : take_(std::move(take)) {}
-  /// A filled archive: gives the stored numbers back to the members that it is shown. It copies nothing: numbers that are not
-  /// handed over must outlive it.
+  /// A filled archive: restores the members that are passed to it from the stored numbers. An lvalue `stored` is not copied and
+  /// must outlive the archive.
   explicit Archive(const Fields& stored) : lent_(&stored), gives_(true) {}
   explicit Archive(Fields&& stored) : fields_(std::move(stored)), gives_(true) {}
 
-  /// @throws InputError if there is no such field, or it has another size than the member it belongs to.
+  /// @throws InputError if there is no field of this name, or its size differs from that of the member.
   void operator()(const std::string& name, std::vector<double>& values)
   {
     if (!gives())
@@ -46,7 +46,7 @@ public:
     else
       throw InputError("the stored state has another size of " + prefix_ + name);
   }
-  /// @throws InputError also if the stored number is none of the type
+  /// @throws InputError also if the type cannot represent the stored number
   template <typename Number>
   requires std::is_arithmetic_v<Number>
   void operator()(const std::string& name, Number& value)
@@ -56,8 +56,8 @@ public:
     else
       (*this)(name, value, std::numeric_limits<Number>::lowest(), std::numeric_limits<Number>::max());
   }
-  /// A number that something may be indexed, counted or repeated by.
-  /// @throws InputError also if the stored one is not in [least, most], or no whole one for a whole type
+  /// A number that may serve as an index, a count or a number of repetitions, and so must be in bounds.
+  /// @throws InputError also if the stored number is not in [least, most], or not an integer although the type is one
   template <typename Number>
   requires std::is_arithmetic_v<Number>
   void operator()(const std::string& name, Number& value, std::type_identity_t<Number> least,
@@ -68,7 +68,7 @@ public:
                       !std::is_floating_point_v<Number>);
     exchange_number(name, value);
   }
-  /// A part that lists its own members, with its name before theirs.
+  /// A member that lists its own members; their field names begin with its name.
   template <typename Part>
   requires requires(Part& part, Archive& archive) { part.exchange(archive); }
   void operator()(const std::string& name, Part& part)
@@ -79,7 +79,7 @@ public:
     prefix_ = outer;
   }
 
-  /// A list whose length belongs to the state: of numbers, or of parts.
+  /// A list of numbers whose length is part of the state.
   void list(const std::string& name, std::vector<double>& values)
   {
     std::size_t size = values.size();
@@ -88,7 +88,7 @@ public:
     if (size > 0)
       (*this)(name, values);
   }
-  /// Of parts whose members all are numbers: one field per member.
+  /// A list of structs whose members are all numbers; its length is part of the state. One field is stored per member.
   template <typename Part>
   void list(const std::string& name, std::vector<Part>& parts)
   {
@@ -128,7 +128,7 @@ private:
     else
       value = static_cast<Number>(at(name).front());
   }
-  /// The largest numbers of 64-bit types are no doubles: the nearest one is just beyond them, and is refused.
+  /// The largest numbers of 64-bit types are not representable as doubles: the nearest double is just above them and is rejected.
   void require_between(const std::string& name, double value, double least, double most, bool whole) const
   {
     constexpr double exact = 9007199254740992.0; // 2^53
@@ -143,7 +143,7 @@ private:
     const auto found = stored().find(prefix_ + name);
     return found == stored().end() ? 0 : found->second.size();
   }
-  /// Of the longest of the fields whose names begin so.
+  /// Length of the longest field whose name begins with `first`.
   [[nodiscard]] std::size_t rows(const std::string& first) const
   {
     std::size_t longest = 0;
@@ -151,7 +151,7 @@ private:
       longest = std::max(longest, field->second.size());
     return longest;
   }
-  /// The i-th number of each field whose name begins so.
+  /// The i-th number of each field whose name begins with `first`.
   [[nodiscard]] Fields row(const std::string& first, std::size_t i) const
   {
     Fields result;
@@ -169,9 +169,9 @@ private:
     return found->second;
   }
 
-  Take take_; ///< instead of keeping them
+  Take take_; ///< if set, receives the fields instead of `fields_`
   Fields fields_;
-  const Fields* lent_ = nullptr; ///< instead of these
+  const Fields* lent_ = nullptr; ///< if set, fields of the caller that are used instead of `fields_`
   bool gives_ = false;
   std::string prefix_;
 };

@@ -4,24 +4,24 @@
 #include <exception>
 #include <stdexcept>
 
-/// Two kinds of error: those a user can mend (input, convergence, files) and those that are ours (internal).
+/// Two kinds of error: those that a user can fix (input, convergence, files) and bugs of brinell (internal).
 namespace brinell
 {
 
-/// What the user gave cannot be computed: a bad key, value, unit or combination. The text says where, what was found,
-/// what is allowed.
+/// The user's input cannot be computed: a bad key, value, unit or combination. The text says where the error is, which value
+/// was found and which values are allowed.
 class InputError : public std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// The grid, given or automatic, does not suit the case.
+/// The grid, specified by the user or chosen automatically, does not suit the case.
 class GridError : public InputError
 {
   using InputError::InputError;
 };
 
-/// An increment did not reach its tolerance, also after splitting. The text carries the residuals in physical units.
+/// An increment did not reach its tolerance even after it was split. The text states the residuals in physical units.
 class ConvergenceError : public std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -33,13 +33,13 @@ class IoError : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// A broken promise between two parts of brinell: a bug, never the user's doing.
+/// One part of brinell violated the contract of another: a bug, never an error of the user.
 class InternalError : public std::logic_error
 {
   using std::logic_error::logic_error;
 };
 
-/// Not an error: whoever watches a computation has asked it to stop. What was finished before stays valid.
+/// Not an error: the observer of a computation has requested that it stop. Results finished before remain valid.
 class Interrupted : public std::exception
 {
 public:

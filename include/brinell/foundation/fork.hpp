@@ -4,11 +4,12 @@
 namespace brinell
 {
 
-/// Of a process that forks only the thread that does so lives on in the child: a team of OpenMP would wait for ever for the
-/// others, and who was planning a transform would hold its lock for ever. To be called before a fork: ends the team of this
-/// thread, which both processes make anew when they compute, and waits until nobody plans.
+/// Call this before a fork. Only the thread that calls fork exists in the child process: there an OpenMP team would wait forever
+/// for its missing threads, and a lock held by a thread that was planning a transform would never be released. The function
+/// therefore ends the team of this thread (both processes create a new one when they next compute) and waits until no thread is
+/// planning a transform.
 void before_fork();
-/// After it, in both processes.
+/// Call this after the fork, in both processes.
 void after_fork();
 
 } // namespace brinell

@@ -6,7 +6,8 @@
 namespace brinell
 {
 
-/// What lies beyond the ends of a grid along one axis: nothing, so that the body goes on smooth and unloaded; or the same again.
+/// Boundary of a grid along one axis. Open: beyond the grid the body continues with a smooth, unloaded surface. Periodic: the
+/// surface repeats.
 enum class Boundary
 {
   open,
@@ -14,7 +15,7 @@ enum class Boundary
 };
 
 /// Regular cell-centred grid of a surface; x runs fastest in memory: index = i + nx * j. Cell (i, j) is a rectangle dx * dy.
-/// The grid does not know where its cell (0, 0) lies: its owner does. Axes and signs: docs/theory/frame.md.
+/// The grid does not store the position of its cell (0, 0); the owner of the grid does. Axes and signs: docs/theory/frame.md.
 struct SurfaceGrid
 {
   int nx = 0;      ///< cells along x (rolling or sliding direction)
@@ -26,15 +27,15 @@ struct SurfaceGrid
 
   [[nodiscard]] bool is_periodic_x() const { return boundary_x == Boundary::periodic; }
   [[nodiscard]] bool is_periodic_y() const { return boundary_y == Boundary::periodic; }
-  /// Whether it is a cell of periodicity: bodies without ends.
+  /// Whether both axes are periodic: the grid is one period of bodies of infinite extent.
   [[nodiscard]] bool is_periodic() const { return is_periodic_x() && is_periodic_y(); }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-  /// Place of cell (i, j) in memory; 64 bits, as all that counts cells.
+  /// Position of cell (i, j) in memory; 64 bits, like all counts of cells.
   [[nodiscard]] std::size_t index(int i, int j) const
   {
     return static_cast<std::size_t>(i) + static_cast<std::size_t>(nx) * static_cast<std::size_t>(j);
   }
-  /// Centre of column i and of row j from the middle of the grid [m].
+  /// Coordinate of the centre of column i (row j), relative to the middle of the grid [m].
   [[nodiscard]] double x(int i) const { return (i - 0.5 * (nx - 1)) * dx; }
   [[nodiscard]] double y(int j) const { return (j - 0.5 * (ny - 1)) * dy; }
   [[nodiscard]] double cell_area() const { return dx * dy; }

@@ -7,14 +7,14 @@
 namespace brinell
 {
 
-/// Owner of one object of a type that its header only declares, so that a class that has one as a member needs no destructor and
-/// no moves of its own. It can be moved, not copied, and its object is as constant as itself.
+/// Owner of one object of a type that may be incomplete (pimpl), so that a class with such a member needs to declare neither a
+/// destructor nor move operations. A Hidden can be moved but not copied, and a const Hidden gives access to a const object.
 template <typename T>
 class Hidden
 {
 public:
   Hidden() = default; ///< empty
-  /// Where T is complete.
+  /// To be called only where T is complete.
   explicit Hidden(std::unique_ptr<T> object) : object_(object.release(), [](T* o) { delete o; }) {}
 
   [[nodiscard]] bool empty() const { return !object_; }
@@ -24,11 +24,11 @@ public:
   const T* operator->() const { return object_.get(); }
 
 private:
-  // With a function to delete it, the place that destroys the owner need not know T.
+  // The deleter is stored as a function pointer, so that T may be incomplete where the owner is destroyed.
   std::unique_ptr<T, void (*)(T*)> object_{nullptr, [](T* /*none*/) {}};
 };
 
-/// A hidden object made of these arguments, where T is complete.
+/// Makes a hidden object from these arguments; to be called only where T is complete.
 template <typename T, typename... Arguments>
 [[nodiscard]] Hidden<T> make_hidden(Arguments&&... arguments)
 {

@@ -9,12 +9,12 @@
 namespace brinell
 {
 
-/// What is known of all fields of a body beforehand.
+/// A symmetry that all fields of a body are known to have in advance.
 enum class Symmetry
 {
   none,
   /// The two sides of the plane y = 0 in the middle of the grid, rows j and ny - 1 - j, are mirror images of each other. Then the
-  /// rows up to the middle one tell all: docs/theory/half-space.md (symmetry).
+  /// rows up to the middle one determine the field: docs/theory/half-space.md (symmetry).
   in_y
 };
 
@@ -24,19 +24,20 @@ enum class Symmetry
   return component == Deviator::yz || component == Deviator::xy;
 }
 
-/// Rows that tell all: those of one side, and with an odd number of rows the middle one.
+/// Number of independent rows, which determine a symmetric field: those of one side and, if the number of rows is odd, the
+/// middle one.
 [[nodiscard]] inline int independent_rows(const SurfaceGrid& grid, Symmetry symmetry)
 {
   return symmetry == Symmetry::none ? grid.ny : (grid.ny + 1) / 2;
 }
 
-/// How many rows are like one of those that tell all, itself among them.
+/// Number of rows that one independent row represents, including itself: 2, or 1 for the middle row and without symmetry.
 [[nodiscard]] inline int copies_of_row(const SurfaceGrid& grid, Symmetry symmetry, int row)
 {
   return symmetry == Symmetry::none || 2 * row + 1 == grid.ny ? 1 : 2;
 }
 
-/// The cell of the same layer and column on the other side.
+/// Index of the mirror image of a cell: the cell of the same layer and column on the other side.
 [[nodiscard]] inline std::size_t mirrored_cell(const SurfaceGrid& grid, std::size_t cell)
 {
   const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
@@ -44,7 +45,7 @@ enum class Symmetry
   return cell + (ny - 1 - 2 * row) * nx; // wraps where the difference is negative
 }
 
-/// The same place of a tensor on the other side.
+/// The mirror image of a tensor: its value at the mirrored cell.
 [[nodiscard]] inline Deviator mirrored_in_y(Deviator d)
 {
   for (const int c : {Deviator::yz, Deviator::xy})
@@ -53,7 +54,7 @@ enum class Symmetry
 }
 
 /// Copies the independent rows of a scalar field on a surface or in a volume, even or odd, to the other side.
-/// @param factor  1 of an even field, -1 of an odd one
+/// @param factor  1 for an even field, -1 for an odd field
 inline void complete_in_y(const SurfaceGrid& grid, double factor, double* field, std::size_t cells)
 {
   const auto nx = static_cast<std::size_t>(grid.nx);
@@ -67,7 +68,7 @@ inline void complete_in_y(const SurfaceGrid& grid, double factor, double* field,
     }
 }
 
-/// The same for a field of deviators.
+/// Likewise for a field of deviators.
 inline void complete_in_y(const VolumeGrid& grid, std::vector<double>& deviators)
 {
   for (int c = 0; c < Deviator::size; ++c)

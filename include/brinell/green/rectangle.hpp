@@ -38,7 +38,7 @@ namespace brinell::green
 ///     chi,xx = atan(X Y (rho - z)/(X^2 rho + Y^2 z))                    chi,xy = ln(rho + z)
 /// V,zz = -(V,xx + V,yy) and chi,yy = -(V,z + chi,xx).
 ///
-/// For a shear along x, with one potential more, chi = chi_1,z (Cerruti; Johnson 1985, Eqs. 3.7),
+/// For a shear along x there is one more potential, chi_1, with chi = chi_1,z (Cerruti; Johnson 1985, Eqs. 3.7):
 ///     sigma_xx = (2 (1 + nu) V,x + 2 nu chi_1,xxx - z chi,xxx)/(2 pi)    sigma_yz = -z V,xy/(2 pi)
 ///     sigma_yy = (2 nu V,x + 2 nu chi_1,xyy - z chi,xyy)/(2 pi)          sigma_xz = (V,z - z V,xx)/(2 pi)
 ///     sigma_zz = -z V,xz/(2 pi)                                          sigma_xy = (V,y + 2 nu chi_1,xxy - z chi,xxy)/(2 pi)
@@ -48,14 +48,15 @@ namespace brinell::green
 /// @param X, Y  point minus corner [m], any sign or zero.
 /// @param z     depth [m], >= 0. On z = 0 the value on an edge line is the mean of its two sides; the xy component is
 ///              minus infinity at the corner itself, where sigma_xy is logarithmically singular (unless nu = 1/2).
-///              Under a shear the stress is singular on z = 0 at the edges: not to be asked for on an edge line there.
+///              Under a shear the stress is singular at the edges on z = 0: the function must not be called for a point on an
+///              edge line there.
 /// @param nu    Poisson's ratio [-].
 [[nodiscard]] SymTensor rectangle_stress_corner(double X, double Y, double z, double nu,
                                                 Traction traction = Traction::pressure);
 
 /// Stress in the half space under a uniform unit traction on a rectangle of its surface [Pa/Pa], tension positive:
-/// just under the rectangle sigma_zz = -1 of a pressure, sigma_xz = -1 of a shear along x (Love 1929, Cerruti; equations at
-/// `rectangle_stress_corner`).
+/// just under the rectangle, sigma_zz = -1 for a pressure and sigma_xz = -1 for a shear along x (Love 1929, Cerruti; equations
+/// at `rectangle_stress_corner`).
 /// @param x, y, z  point relative to the rectangle's centre [m], z >= 0 into the body.
 /// @param dx, dy   sides of the rectangle [m], > 0.
 /// @param nu       Poisson's ratio [-].

@@ -4,7 +4,7 @@
 namespace brinell
 {
 
-/// Constants of a body that conducts heat and expands alike in all directions.
+/// Constants of a body with isotropic heat conduction and thermal expansion.
 struct Thermal
 {
   double conductivity = 0.0;  ///< K [W/(m K)], > 0

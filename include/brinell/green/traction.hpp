@@ -6,7 +6,7 @@
 namespace brinell
 {
 
-/// A component of the traction on the surface of a body, all of which act on the body: the pressure pushes along its z.
+/// A component of the traction that acts on the surface of a body: a positive pressure pushes along the z of the body.
 enum class Traction
 {
   pressure,
@@ -14,7 +14,7 @@ enum class Traction
   shear_y
 };
 
-/// The same where x and y have changed names.
+/// The component with x and y exchanged.
 [[nodiscard]] constexpr Traction xy_exchanged(Traction traction)
 {
   switch (traction)

@@ -9,22 +9,22 @@
 #include <memory>
 #include <span>
 
-/// The linear operators of one body on one grid. Planned once from grid and constants; `const` when applied.
-/// Deviator fields are 5 * grid.size() values, component by component (order of Deviator); other sizes: InternalError.
+/// The linear operators of one body on one grid. They are planned once from grid and constants; applying them is `const`.
+/// A deviator field has 5 * grid.size() values, component by component (order of Deviator); other sizes: InternalError.
 namespace brinell::halfspace
 {
 
 /// One elastic body with its surface load and its plastic strain.
 ///
-/// The stress of an increment is asked for in two steps, because the load on the surface depends on the displacement that
-/// the plastic strain gives to the surface: `load` transforms the strain and returns a `Loaded`, which gives the displacement
-/// and, for any surface load, the stress. What shears need is made when the first one comes.
+/// The stress of an increment is computed in two steps, because the load on the surface depends on the residual displacement
+/// that the plastic strain causes: `load` transforms the strain and returns a `Loaded`, which computes the displacement and,
+/// for any surface load, the stress. The kernels for shears are computed when the first shear is applied.
 class HalfSpace
 {
 public:
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic);
-  /// Of some columns of a longer body with the same rows: as much like the operators of the whole as the shorter transforms
-  /// allow (docs/theory/elastoplastic.md, windows).
+  /// Operators on some columns of a longer grid `whole` with the same rows: as close to the operators on the whole grid as the
+  /// shorter transforms allow (docs/theory/elastoplastic.md, windows).
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole);
   ~HalfSpace();
   HalfSpace(HalfSpace&&) noexcept;
@@ -35,22 +35,23 @@ public:
   /// Buffers of one evaluation; make one per concurrent caller, once.
   class Work;
   [[nodiscard]] Work make_work() const;
-  /// Buffers without those that are large: it gets them from the work of a larger half space while that is not in use, and
-  /// gives them back, both by `exchange_buffers`.
+  /// A Work without the large buffers. `exchange_buffers` lends it those of the Work of a larger half space while that one is not
+  /// in use, and, called again, returns them.
   [[nodiscard]] Work make_guest() const;
   static void exchange_buffers(Work& guest, Work& host);
 
   [[nodiscard]] const VolumeGrid& grid() const;
   [[nodiscard]] const Elastic& elastic() const;
 
-  /// Plastic strain that has been transformed, and waits for the load on the surface.
+  /// Transformed plastic strain, ready to be combined with a load on the surface.
   class Loaded;
   /// Transforms the plastic strain [-] of all layers and prepares its stress in the layers [0, layers).
-  /// The `Loaded` that is returned refers to `plastic_strain`, `work` and this object, and lasts until `work` is used again:
+  /// The returned `Loaded` refers to `plastic_strain`, `work` and this object, and is valid until `work` is used again:
   /// later calls of its functions throw InternalError. The order of the calls: docs/theory/half-space.md.
-  /// @param displacements  those that the `Loaded` shall have
-  /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, the independent rows of the strain
-  ///                       (`independent_rows`) are read and those of the stress are written; the displacement has all rows.
+  /// @param displacements  components of the displacement that the `Loaded` can compute
+  /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, only the independent rows
+  ///                       (`independent_rows`) of the strain are read and those of the stress are written; the displacement
+  ///                       has all rows.
   [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work,
                             Displacements displacements = Displacements::normal,
                             Symmetry symmetry = Symmetry::none) const;
@@ -59,14 +60,14 @@ public:
                    std::span<double> deviator, std::span<double> trace) const;
 
 private:
-  struct Operators; ///< transforms and kernels, and what they are applied with
+  struct Operators; ///< transforms and kernels, and the functions that apply them
   std::unique_ptr<Operators> operators_;
 };
 
 class HalfSpace::Work
 {
 public:
-  Work(); ///< empty; HalfSpace::make_work gives one that can be used
+  Work(); ///< empty; HalfSpace::make_work returns one that can be used
   ~Work();
   Work(Work&&) noexcept;
   Work& operator=(Work&&) noexcept;
@@ -84,10 +85,10 @@ private:
 class HalfSpace::Loaded
 {
 public:
-  /// Residual displacement of the surface: those parts that `load` was asked for.
+  /// Residual displacement of the surface [m]: only the components that `load` was asked to prepare.
   void displacement(const SurfaceDisplacement& out) const;
-  /// Deviatoric stress [Pa] of the load and the strain in the layers that were prepared; the others are left alone.
-  /// May be asked for with one load after another.
+  /// Deviatoric stress [Pa] of the load and the strain in the layers that were prepared; other layers are not written.
+  /// May be called repeatedly with different loads.
   void stress(const SurfaceLoad& load, std::span<double> deviator) const;
 
 private:
@@ -98,7 +99,7 @@ private:
   const Operators* operators_;
   std::span<const double> plastic_strain_;
   Work::Buffers* buffers_;
-  long number_; ///< of the strain among those that the buffers have held
+  long number_; ///< serial number of the strain in the buffers, to detect that they have been reused
 };
 
 } // namespace brinell::halfspace

@@ -11,28 +11,29 @@
 namespace brinell::halfspace
 {
 
-/// How long a flux acts on a body, and how it moves over the body meanwhile.
+/// Duration for which a flux acts on a body, and its motion over the body during that time.
 struct HeatMotion
 {
-  double duration = std::numeric_limits<double>::infinity(); ///< [s], > 0; without end: the steady state
+  double duration = std::numeric_limits<double>::infinity(); ///< [s], > 0; infinite: the steady state
   double velocity_x = 0.0, velocity_y = 0.0;                 ///< of the flux over the body [m/s]
 
   bool operator==(const HeatMotion&) const = default;
 };
 
-/// Flux into the surface of a half space -> rise of its temperature at the end, where the flux has been constant and has
-/// moved over the surface; no heat leaves the surface elsewhere: docs/theory/heat.md (moving-cell).
+/// Flux into the surface of a half space -> temperature rise of the surface at the end of the motion, for a flux that has been
+/// constant while it moved over the surface; outside the flux the surface is insulated: docs/theory/heat.md (moving-cell).
 ///
-/// Cells of uniform flux, convolved exactly: there are no images of open axes, at any Peclet number. Temperatures are those in the
-/// centres of the cells, at the end, when the flux is on the cells that it is given on.
+/// The flux is uniform in each cell and the convolution is exact: there are no images of open axes, at any Peclet number.
+/// Temperatures are those at the centres of the cells at the end of the motion, when the flux has arrived at the cells on which
+/// it is given.
 class HeatResponse
 {
 public:
-  /// @throws InputError for a steady state that there is not: of a flux that goes on for ever and does not move, or moves
-  ///         along a period, where an axis is periodic; or if a constant or the duration is not above 0
+  /// @throws InputError if the duration is infinite but no steady state exists (on a grid with a periodic axis, for a flux that
+  ///         is at rest or moves along periodic axes only), or if a constant or the duration is not above 0
   HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion);
 
-  /// Of two bodies to the same flux: the sum of their temperatures.
+  /// Response of two bodies to the same flux: the sum of their temperature rises.
   /// @throws InputError if the grids are not the same
   [[nodiscard]] static HeatResponse of_both(const HeatResponse& one, const HeatResponse& other);
 

@@ -6,10 +6,10 @@
 namespace brinell::halfspace
 {
 
-/// What acts on the surface of a body: one value per cell of the surface grid in each part; an empty part is zero.
+/// Load on the surface of a body: in each part one value per cell of the surface grid; an empty part is zero.
 ///
-/// The operators so far take no heat, and `SurfaceCompliance` the pressure alone. They refuse other parts by name, so that no
-/// load is lost.
+/// No operator accepts heat yet, and `SurfaceCompliance` accepts only the pressure. Operators reject unsupported parts with an
+/// error that names the part, so that no load is silently ignored.
 struct SurfaceLoad
 {
   std::span<const double> pressure{};           ///< into the body [Pa]
@@ -17,15 +17,15 @@ struct SurfaceLoad
   std::span<const double> heat{};               ///< flux into the body [W/m^2]
 };
 
-/// Where the displacement of a surface goes: one value per cell of the surface grid in each part; an empty part is not
-/// wanted.
+/// Output spans for the displacement of a surface: in each part one value per cell of the surface grid; an empty part is not
+/// computed.
 struct SurfaceDisplacement
 {
   std::span<double> z{};      ///< into the body [m]
   std::span<double> x{}, y{}; ///< [m]
 };
 
-/// Which parts of a displacement shall be prepared.
+/// Components of a displacement that are to be prepared.
 enum class Displacements
 {
   normal,  ///< z

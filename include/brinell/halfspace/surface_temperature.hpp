@@ -6,20 +6,20 @@
 namespace brinell::halfspace
 {
 
-/// The times that a body is heated for.
+/// Time scales of a heating history.
 struct HeatTimes
 {
   double shortest_step = 0.0; ///< [s], > 0
   double duration = 0.0;      ///< of all steps together [s], >= shortest_step
 };
 
-/// What a half space remembers of the heat that has entered its surface: flux, step by step, -> rise of the temperature of the
-/// surface later on.
+/// Memory of the heat that has entered the surface of a half space: flux, step by step -> temperature rise of the surface at
+/// later times.
 ///
-/// The grid is at rest on the body, on which the flux moves. A state of fixed size takes up step after step, exactly
-/// for a flux that is constant over a step while it moves; a step costs the same however many there were: docs/theory/heat.md
-/// (memory). To the temperature at the end of a step, what remains of all steps before, belongs that of the step's own flux,
-/// `HeatResponse` of the same motion.
+/// The grid is fixed to the body, and the flux moves over it. The state has a fixed size, and every step costs the same
+/// regardless of the number of steps before; a step is exact for a flux that is constant while it moves: docs/theory/heat.md
+/// (memory). The temperature at the end of a step is the sum of the temperature that remains of all steps before (`remaining`)
+/// and the temperature by the flux of the step itself (`HeatResponse` with the same motion).
 class SurfaceTemperature
 {
 public:
@@ -27,14 +27,15 @@ public:
   SurfaceTemperature(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times);
 
   [[nodiscard]] const SurfaceGrid& grid() const;
-  [[nodiscard]] double time() const; ///< of all steps taken up [s]
+  [[nodiscard]] double time() const; ///< total duration of all steps so far [s]
 
-  /// What remains of all steps before, some time after the last one.
+  /// Temperature rise that remains of all steps so far, at the time `duration` after the end of the last one.
   /// @param duration     [s], >= HeatTimes::shortest_step: the length of the step that follows
   /// @param temperature  rise [K] per cell; overwritten
   void remaining(double duration, std::span<double> temperature) const;
-  /// Takes up a step.
-  /// @param flux  into the body at the end of the step [W/m^2] per cell; before, the same flux was further back
+  /// Adds a step.
+  /// @param flux  into the body, at its position at the end of the step [W/m^2] per cell; earlier in the step the same flux was
+  ///              further back along its motion
   /// @throws InputError if the step is shorter than the shortest or exceeds the duration of all steps
   void take_up(std::span<const double> flux, const HeatMotion& motion);
 

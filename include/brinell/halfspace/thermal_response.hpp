@@ -9,17 +9,18 @@
 namespace brinell::halfspace
 {
 
-/// Flux into the surface of an elastic half space -> displacement of the surface along z at the end, where the flux has been constant
-/// and has moved over a body that was cold.
+/// Flux into the surface of an elastic half space -> displacement of the surface along z at the end of the motion, for a flux
+/// that has been constant while it moved over an initially cold body.
 ///
-/// Of a step whose flux is still looked for it is the part that follows the flux: with what remains of the steps before,
-/// `ThermalField::displacement`, it is the displacement once the step is taken up, and it is planned as that of one cell.
+/// For a step whose flux is still unknown, this is the part of the displacement that depends on the flux: added to the
+/// displacement that remains of the steps before (`ThermalField::displacement`), it is the displacement after the step. The
+/// operator is planned from the displacement by one cell.
 class ThermalResponse
 {
 public:
-  /// @param motion     without end: `SteadyField::displacement`
-  /// @param reference  SteadyMotion::reference, of a flux without end
-  /// @throws InputError if a constant or the duration is not above 0, or there is no steady displacement
+  /// @param motion     with an infinite duration the operator is `SteadyField::displacement`
+  /// @param reference  SteadyMotion::reference, for an infinite duration
+  /// @throws InputError if a constant or the duration is not above 0, or no steady displacement exists
   ThermalResponse(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatMotion& motion,
                   std::optional<double> reference = {});
 

@@ -13,17 +13,18 @@ namespace brinell::halfspace
 {
 
 /// Pressure and shears on one surface grid -> elastic displacement of two half spaces, all three components:
-/// docs/theory/half-space.md (traction-displacement). `SurfaceCompliance` is its part of pressure and z, with what a contact
-/// solver needs besides.
+/// docs/theory/half-space.md (traction-displacement). `SurfaceCompliance` is the part for pressure and z, with further functions
+/// for a contact solver.
 ///
-/// z points into each body; the shear acts on body 1, and on body 2 the other way. The displacement along z is the sum of both,
-/// along x and y that of body 1 less that of body 2. So the work of the load is that of load and displacement, and the operator
-/// is symmetric and positive definite, but for loads that are uniform on a periodic surface: these displace nothing.
+/// z points into each body; the shear is that on body 1, and the shear on body 2 is opposite. The displacement along z is the sum
+/// of both bodies, along x and y that of body 1 minus that of body 2. The work of the load is then the product of load and
+/// displacement, and the operator is symmetric, and positive definite except for loads that are uniform on a surface periodic
+/// along both axes, which cause no displacement.
 class TractionCompliance
 {
 public:
-  /// @param body2      a rigid one for body 1 alone.
-  /// @param reference  as that of `SurfaceCompliance`, for the displacements in all directions.
+  /// @param body2      rigid for the displacement of body 1 alone.
+  /// @param reference  as for `SurfaceCompliance`, for the displacements in all directions.
   TractionCompliance(const SurfaceGrid& grid, const Elastic& body1, const Elastic& body2, double reference = 0.0);
 
   /// Buffers of one application; make one per concurrent caller, once.
@@ -34,25 +35,27 @@ public:
   [[nodiscard]] const SurfaceGrid& grid() const;
   /// The same bodies on another grid, with the same boundaries and reference.
   [[nodiscard]] TractionCompliance on(const SurfaceGrid& grid) const;
-  /// Whether a pressure displaces along the surface, and a shear along z: the bodies differ (Dundurs).
+  /// Whether a pressure causes displacements along the surface and a shear causes displacements along z, as it is for elastically
+  /// dissimilar bodies (Dundurs).
   [[nodiscard]] bool couples() const;
   /// The displacement [m]; parts of the load and of the displacement that are empty cost nothing.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;
-  /// The same, with a scratch of its own.
+  /// As above, with a temporary scratch.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const;
 
   /// Two fields, along x and y.
   template <typename Span>
   using Pair = std::array<Span, 2>;
-  /// Shears that cause about this displacement along the surface [Pa]: the inverse of the nearest operator that is periodic on
-  /// the grid (T. Chan 1988), symmetric and positive definite. A preconditioner: see `SurfaceCompliance::apply_inverse`. Both
-  /// may be the same fields.
-  /// @param added  to the displacement on each cell by its own shear [m/Pa], >= 0
+  /// Shears [Pa] that cause approximately this displacement along the surface: the inverse of the nearest operator that is
+  /// periodic on the grid (T. Chan 1988), symmetric and positive definite. A preconditioner: see
+  /// `SurfaceCompliance::apply_inverse`. Both arguments may be the same fields.
+  /// @param added  additional compliance of each cell to its own shear [m/Pa], >= 0
   void apply_inverse(const Pair<std::span<const double>>& displacement, const Pair<std::span<double>>& shear,
                      Scratch& scratch, double added = 0.0) const;
-  /// Largest displacement along the surface by a wave of shear [m/Pa]: no shears of the norm 1 displace by more.
+  /// Largest displacement along the surface by a wave of unit shear [m/Pa]: a bound of the norm of the operator from shear to
+  /// displacement along the surface.
   [[nodiscard]] double largest_of_shear() const;
-  /// Shear on one cell, by `apply_inverse`, for a displacement of this cell alone [Pa/m]; the mean of x and y.
+  /// Shear on one cell, by `apply_inverse`, per unit displacement of this cell alone [Pa/m]; the mean of x and y.
   [[nodiscard]] double stiffness_of_cell() const;
 
 private:
