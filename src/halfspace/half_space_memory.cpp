@@ -5,9 +5,17 @@
 #include "foundation/lanes.hpp"
 
 #include <cmath>
+#include <omp.h>
 
 namespace brinell::halfspace
 {
+
+int blocks_at_a_time(int blocks, int threads)
+{
+  constexpr double nearly_all = 0.9; // share of the threads that get a block
+  const int rounds = (blocks + threads - 1) / threads;
+  return blocks >= nearly_all * rounds * threads ? threads : 2;
+}
 
 MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 {
@@ -24,8 +32,8 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 
   // The memory of ImageCorrection is almost independent of the grid.
   constexpr double images = 2.5e6;
-  const double strain_and_stress =
-      deviators * (blocks + 2.0) * pitch; // strain of two blocks, if there are several threads
+  const double strained_blocks = blocks_at_a_time(static_cast<int>(blocks), omp_get_max_threads());
+  const double strain_and_stress = deviators * (blocks + strained_blocks) * pitch;
   const double surface = tractions * blocks * (rows + pitch) + 1.5 * grid.nz * pitch;
   return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images,
           .work = (strain_and_stress + surface) * sizeof(ComplexLanes),

@@ -14,6 +14,12 @@ struct MemoryOfHalfSpace
   double trace;     ///< in addition to `work`, while the stress is computed for output
 };
 
+/// Number of blocks of wavenumbers whose strain is stored at a time. If the blocks divide evenly among the threads, it is one per
+/// thread: the values that a thread has written then stay in its cache until it reads them. Otherwise the threads share each
+/// block, and one block is transformed while others still work on the block before.
+[[nodiscard]] int blocks_at_a_time(int blocks, int threads);
+
+/// For as many threads as OpenMP may use.
 /// @param shears  number of components of the shear on the surface, 0 to 2
 [[nodiscard]] MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears);
 

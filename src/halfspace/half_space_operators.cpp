@@ -4,6 +4,7 @@
 #include "foundation/fft.hpp"
 #include "foundation/lane_functions.hpp"
 #include "foundation/sharing.hpp"
+#include "half_space_memory.hpp"
 
 #include <algorithm>
 #include <array>
@@ -59,7 +60,7 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() c
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
     work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
                              AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
-  work->blocks_at_a_time = blocks_at_a_time(static_cast<int>(work->threads.size()));
+  work->blocks_at_a_time = blocks_at_a_time(volume_fft.blocks(), static_cast<int>(work->threads.size()));
   const auto at_a_time = static_cast<std::size_t>(work->blocks_at_a_time);
   work->strain.resize(at_a_time * volume_fft.block_size());
   work->stress.resize(std::max({volume_fft.block_size() * blocks, volume_fft.rows_size(), mirrored_fft.rows_size()}));
@@ -161,13 +162,6 @@ ComplexLanes* HalfSpace::Operators::displacement_part(int block, int part, Work:
 {
   const int place = block % work.blocks_at_a_time * parts_for(grid.nz) + part;
   return work.displacement_parts.data() + place * static_cast<std::ptrdiff_t>(tractions.size()) * surface_fft.pitch();
-}
-
-int HalfSpace::Operators::blocks_at_a_time(int threads) const
-{
-  constexpr double balanced = 0.9; // mean fraction of threads that must be busy
-  const int rounds = (volume_fft.blocks() + threads - 1) / threads;
-  return volume_fft.blocks() >= balanced * rounds * threads ? threads : 2;
 }
 
 /// Rows of the strain are stored in the memory of the stress: all threads read the rows of a block before its stress is written,

@@ -126,10 +126,6 @@ private:
   {
     int rank, count;
   };
-  /// Number of blocks whose strain is stored at a time. If the blocks divide evenly among the threads, it is one per thread: the
-  /// values that a thread has written then stay in its cache until it reads them. Otherwise the threads share each block, and one
-  /// block is transformed while others still work on the block before.
-  [[nodiscard]] int blocks_at_a_time(int threads) const;
   [[nodiscard]] ComplexLanes* strain_of(int block, Work::Buffers& work) const
   {
     return work.strain.data() + block % work.blocks_at_a_time * static_cast<std::ptrdiff_t>(volume_fft.block_size());

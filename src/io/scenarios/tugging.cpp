@@ -34,14 +34,14 @@ std::vector<Entry> keys()
              .excludes = "tugging.load",
              .pure_if = "tugging.normalised"},
             &TuggingCase::interference),
-      bound(
-          {.key = "tugging.offset",
-           .of = kind::length,
-           .text = "Offset of the upper centre from the lower one along y, so that the bodies pass beside each other. "
-                   "It reduces the overlap along the line of centres by offset^2 / (2 (R1 + R2)), to second order. If "
-                   "normalised, in units of the contact radius a_c at first yield. Not allowed with a load.",
-           .pure_if = "tugging.normalised"},
-          &TuggingCase::offset),
+      bound({.key = "tugging.offset",
+             .of = kind::length,
+             .text =
+                 "Offset of the upper centre from the lower one along y, so that the bodies pass beside each other. "
+                 "It reduces the overlap along the line of centres by offset^2 / (2 (R1 + R2)), to second order. If "
+                 "normalised, in units of the contact radius a_c at first yield. Not allowed with a load.",
+             .pure_if = "tugging.normalised"},
+            &TuggingCase::offset),
       bound({.key = "tugging.load",
              .of = kind::force.above(0.0),
              .unset = "tugging.interference",
