@@ -28,8 +28,9 @@ std::vector<double> PartialSlip::slipped() const
   return length;
 }
 
-/// A cell slips only while its shear is at the bound, along the shear at the end of the increment. The bound changes with the
-/// pressure; the friction work uses its mean over the increment, which is of second order.
+/// A cell slips only while its shear is at the bound, along the shear at the end of the increment. The friction work uses the mean
+/// of the bounds at which slip begins and ends. A cell that sticks under a shear far below its bound begins to slip when the
+/// falling bound meets that shear: near the trailing edge of a rolling contact the bound may fall by most of its value in one step.
 void PartialSlip::settle(const Bodies& bodies)
 {
   state_.sticking = state_.pressed = 0;
@@ -45,7 +46,9 @@ void PartialSlip::settle(const Bodies& bodies)
     if (!slips)
       continue;
     const double along = (slip_[0][i] * state_.shear[0][i] + slip_[1][i] * state_.shear[1][i]) / size;
-    const double heat = 0.5 * (bound_before_[i] + bound_[i]) * along;
+    const double size_before = std::hypot(shear_before_[0][i], shear_before_[1][i]);
+    const double bound_of_onset = std::min(bound_before_[i], std::max(size_before, bound_[i]));
+    const double heat = 0.5 * (bound_of_onset + bound_[i]) * along;
     state_.heat[i] += heat;
     state_.total_heat += heat * pair_.grid().cell_area();
     state_.path[i] += std::hypot(slip_[0][i], slip_[1][i]);

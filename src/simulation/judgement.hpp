@@ -42,9 +42,11 @@ struct Facts
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
   bool is_heated = false; ///< by friction
-  /// A surface at its shear limit flows without bound: plastic strain then concentrates in the uppermost layer of cells, however
-  /// thin this layer is.
-  bool flows_freely = false;
+  /// The limit of the shear is the strength of a surface, not a given one: plastic strain of a surface at its limit concentrates in
+  /// the uppermost layers of cells.
+  bool limited_by_strength = false;
+  bool flows_freely =
+      false; ///< and that surface does not harden: its strain grows without bound as the layers get thinner
   elastoplastic::Settings solver;
 };
 

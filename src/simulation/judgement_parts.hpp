@@ -16,6 +16,9 @@ namespace brinell::simulation
 /// Warns of textures that the cells do not resolve.
 void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 
+/// Whether so much of the contact was at the shear limit of a surface that the flow of that surface decides about the results.
+[[nodiscard]] bool flows_at_surface(const Facts& facts, const RunTotals& totals);
+
 /// Warns of expected yield that did not occur, of strains that are not small or depend on the cell size, of errors of the energy
 /// balance and of split increments.
 void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);

@@ -18,15 +18,18 @@ namespace
 constexpr Documented documented[] = {{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5},
                                      {"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5},
                                      {"dissipation", "passes[*].dissipation_J", 0.07, 4.0, 1.5}};
-constexpr Documented documented_with_creepage[] = {
-    {"creep force", "passes[*].F_x_N", 0.05, 8.0, 1.0, true}, documented[0], documented[1], documented[2]};
+constexpr Documented creep_force = {"creep force", "passes[*].F_x_N", 0.08, 8.0, 1.0, true};
+constexpr Documented documented_with_creepage[] = {creep_force, documented[0], documented[1], documented[2]};
+constexpr Documented documented_with_spin[] = {
+    creep_force, {"spin moment", "passes[*].M_z_Nm", 0.4, 8.0, 1.5, true}, documented[0], documented[1], documented[2]};
 
 Facts facts(const RollingCase& c, const RollingPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
   f.documented = documented;
   if (c.creepage)
-    f.documented = documented_with_creepage;
+    f.documented =
+        c.creepage->spin == 0.0 ? std::span<const Documented>(documented_with_creepage) : documented_with_spin;
   f.moves = true;
   // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)

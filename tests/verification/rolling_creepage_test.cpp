@@ -258,6 +258,34 @@ TEST(RollingCreepage, ElasticWorkIsHeat)
                      "exact: all of it; second order from 2 % with 8 cells, twice that for the short track");
 }
 
+TEST(RollingCreepage, HeatOfSteadyRollingIsTheWorkOfTheCreepForce)
+{
+  // Steady elastic rolling stores nothing: the heat per distance is the creepage times the force. With little creepage all slip is
+  // at the trailing edge, where the bound of the shear falls to a small part of itself within a step.
+  const PairOfBalls balls;
+  for (const double share : {0.003, 0.03, 0.3, 1.5})
+  {
+    const double creepage = share * balls.saturation(4.12);
+    std::vector<double> errors;
+    for (const double cells : {8.0, 16.0})
+    {
+      const RollingCase c = balls.rolling(cells, {creepage, 0.0, 0.0}, 8.0);
+      const RollingRun run = computed(c);
+      const RollingRecord& end = at_the_end(c, run);
+      const RollingRecord& before = *(&end - static_cast<std::ptrdiff_t>(cells));
+      const double heat = end.dissipation_friction - before.dissipation_friction;
+      const double work = creepage * (end.x - before.x) * 0.5 * (end.F_x + before.F_x);
+      errors.push_back(heat / work - 1.0);
+    }
+    std::printf("  creepage %.3f of saturation: heat over work of the force %+.2f %%, %+.2f %%\n", share,
+                100.0 * errors[0], 100.0 * errors[1]);
+    test::expect_close("balls that roll with a creepage of " + std::to_string(share).substr(0, 5) +
+                           " of saturation, 16 cells: heat per distance over creepage times force",
+                       1.0 + errors[1], 1.0, 0.03,
+                       "exact: all of the work is heat; of second order in the slip of a step");
+  }
+}
+
 TEST(RollingCreepage, WhereAllSlipsItIsFullSliding)
 {
   // The same bodies by slide_to_roll: each is carried past the contact by its own way then, and here both by the same cells. So the
