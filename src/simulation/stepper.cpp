@@ -238,7 +238,8 @@ void Stepper::descend(const Target& target)
   }
   if (report.overloaded)
     throw InputError(
-        fmt::format("{}: friction cannot hold the surfaces against the force along them; allowed: a smaller "
+        fmt::format("{}: friction cannot hold the surfaces against the force along them: friction times pressure, and "
+                    "nowhere more than the surfaces or interface.shear_limit carry, add up to less; allowed: a smaller "
                     "force, or a displacement in its place. All earlier steps are kept",
                     where_));
   throw ConvergenceError(fmt::format(
