@@ -47,6 +47,20 @@ void require_reference_of_exchange(const Numerics& numerics, const constitutive:
             lower.temperature, upper.temperature));
 }
 
+/// Checks that heat is shared only between two bodies that take heat.
+void require_two_sides(const Numerics& numerics, const constitutive::Material& lower,
+                       const constitutive::Material& upper)
+{
+  const bool is_shared = numerics.heat.partition || numerics.heat.conductance;
+  if (!is_shared || (lower.thermal && upper.thermal))
+    return;
+  const char* key = numerics.heat.partition ? "thermal.partition" : "thermal.conductance";
+  throw KeyError(key, fmt::format("{} = {:g}, but the {} body has no thermal constants and takes no heat: the other "
+                                  "body takes all of it; allowed: no such key, or thermal constants of both bodies",
+                                  key, numerics.heat.partition ? *numerics.heat.partition : *numerics.heat.conductance,
+                                  lower.thermal ? "upper" : "lower"));
+}
+
 /// Checks that there is a steady state, and that its displacement is defined.
 void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                     const HeatedMotion& motion)
@@ -109,6 +123,7 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
                                           speed_key));
   if (numerics.heat.regime == elastoplastic::HeatRegime::steady)
     require_steady(numerics, lower, upper, motion);
+  require_two_sides(numerics, lower.material, upper.material);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!body->material.thermal && !body->material.elastic.is_rigid())
       throw KeyError(fmt::format("{}.material.thermal.conductivity", name),

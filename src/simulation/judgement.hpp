@@ -41,7 +41,10 @@ struct Facts
   std::optional<double> cells_per_wave; ///< cells per shortest wave, for rough flats over a period
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
-  bool is_heated = false; ///< by friction
+  bool is_heated = false;          ///< by friction
+  bool has_thermal_stress = false; ///< which is part of the yield condition
+  std::optional<double>
+      passing_time; ///< in which the contact passes a point of the body over which it moves faster [s]
   /// The limit of the shear is the strength of a surface, not a given one: plastic strain of a surface at its limit concentrates in
   /// the uppermost layers of cells.
   bool limited_by_strength = false;

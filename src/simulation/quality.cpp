@@ -254,6 +254,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.textures = {&lower.texture, &upper.texture};
   f.materials = {&lower.material, &upper.material};
   f.is_heated = is_heated(numerics, lower, upper);
+  f.has_thermal_stress = numerics.heat.stress;
   f.limited_by_strength = f.can_yield && !numerics.friction.shear_limit;
   f.flows_freely = f.limited_by_strength && (never_hardens(lower.material) || never_hardens(upper.material));
   return f;

@@ -34,6 +34,8 @@ Facts facts(const RollingCase& c, const RollingPlan& plan)
   // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
     f.shift = faster;
+  if (c.speed)
+    f.passing_time = 2.0 * f.half_x / (*c.speed * std::max(1.0, upper_share(c)));
   return f;
 }
 

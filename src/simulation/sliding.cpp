@@ -246,6 +246,8 @@ Facts facts(const SlidingCase& c, const SlidingPlan& plan)
   f.moves = true;
   if (c.shift)
     f.shift = plan.shift;
+  if (c.speed)
+    f.passing_time = 2.0 * f.half_x / *c.speed;
   return f;
 }
 

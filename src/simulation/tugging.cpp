@@ -258,6 +258,8 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan)
   f.moves = true;
   if (c.shift)
     f.shift = plan.shift;
+  if (c.speed)
+    f.passing_time = 2.0 * f.half_x / (0.5 * *c.speed);
   return f;
 }
 

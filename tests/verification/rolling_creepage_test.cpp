@@ -244,7 +244,7 @@ TEST(RollingCreepage, ElasticWorkIsHeat)
   // Nothing is left in the end. Pressure, shear and heat work by trapezoidal rules over cells rolled and load steps, as many as there
   // are cells: all of second order.
   std::vector<double> errors;
-  for (const double cells : {4.0, 8.0, 16.0})
+  for (const double cells : {4.0, 8.0, 16.0, 32.0})
   {
     RollingCase c = yielding(cells, {0.004, 0.002, 4.0}, true);
     for (auto* body : {&c.lower, &c.upper})
@@ -253,9 +253,11 @@ TEST(RollingCreepage, ElasticWorkIsHeat)
     const simulation::RollingSummary s = computed(c).summary;
     errors.push_back(s.dissipation_friction / s.work - 1.0);
   }
-  EXPECT_GT(test::Orders("elastic rolling with creepage: heat over work", errors).overall, 1.7);
-  test::expect_close("elastic rolling with creepage and spin, 16 cells: heat over work", 1.0 + errors.back(), 1.0, 0.01,
-                     "exact: all of it; second order from 2 % with 8 cells, twice that for the short track");
+  // Slip at the bound is of second order; points that begin to slip or leave the contact within a step are of the order 3/2, as
+  // the pressure falls with the root of the distance from the edge.
+  EXPECT_GT(test::Orders("elastic rolling with creepage: heat over work", errors).last, 1.5);
+  test::expect_close("elastic rolling with creepage and spin, 32 cells: heat over work", 1.0 + errors.back(), 1.0, 2e-3,
+                     "exact: all of it; of the order 3/2 from 0.7 % with 8 cells");
 }
 
 TEST(RollingCreepage, HeatOfSteadyRollingIsTheWorkOfTheCreepForce)

@@ -105,6 +105,13 @@ std::string grid_report(const simulation::Plan& plan)
                             plan.contact.ny, volume_text(plan.lower), volume_text(plan.upper));
 }
 
+/// Number of cells of the bodies that are solved: of twins one is.
+double solved_cells(const simulation::Plan& plan)
+{
+  const auto upper = static_cast<double>(plan.upper.size());
+  return static_cast<double>(plan.lower.size()) + (plan.twin == elastoplastic::Twin::none ? upper : 0.0);
+}
+
 template <typename ScenarioCase, typename ScenarioPlanOf>
 std::string quality_report(const ScenarioCase& c, const ScenarioPlanOf& plan)
 {
@@ -178,7 +185,9 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                using Plan = decltype(simulation::plan(scenario));
                const Plan& p = std::get<Plan>(plan);
                return io_of(scenario).motion(scenario, p) + grid_report(p) +
-                      fmt::format("# Cost, roughly: {} of memory, {} on one core\n", size_text(p.memory_bytes),
+                      fmt::format("# Cost, roughly: {} of memory, {:.0f} bytes per cell of the bodies that are solved; "
+                                  "{} on one core\n",
+                                  size_text(p.memory_bytes), p.memory_bytes / solved_cells(p),
                                   duration_text(simulation::rough_seconds(
                                       p, scenario.lower.material, scenario.upper.material, io_of(scenario).work))) +
                       result_report(scenario, p, c.snapshots) + quality_report(scenario, p);

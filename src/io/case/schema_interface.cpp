@@ -131,7 +131,7 @@ std::vector<Entry> heat_entries()
                .choices = {"transient", "steady"},
                .text = "Heat that determines the temperatures. transient: all heat since the start. steady: steady "
                        "state, as if the heat of the present step had always acted and moved with the present speed; "
-                       "needs grids that are open along x, and heat_of_plastic_work = 0 for bodies that yield."},
+                       "needs grids that are open along x; bodies that yield need heat_of_plastic_work = 0."},
               &HeatSettings::regime),
       of_heat(
           {.key = "thermal.reference",

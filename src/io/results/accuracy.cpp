@@ -76,6 +76,8 @@ std::vector<std::string> key_names(const Scenario& scenario, const Numbers& numb
   for (std::string& name : names)
     if (const auto open = name.find("[]"); open != name.npos)
       name.insert(open + 1, std::to_string(size_of(name.substr(0, open), numbers) - 1));
+  names.insert(names.end(),
+               {"heat.max_temperature_lower_degC", "heat.max_temperature_upper_degC"}); // only of heated runs
   std::erase_if(names, [&](const std::string& name) { return !numbers.contains(name); });
   return names;
 }
@@ -84,7 +86,7 @@ std::vector<std::string> key_names(const Scenario& scenario, const Numbers& numb
 std::string_view unit_of(const std::string& name)
 {
   std::string_view longest;
-  for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_Nm", "_N_per_m"})
+  for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_Nm", "_N_per_m", "_degC"})
     if (name.ends_with(unit) && unit.size() > longest.size())
       longest = unit;
   return longest;
