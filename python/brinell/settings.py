@@ -102,6 +102,7 @@ class Heating(_Table):
         heat_of_plastic_work: share of the plastic work that becomes heat where it is done; 0: none.
         displacement: whether the surfaces swell into the gap.
         stress: whether thermal stress counts when the material yields.
+        at_melting: whether a run goes on or stops when a surface reaches the melting temperature of its softening.
     """
 
     partition: float | None = None
@@ -111,6 +112,7 @@ class Heating(_Table):
     heat_of_plastic_work: float | None = None
     displacement: bool | None = None
     stress: bool | None = None
+    at_melting: Literal["go_on", "stop"] | None = None
 
 
 @renamed(max_iterations="max_evaluations")

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 #include <utility>
 
 namespace brinell::simulation
@@ -130,6 +131,22 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
                      fmt::format("{}.material.thermal is missing, but the other body has thermal constants; allowed: "
                                  "those of both bodies, none, or a rigid body, which without them takes no heat",
                                  name));
+}
+
+void require_below_melting(const std::string& where, const HeatedRecord& step, const constitutive::Material& lower,
+                           const constitutive::Material& upper)
+{
+  for (const auto& [name, material, temperature] :
+       {std::tuple{"lower", &lower, step.max_temperature_lower}, {"upper", &upper, step.max_temperature_upper}})
+  {
+    const auto melting = material->softening ? constitutive::melting_temperature(*material->softening) : std::nullopt;
+    if (melting && temperature >= *melting)
+      throw InputError(
+          fmt::format("{}: the {} surface reaches {:.0f} degC and melts at {:.0f} degC, where the run is to "
+                      "stop (thermal.at_melting); allowed: less speed, load or friction, or "
+                      "thermal.at_melting = \"go_on\". All earlier steps are kept",
+                      where, name, temperature, *melting));
+  }
 }
 
 bool shares_alike(const Numerics& numerics)

@@ -27,6 +27,12 @@ struct HeatedMotion
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                   const HeatedMotion& motion);
 
+/// Checks that both surfaces have stayed below the melting temperatures of their softening.
+/// @param where  the step, for the message
+/// @throws InputError
+void require_below_melting(const std::string& where, const HeatedRecord& step, const constitutive::Material& lower,
+                           const constitutive::Material& upper);
+
 /// Whether equal bodies get equal shares of the heat.
 [[nodiscard]] bool shares_alike(const Numerics& numerics);
 

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/run.hpp"
+#include "heat.hpp"
 #include "records.hpp"
 #include "stepper.hpp"
 
@@ -103,6 +104,8 @@ public:
       largest_limited_share_ = std::max(largest_limited_share_, record.share_at_shear_limit);
     if constexpr (std::derived_from<Record, HeatedRecord>)
     {
+      if (case_.heat.at_melting == elastoplastic::AtMelting::stop)
+        require_below_melting(move.where, record, case_.lower.material, case_.upper.material);
       hottest_[0] = std::max(hottest_[0], record.max_temperature_lower);
       hottest_[1] = std::max(hottest_[1], record.max_temperature_upper);
     }

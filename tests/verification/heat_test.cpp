@@ -321,5 +321,30 @@ TEST(Heat, HotterBodiesYieldMoreAndMeltingIsTold)
   EXPECT_GT(plastic[2], plastic[1]);
 }
 
+TEST(Heat, ARunThatIsToStopAtMeltingStopsBeforeThatStep)
+{
+  TuggingCase t = warm_spheres(perfect_material(), 4.0, 1.0, 4.0);
+  t.upper.material.softening = constitutive::JohnsonCookSoftening{20.0, 120.0, 1.0};
+  const TuggingRun whole = computed(t);
+  const auto melts = [](const auto& record) { return record.max_temperature_upper >= 120.0; };
+  const auto first = std::find_if(whole.history.begin(), whole.history.end(), melts);
+  ASSERT_NE(first, whole.history.end());
+  t.heat.at_melting = elastoplastic::AtMelting::stop;
+  simulation::Run<TuggingCase> run(t);
+  for (auto before = whole.history.begin(); before != first; ++before)
+    EXPECT_EQ(run.step().F_X, before->F_X);
+  try
+  {
+    run.step();
+    FAIL() << "it should have stopped";
+  }
+  catch (const InputError& error)
+  {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("the upper surface reaches"), std::string::npos) << text;
+    EXPECT_NE(text.find("melts at 120 degC"), std::string::npos) << text;
+  }
+}
+
 } // namespace
 } // namespace brinell::verification

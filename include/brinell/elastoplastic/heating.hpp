@@ -24,6 +24,13 @@ enum class HeatRegime
   steady     ///< steady state: as if the flux of the current step had always acted and moved as in that step
 };
 
+/// What a run does when a surface reaches the melting temperature of its softening law.
+enum class AtMelting
+{
+  go_on, ///< the melt counts as a solid with little strength, and the run warns at its end
+  stop   ///< the run ends before this step
+};
+
 /// Settings for the heat of friction and of plastic work: docs/theory/heat.md (heat-of-friction).
 struct HeatSettings
 {
@@ -42,6 +49,7 @@ struct HeatSettings
   std::optional<double> reference{};
   bool displacement = true; ///< whether thermal expansion of the surfaces changes the gap
   bool stress = true;       ///< whether thermal stress contributes to yielding
+  AtMelting at_melting = AtMelting::go_on;
 
   [[nodiscard]] double share() const { return partition.value_or(0.5); }
   /// Whether heat passes between the surfaces.

@@ -155,6 +155,12 @@ std::vector<Entry> heat_entries()
       of_heat({.key = "thermal.stress",
                .text = "Whether thermal stress contributes to yielding. false: this effect is neglected."},
               &HeatSettings::stress),
+      of_heat({.key = "thermal.at_melting",
+               .choices = {"go_on", "stop"},
+               .text = "What the run does when a surface reaches the melting temperature of its softening. go_on: the "
+                       "melt counts as a solid with a hundredth of its yield stress, and the run warns at its end; "
+                       "stop: the run ends with an error and keeps the steps before."},
+              &HeatSettings::at_melting),
   };
 }
 
