@@ -217,7 +217,7 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
                     std::string_view units)
 {
   if (shape.size() != 3)
-    throw InternalError(fmt::format("write_deflated: {} sides in place of 3", shape.size()));
+    throw InternalError(fmt::format("write_deflated: the shape has {} sides; allowed: 3", shape.size()));
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
   const std::vector<hsize_t> sides = sides_of_chunk(dims);
   std::vector<Chunk> chunks_of_all;
