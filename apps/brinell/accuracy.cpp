@@ -26,7 +26,7 @@ constexpr double refinement =
     std::numbers::sqrt2;             ///< ratio of cell sizes between runs; each run of tugging costs four times as much
 constexpr int most_runs = 5;         ///< down to half of the cell size of the case
 constexpr double coarsest = 2.0;     ///< first cell size relative to that of the case
-constexpr double fewest_cells = 2.0; ///< per contact radius: with fewer the numbers show no order of convergence
+constexpr double fewest_cells = 2.0; ///< per contact radius in the first run; with fewer, no order of convergence shows
 constexpr const char* subfolder = "accuracy";
 
 std::string text_of(const fs::path& file)
@@ -81,8 +81,8 @@ void move_up(const fs::path& from, const fs::path& to)
     if (error)
       throw IoError(fmt::format("{}: cannot be moved to {}: {}", (from / name).string(), to.string(), error.message()));
   }
-  io::remove_resolved_maps(from); // the same ones are in the folder above
-  fs::remove(from, error);        // stays if somebody has put something else there
+  io::remove_resolved_maps(from); // the same maps are in the folder above
+  fs::remove(from, error);        // fails if it contains other files, and then it is kept
 }
 
 /// Removes runs of an earlier series, which may have been longer.
@@ -143,12 +143,12 @@ private:
   {
     const io::Case c = io::with_cells(case_, cells);
     const bool resume = options_.mode == Mode::resume;
-    const bool may_fail = number > 3 && cells < 1.0; // there is a result already
+    const bool may_fail = number > 3 && cells < 1.0; // the series has a result already
     const LevelsBefore before{cells, done_};
     try
     {
       if (resume)
-        if (const auto level = finished_level(folder_of(number), c, cells); level && take_over(number, c, *level))
+        if (const auto level = finished_level(folder_of(number), c, cells); level && reuse(number, c, *level))
           return true;
       if (monitor_.on_level)
         monitor_.on_level(number, cells, false);
@@ -160,7 +160,7 @@ private:
       };
       const LevelReport report =
           run_level(c, folder_of(number), mode_in(folder_of(number), c, resume), monitor, before);
-      report_ = report.told;
+      report_ = report.report;
       accuracy_ = report.accuracy;
       done_.push_back(report.level);
       return true;
@@ -180,8 +180,10 @@ private:
     }
   }
 
-  /// Repeats the last run, because its own summary has to contain the errors of the series.
-  bool take_over(int number, const io::Case& c, const io::Level& level)
+  /// Uses the numbers of a finished run, unless the series ends with it: the last run is repeated, because its summary has to
+  /// contain the errors of the series.
+  /// @returns whether the run was reused
+  bool reuse(int number, const io::Case& c, const io::Level& level)
   {
     std::vector<io::Level> levels = done_;
     levels.push_back(level);
@@ -220,9 +222,10 @@ void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, i
   if (!report.accuracy->reached)
     info.quality.warnings.push_back(
         {"accuracy_missed",
-         fmt::format("the accuracy asked for, {:.3g} %, is not reached: the key numbers are known to {:.2g} %, {}",
-                     100.0 * report.accuracy->asked, 100.0 * report.accuracy->error,
-                     io::accuracy_advice(c, *report.accuracy))});
+         fmt::format(
+             "the requested accuracy of {:.3g} % is not reached: the largest error of the key numbers is {:.2g} %, {}",
+             100.0 * report.accuracy->asked, 100.0 * report.accuracy->error,
+             io::accuracy_advice(c, *report.accuracy))});
   info.accuracy = report.accuracy;
 }
 

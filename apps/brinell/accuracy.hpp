@@ -22,7 +22,7 @@ struct LevelsBefore
 /// Result of one run.
 struct LevelReport
 {
-  RunReport told;
+  RunReport report;
   io::Level level;
   std::optional<io::Accuracy> accuracy{}; ///< of the series up to this run; none after the first run
 };

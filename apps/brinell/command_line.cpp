@@ -41,10 +41,10 @@ constexpr std::string_view usage =
     R"(brinell computes the elastic-plastic contact of bodies that are pressed, rolled or slid.
 
   brinell new indentation -o first.toml   write a case file to begin with; also: {}
-  brinell check first.toml                what it comes to: grid, memory, time
+  brinell check first.toml                show its grid, memory and time
   brinell run first.toml -o results       compute it
   brinell plot all results                draw figures of the results
-  brinell schema grid                     tell of the keys of a case file
+  brinell schema grid                     describe the keys of a case file
 
 brinell --help lists all commands, brinell COMMAND --help the options of one.
 )";
@@ -68,7 +68,7 @@ int guarded(const std::function<int()>& command)
   {
     return command();
   }
-  catch (const GridError& error) // of a grid that grew during a run: the input is valid
+  catch (const GridError& error) // a grid outgrew the memory during a run: the input is valid
   {
     return report(error.what(), exit_failure);
   }
@@ -86,7 +86,7 @@ int guarded(const std::function<int()>& command)
   }
   catch (const std::bad_alloc&)
   {
-    return report("out of memory; `brinell check` tells how much a case needs", exit_failure);
+    return report("out of memory; `brinell check` shows how much a case needs", exit_failure);
   }
   catch (const std::exception& error)
   {
@@ -101,7 +101,7 @@ int parsing_ended(const CLI::App& app, const CLI::ParseError& error)
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
     return app.exit(error);
   const auto chosen = app.get_subcommands();
-  return report(fmt::format("{}; brinell {}--help tells what is allowed", error.what(),
+  return report(fmt::format("{}; brinell {}--help lists what is allowed", error.what(),
                             chosen.empty() ? "" : chosen.front()->get_name() + " "),
                 exit_input);
 }
@@ -109,7 +109,7 @@ int parsing_ended(const CLI::App& app, const CLI::ParseError& error)
 /// Reports an unknown command; CLI11 would only say that a command is missing.
 int unknown_command(const std::string& word, const std::vector<std::string>& names)
 {
-  return report(fmt::format("unknown command {}; there are {}", word, fmt::join(names, ", ")), exit_input);
+  return report(fmt::format("unknown command {}; allowed: {}", word, fmt::join(names, ", ")), exit_input);
 }
 
 int python_command(const std::string& name)
@@ -158,7 +158,7 @@ int command_line(std::vector<std::string> words)
     return unknown_command(words.front(), names);
   try
   {
-    std::reverse(words.begin(), words.end()); // as CLI11 takes a vector
+    std::reverse(words.begin(), words.end()); // CLI11 expects a vector in reverse order
     app.parse(std::move(words));
   }
   catch (const CLI::ParseError& error)

@@ -80,7 +80,7 @@ int run_command(const RunArguments& arguments)
     if (replaced && !arguments.quiet)
       fmt::print(stderr, "brinell: replacing the earlier result in {}\n", folder);
     if (arguments.resume && !arguments.quiet)
-      fmt::print(stderr, "brinell: going on after {} finished steps\n", finished_steps);
+      fmt::print(stderr, "brinell: resuming after {} finished steps\n", finished_steps);
   };
   monitor.on_step = [&](int step, int count, const std::string& where, int evaluations)
   { progress->step(step, count, where, evaluations); };
@@ -90,7 +90,7 @@ int run_command(const RunArguments& arguments)
     progress.reset();
     if (!arguments.quiet)
       fmt::print(stderr, "brinell: run {} for the accuracy, cells of {:.3g} times the size{}\n", number, cells,
-                 taken_over ? ": taken over, it had been finished" : "");
+                 taken_over ? ": reused, because it was finished before" : "");
   };
   monitor.wants_stop = [] { return InterruptGuard::signal() != 0; };
   try
@@ -105,7 +105,7 @@ int run_command(const RunArguments& arguments)
   catch (const Interrupted&)
   {
     progress.reset();
-    fmt::print(stderr, "brinell: interrupted; the finished steps are in {}, and --resume goes on\n", folder);
+    fmt::print(stderr, "brinell: interrupted; the finished steps are in {}, and --resume continues the run\n", folder);
     return 128 + InterruptGuard::signal();
   }
   catch (const std::runtime_error&) // such as no convergence, a grid that is too small, a full disk
@@ -123,7 +123,7 @@ int run_command(const RunArguments& arguments)
 int check_command(const CaseArguments& arguments)
 {
   const io::Case c = io::read_case(arguments.file, arguments.overrides);
-  print_warnings(c, c.warnings); // before a refusal of the plan, whose reason they may be
+  print_warnings(c, c.warnings); // printed first, because they may explain why the plan fails
   const io::ScenarioPlan plan = io::plan_case(c);
   print_warnings(c, new_warnings(c, io::expected_warnings(c, plan)));
   fmt::print("{}", io::check_report(c, plan));
@@ -133,7 +133,9 @@ int check_command(const CaseArguments& arguments)
 int schema_command(const SchemaArguments& arguments)
 {
   if (!arguments.key.empty() && (arguments.markdown || arguments.json))
-    throw InputError(fmt::format("a key, {}, does not go with --markdown or --json, which tell all", arguments.key));
+    throw InputError(fmt::format(
+        "a key, {}, cannot be combined with --markdown or --json, which describe all keys; allowed: one of them",
+        arguments.key));
   fmt::print("{}", arguments.markdown ? io::schema_markdown()
                    : arguments.json   ? io::schema_json()
                                       : io::schema_text(arguments.key));
@@ -147,7 +149,7 @@ int new_command(const NewArguments& arguments)
   else
   {
     io::write_case_template(arguments.scenario, arguments.file, arguments.force);
-    fmt::print("{} is written; `brinell check {}` shows what it comes to\n", arguments.file, arguments.file);
+    fmt::print("{} is written; `brinell check {}` shows its grid, memory and time\n", arguments.file, arguments.file);
   }
   return exit_ok;
 }

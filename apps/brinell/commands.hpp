@@ -26,12 +26,12 @@ struct RunArguments
   std::string accuracy;  ///< "1%"; empty: as the case says
   int threads = 0;       ///< 0: as OpenMP decides
   bool quiet = false;
-  bool resume = false; ///< go on from the last checkpoint
+  bool resume = false; ///< continue from the last checkpoint
 };
 
 struct SchemaArguments
 {
-  std::string key; ///< or table; empty: all
+  std::string key; ///< key or table; empty: all
   bool markdown = false;
   bool json = false;
 };

@@ -8,33 +8,34 @@ namespace
 {
 
 // Global, because a signal handler can access nothing else.
-volatile std::sig_atomic_t noted_signal = 0;
+volatile std::sig_atomic_t received_signal = 0;
 
-/// The next one of any kind kills.
-void note(int number)
+/// Signal handler: records the signal and restores the default actions, so that the next signal of any kind ends the process.
+void record_signal(int number)
 {
-  noted_signal = number;
+  received_signal = number;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGHUP, SIG_DFL);
 }
 
-/// A signal that the program was started to ignore, as by nohup or in the background of a script, stays ignored.
-void take(int number, struct sigaction& before)
+/// Installs the handler. A signal that the program was started to ignore, as by nohup or in the background of a script, stays
+/// ignored.
+void handle(int number, struct sigaction& before)
 {
   sigaction(number, nullptr, &before);
   if (before.sa_handler != SIG_IGN)
-    std::signal(number, note);
+    std::signal(number, record_signal);
 }
 
 } // namespace
 
 InterruptGuard::InterruptGuard()
 {
-  noted_signal = 0;
-  take(SIGINT, interrupt_);
-  take(SIGTERM, terminate_);
-  take(SIGHUP, hang_up_);
+  received_signal = 0;
+  handle(SIGINT, interrupt_);
+  handle(SIGTERM, terminate_);
+  handle(SIGHUP, hang_up_);
 }
 
 InterruptGuard::~InterruptGuard()
@@ -46,7 +47,7 @@ InterruptGuard::~InterruptGuard()
 
 int InterruptGuard::signal()
 {
-  return noted_signal;
+  return received_signal;
 }
 
 } // namespace brinell::app

@@ -6,8 +6,8 @@
 namespace brinell::app
 {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP (a terminal that is gone) is only noted, so that a run can end after its
-/// step; the second one kills.
+/// During its lifetime, the first SIGINT, SIGTERM or SIGHUP (the terminal was closed) is only recorded, so that a run can end
+/// after its step; the second signal ends the process.
 class InterruptGuard
 {
 public:
@@ -16,11 +16,11 @@ public:
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  /// The signal that came, or 0.
+  /// The recorded signal; 0 if there is none.
   [[nodiscard]] static int signal();
 
 private:
-  struct sigaction interrupt_ = {}, terminate_ = {}, hang_up_ = {}; ///< what was there before
+  struct sigaction interrupt_ = {}, terminate_ = {}, hang_up_ = {}; ///< previous actions
 };
 
 } // namespace brinell::app

@@ -14,14 +14,14 @@ namespace
 /// Number of checks (spins) of a waiting thread before it sleeps: about 30 us, as long as it takes to sleep and wake up. Threads
 /// that never sleep make a run many times slower as soon as another program needs a core; threads that sleep at once wake up too
 /// late for the next piece of work: docs/performance.md. The same number is used in python/brinell/__init__.py.
-constexpr const char* looks_before_sleep = "1000";
+constexpr const char* spins_before_sleep = "1000";
 
 /// Sets how OpenMP threads wait. OpenMP reads its environment before main, so that the program restarts itself. Settings of the
 /// user stay.
-void wait_a_moment_then_sleep(char** argv)
+void set_thread_waiting(char** argv)
 {
   constexpr const char* policy = "OMP_WAIT_POLICY";
-  if (std::getenv(policy) == nullptr && setenv("GOMP_SPINCOUNT", looks_before_sleep, 0) == 0 &&
+  if (std::getenv(policy) == nullptr && setenv("GOMP_SPINCOUNT", spins_before_sleep, 0) == 0 &&
       setenv(policy, "passive", 0) == 0)
     execv("/proc/self/exe", argv); // returns only on failure; the program then continues with the default
 }
@@ -44,7 +44,7 @@ void keep_freed_memory()
 
 int main(int argc, char** argv)
 {
-  wait_a_moment_then_sleep(argv);
+  set_thread_waiting(argv);
   keep_freed_memory();
   std::signal(SIGXFSZ, SIG_IGN); // a file larger than `ulimit -f` is then reported as an error of writing
   return brinell::app::command_line({argv + 1, argv + argc});

@@ -107,7 +107,7 @@ void declare_commands(CLI::App& app, Arguments& arguments)
   for (const PythonCommand& command : python_commands)
   {
     auto* other = app.add_subcommand(command.name, command.help)->group("Commands of the Python package");
-    other->prefix_command(); // what follows, also --help, is not for this program
+    other->prefix_command(); // all further arguments, also --help, belong to the Python package
     other->set_help_flag();
   }
 }

@@ -11,7 +11,7 @@ namespace brinell::app
 
 /// A progress bar followed by text, of at most `width` characters. If there is not enough room the bar is shortened first, then
 /// parts of the text are left out, except the last one (the time left), and finally the bar.
-/// @param text  in parts with two blanks between them
+/// @param text  parts separated by two blanks
 [[nodiscard]] std::string progress_line(double share, std::string_view text, std::size_t width);
 
 /// Shows the progress of a run on stderr: a bar on a terminal, otherwise one line per tenth of the steps; nothing if quiet.

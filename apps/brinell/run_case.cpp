@@ -47,8 +47,8 @@ public:
   }
   [[nodiscard]] bool at_once()
   {
-    constexpr double moment = 2.0; // s
-    return after_step() && seconds_since(since_) > moment;
+    constexpr double grace = 2.0; // [s]
+    return after_step() && seconds_since(since_) > grace;
   }
 
 private:
@@ -59,7 +59,7 @@ private:
 
 /// Text that the program prints about a finished run.
 template <typename Summary>
-std::string told(const io::Case& c, const Summary& summary, const io::RunInfo& info)
+std::string report_text(const io::Case& c, const Summary& summary, const io::RunInfo& info)
 {
   std::string text =
       fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, info.wall_time);
@@ -120,14 +120,14 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
     if (monitor.on_remark)
       monitor.on_remark(text(change));
   };
-  std::optional<simulation::Run<ScenarioCase>> going(std::in_place, scenario, observer,
-                                                     checkpoint ? &*checkpoint : nullptr);
+  std::optional<simulation::Run<ScenarioCase>> run(std::in_place, scenario, observer,
+                                                   checkpoint ? &*checkpoint : nullptr);
   checkpoint.reset();
-  simulation::finish(*going, observer);
-  const auto summary = going->totals();
+  simulation::finish(*run, observer);
+  const auto summary = run->totals();
   const double seconds = seconds_since(start);
-  results.add_final(going->fields(), io::columns(summary.last));
-  going.reset(); // frees its memory
+  results.add_final(run->fields(), io::columns(summary.last));
+  run.reset(); // frees its memory
   const auto plan = simulation::plan(scenario);
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
@@ -137,7 +137,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   judge(c, before, report, info);
   results.finish(io::summary_text(c, plan, summary, info));
 
-  report.told = {told(c, summary, info), info.quality.warnings};
+  report.report = {report_text(c, summary, info), info.quality.warnings};
   return report;
 }
 
@@ -178,7 +178,8 @@ LevelReport run_level(const io::Case& c, const std::filesystem::path& folder, io
 std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& monitor)
 {
   if (c.accuracy)
-    throw InputError("solver.accuracy asks for a series of runs, which needs a folder");
+    throw InputError("solver.accuracy requests a series of runs, which needs a folder for its results; allowed: a run "
+                     "with a folder, or no solver.accuracy");
   const Threads guard(threads);
   static_cast<void>(io::plan_case(c));
   io::ResultImage results(c);
@@ -189,7 +190,7 @@ std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& moni
 RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
 {
   const Threads threads(options.threads);
-  return c.accuracy ? run_series(c, options, monitor) : run_level(c, options.folder, options.mode, monitor, {}).told;
+  return c.accuracy ? run_series(c, options, monitor) : run_level(c, options.folder, options.mode, monitor, {}).report;
 }
 
 } // namespace brinell::app

@@ -221,7 +221,7 @@ def test_interrupted_run_ends_as_in_the_program(folder: Path) -> None:
         process.send_signal(signal.SIGINT)
         _, told = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert told == "brinell: interrupted; the finished steps are in out, and --resume goes on\n"
+    assert told == "brinell: interrupted; the finished steps are in out, and --resume continues the run\n"
 
 
 def test_a_closed_pipe_is_no_error(folder: Path) -> None:

@@ -60,7 +60,7 @@ def test_it_is_that_of_the_case_file() -> None:
         ({"creepage": [0.001, 0.0, 0.0]}, "has more than two numbers"),
         ({"creepage": [0.5, 0.0]}, "creepage"),
         ({"creepage": [float("nan"), 0.0]}, "creepage"),
-        ({"interface": None}, "interface.friction = 0: nothing holds the surfaces"),
+        ({"interface": None}, "interface.friction = 0: without friction the surfaces cannot stick"),
         ({"slide_to_roll": 0.1}, "slide_to_roll = 0.1"),
         ({"spin": "1e6 rad/m"}, "half-length of the contact"),
         ({"spin": "1 mm"}, "spin"),

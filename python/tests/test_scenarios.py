@@ -278,7 +278,7 @@ def test_errors_name_arguments_and_no_line_of_a_file_that_is_not_there() -> None
         brinell.Indentation(soft, ball, load=["3 kN", 0])
     assert str(error.value) == (
         "lower.material.hardening.law: the stresses of a hardening table must not fall; point 2, 2.7394e+09 Pa, "
-        "follows 2.7434e+09 Pa (softening is not modelled); of a measurement that scatters, monotone = true takes the "
+        "follows 2.7434e+09 Pa (softening is not modelled); for a measurement that scatters, monotone = true uses the "
         "largest stress so far"
     )
     assert len(error.traceback) <= 4  # this test, the scenario, its arguments, its base: not the writer of TOML

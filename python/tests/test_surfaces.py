@@ -415,5 +415,5 @@ def test_files_of_numpy_that_are_no_maps(tmp_path: Path) -> None:
         with pytest.raises(InputError, match=re.escape(wrong)):
             rough_case(None).with_values({"lower.texture": keys})
     path.write_text("1 2\n")
-    with pytest.raises(InputError, match="is no .npy file of NumPy"):
+    with pytest.raises(InputError, match="is not a .npy file of NumPy"):
         rough_case(None).with_values({"lower.texture": keys})

@@ -48,9 +48,9 @@ Drive imposed(const Drive& drive, const SurfaceGrid& grid, std::span<const doubl
 {
   const bool by_gap = drive.kind == Drive::Kind::mean_gap;
   if (by_gap && !(grid.is_periodic() && drive.value >= 0.0))
-    throw InputError(fmt::format("contact: mean_gap = {:g} m; allowed: not below 0, of bodies that are periodic along "
-                                 "both axes",
-                                 drive.value));
+    throw InputError(
+        fmt::format("contact: mean_gap = {:g} m; allowed: >= 0, and only for bodies that are periodic along both axes",
+                    drive.value));
   if (drive.kind == Drive::Kind::load || !grid.is_periodic())
     return drive;
   const double full = sum(distance) / static_cast<double>(distance.size());
@@ -58,8 +58,8 @@ Drive imposed(const Drive& drive, const SurfaceGrid& grid, std::span<const doubl
     return {Drive::Kind::approach, full - drive.value};
   if (drive.value > full + tolerance)
     throw InputError(
-        fmt::format("contact of bodies that are periodic along both axes: approach = {:g} m; allowed: at most "
-                    "the mean distance of the surfaces, {:g} m, at which all of them touches. Impose a load",
+        fmt::format("contact of bodies that are periodic along both axes: approach = {:g} m; allowed: at most the mean "
+                    "distance of the surfaces, {:g} m, at which they touch everywhere. Impose a load instead",
                     drive.value, full));
   return drive;
 }

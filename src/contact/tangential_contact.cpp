@@ -57,10 +57,9 @@ void require_force_below(double carried, const TangentialDrive& drive)
   constexpr double margin = 1e-9;
   const bool is_forced = drive.x.kind == TangentialDrive::Kind::force || drive.y.kind == TangentialDrive::Kind::force;
   if (is_forced && !(size < (1.0 - margin) * carried) && size > 0.0)
-    throw InputError(
-        fmt::format("tangential contact: a force of {:g} N along the surface; allowed: below {:g} N, the sum of "
-                    "the bound, at which all of the contact slides. Impose a shift",
-                    size, carried));
+    throw InputError(fmt::format("tangential contact: a force of {:g} N along the surface; allowed: below {:g} N, the "
+                                 "sum of the bound, at which the whole contact slides. Impose a shift instead",
+                                 size, carried));
 }
 
 /// Recovers from a step that has increased the energy.

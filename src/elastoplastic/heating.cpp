@@ -224,7 +224,8 @@ std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& he
       sharing == Sharing::fine ? 1e-6 : 1e-3; // relative to the temperature difference that the partition removes
   std::vector<double> flux = lower.flux();
   if (!solve_in_cells(apply_both, rhs, pressed, tolerance * largest, flux))
-    throw ConvergenceError("the surfaces have not come to the temperatures at which they share the heat");
+    throw ConvergenceError(
+        "the partition of the heat between the surfaces has not converged: their temperatures still differ");
   return flux;
 }
 

@@ -59,7 +59,7 @@ CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, co
   const BodyView view = side == 0 ? lower() : upper();
   const double shear_sign = side == 0 ? 1.0 : -1.0;
   if (view.material().elastic.is_rigid())
-    throw InputError("the body is rigid: it has no stress");
+    throw InputError("the body is rigid and has no stress; allowed: the stress of a body that deforms");
   const VolumeGrid& volume = view.grid();
   std::vector<double> pressure;
   std::array<std::vector<double>, 2> shear;

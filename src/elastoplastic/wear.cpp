@@ -64,7 +64,7 @@ void Wear::settle(std::span<const double> pressure, const Placement& placement)
     if (side->share == 0.0)
       continue;
     if (!spread_volume(contact_, worn, side->share, *place, side->grid, side->depth))
-      throw InternalError("Wear: what is worn lies beyond the grid of the body");
+      throw InternalError("Wear: worn cells lie beyond the grid of the body");
     side->volume += side->share * sum * contact_.cell_area();
   }
 }

@@ -79,8 +79,8 @@ DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Therm
 {
   require_thermal(owner, thermal);
   if (!(times.shortest_step > 0.0) || !(times.duration >= times.shortest_step) || std::isinf(times.duration))
-    throw InputError(fmt::format("{}: steps of {} s and more in {} s; allowed: finite times above 0, the "
-                                 "duration not below the step",
+    throw InputError(fmt::format("{}: a shortest step of {} s in a duration of {} s; allowed: finite times above 0, "
+                                 "the duration not below the step",
                                  owner, times.shortest_step, times.duration));
   const double finest = std::numbers::pi * std::hypot(1.0 / grid.dx, 1.0 / grid.dy);
   return depth_waves(thermal.diffusivity(), {times.shortest_step, times.duration, deepest}, finest);
@@ -93,8 +93,9 @@ std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heat
   if (heated.count == 0)
     return nullptr;
   if (!(heated.count > 0 && heated.thickness > 0.0 && std::isfinite(heated.thickness)))
-    throw InputError(fmt::format("ThermalField: {} layers of {} m in which heat arises; allowed: a thickness above 0",
-                                 heated.count, heated.thickness));
+    throw InputError(
+        fmt::format("ThermalField: {} layers with heat sources, each {} m thick; allowed: a finite thickness above 0",
+                    heated.count, heated.thickness));
   const double spread = reach * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
   return std::make_shared<const LayeredConduction>(heated.count, heated.thickness,
                                                    (heated.count + 1) * heated.thickness + spread);
@@ -165,8 +166,8 @@ void OpenHeatMemory::require_step(const char* function_name, double duration) co
   constexpr double rounding = 1e-9;
   if (!(duration >= (1.0 - rounding) * times_.shortest_step) ||
       !(time_ + duration <= (1.0 + rounding) * times_.duration))
-    throw InputError(fmt::format("{}: a step of {} s after {} s; allowed: from {} s on, and {} s in all", function_name,
-                                 duration, time_, times_.shortest_step, times_.duration));
+    throw InputError(fmt::format("{}: a step of {} s after {} s; allowed: steps of at least {} s, and {} s in total",
+                                 function_name, duration, time_, times_.shortest_step, times_.duration));
 }
 
 /// Sum of the corrections of all lattices that removes the images, on the cells of the grid.
@@ -334,7 +335,7 @@ std::vector<std::vector<double>> OpenHeatMemory::on_conducting_layers(std::span<
 void OpenHeatMemory::take_up_in_body(const char* function_name, std::span<const double> rise, double duration)
 {
   if (!layers_)
-    throw InternalError(fmt::format("{}: no layers are planned in which heat arises", function_name));
+    throw InternalError(fmt::format("{}: no layers with heat sources are planned", function_name));
   require_step(function_name, duration);
   if (rise.size() % grid().size() != 0)
     throw InternalError(fmt::format("{}: {} values on {} cells", function_name, rise.size(), grid().size()));

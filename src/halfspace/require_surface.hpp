@@ -27,7 +27,9 @@ inline void require_load(const char* function_name, const SurfaceLoad& load, std
 {
   if (!load.heat.empty())
     throw InputError(
-        fmt::format("{}: heat on the surface is not computed yet; allowed: pressure and shears", function_name));
+        fmt::format("{}: the load has {} values of heat, but this operator takes only pressure and shears; allowed: an "
+                    "empty heat (ThermalResponse, ThermalField and SteadyField compute what a heat flux causes)",
+                    function_name, load.heat.size()));
   require_part(function_name, "pressure", load.pressure, cells);
   require_part(function_name, "shear along x", load.shear_x, cells);
   require_part(function_name, "shear along y", load.shear_y, cells);

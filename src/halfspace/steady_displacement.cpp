@@ -53,9 +53,8 @@ std::vector<double> steady_displacement(const SteadyLattices& lattices, const Th
   if (motion.velocity != 0.0)
     return table;
   if (!motion.reference)
-    throw InputError(
-        "the steady displacement of a flux that rests grows with the logarithm of the distance without end; "
-        "allowed: a reference, at which it counts as zero, or a velocity");
+    throw InputError("the steady displacement under a flux at rest has no limit: it grows with the logarithm of the "
+                     "distance; allowed: a reference, the distance at which the displacement is zero, or a velocity");
   // The constant part of the displacement on the lattices is arbitrary. Far from the cell the displacement is
   // (1 + nu) alpha Q/(2 pi K) ln(r/reference) (Barber 1971), which fixes it.
   const SurfaceGrid& g = lattices.offsets();

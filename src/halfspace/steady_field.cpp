@@ -117,8 +117,9 @@ void SteadyField::displacement(std::span<const double> flux, std::span<double> o
   require_size("SteadyField::displacement: the flux", flux, grid().size());
   require_size("SteadyField::displacement: the displacement", out, grid().size());
   if (state_->of_displacement.empty())
-    throw InputError("SteadyField::displacement: of a flux that rests it grows with the logarithm of the distance "
-                     "without end; allowed: a reference, at which it counts as zero, or a velocity");
+    throw InputError(
+        "SteadyField::displacement: under a flux at rest the displacement has no limit: it grows with the logarithm of "
+        "the distance; allowed: a reference, the distance at which the displacement is zero, or a velocity");
   State::Convolution(state_->fft, flux)(state_->of_displacement, out);
 }
 

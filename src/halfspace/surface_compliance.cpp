@@ -100,9 +100,8 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_mod
   if (grid.is_periodic_x() != grid.is_periodic_y() && !(reference > 0.0))
     throw InternalError("SurfaceCompliance: with one periodic axis the displacement needs a reference distance, > 0");
   if (grid.is_periodic() && grid.size() == 1)
-    throw InputError(
-        "a surface grid of 1 x 1 cells that is periodic along both axes has a uniform pressure only, which "
-        "displaces nothing; allowed: more than one cell along x or y");
+    throw InputError("a surface grid of 1 x 1 cells that is periodic along both axes can only carry a uniform "
+                     "pressure, which causes no displacement; allowed: more than one cell along x or y");
   operator_ = make_hidden<Operator>(grid, contact_modulus, reference);
 }
 

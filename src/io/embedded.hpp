@@ -7,9 +7,10 @@
 namespace brinell::io
 {
 
-/// The papers, what cases may have (src/io/case/template.toml), and the tested cases that `brinell new` begins with.
-/// @param file  from the root of the tree: "cases/rolling/case.toml"
-/// @throws InternalError if there is none
+/// Text of an embedded file: the references, the examples of keys (src/io/case/template.toml) or a tested case from which
+/// `brinell new` makes a template.
+/// @param file  path relative to the root of the source tree: "cases/rolling/case.toml"
+/// @throws InternalError if the file is not embedded
 [[nodiscard]] std::string_view embedded_text(std::string_view file);
 
 } // namespace brinell::io

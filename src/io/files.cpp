@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <vector>
 
-#define XXH_INLINE_ALL // the library itself is not needed then
+#define XXH_INLINE_ALL // header only: then the xxHash library is not linked
 #include <xxhash.h>
 
 namespace brinell::io
@@ -32,7 +32,7 @@ std::string seal(std::string_view mark, std::string_view sum)
 
 } // namespace
 
-void read_blocks(const fs::path& file, std::size_t largest, const std::function<void(std::string_view)>& take)
+void read_blocks(const fs::path& file, std::size_t largest, const std::function<void(std::string_view)>& consume)
 {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -55,7 +55,7 @@ void read_blocks(const fs::path& file, std::size_t largest, const std::function<
     size += got;
     if (size > largest) // checked while reading, as files in /proc report no size
       throw too_large();
-    take({block.data(), got});
+    consume({block.data(), got});
   }
   if (stream.bad())
     throw IoError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
@@ -169,7 +169,7 @@ void require_seal(const fs::path& path, std::string_view mark)
 {
   const std::size_t length = seal(mark, checksum("")).size();
   Checksum sum;
-  std::string end; // last bytes, which may be the seal
+  std::string end; // the last bytes, which are the seal of an undamaged file
   try
   {
     read_blocks(path, no_limit,
@@ -193,8 +193,8 @@ IoError damaged_file(const fs::path& path, std::string_view how)
 {
   std::error_code error;
   const bool is_there = fs::exists(path, error);
-  const std::string what = !is_there ? "is gone" : how.empty() ? "is damaged" : fmt::format("is damaged: {}", how);
-  return IoError(fmt::format("{}: {}; begin the run anew, without --resume", path.string(), what));
+  const std::string state = !is_there ? "is gone" : how.empty() ? "is damaged" : fmt::format("is damaged: {}", how);
+  return IoError(fmt::format("{}: {}; begin the run anew, without --resume", path.string(), state));
 }
 
 std::size_t valid_utf8(std::string_view text)
@@ -210,7 +210,7 @@ std::size_t valid_utf8(std::string_view text)
                             {0xf0, 0xf0, 0x90, 0xbf, 4}, {0xf1, 0xf3, 0x80, 0xbf, 4}, {0xf4, 0xf4, 0x80, 0x8f, 4}};
   const auto is_between = [&](std::size_t i, unsigned char low, unsigned char high)
   {
-    const auto byte = i < text.size() ? static_cast<unsigned char>(text[i]) : 0xff; // which no character has
+    const auto byte = i < text.size() ? static_cast<unsigned char>(text[i]) : 0xff; // occurs in no character
     return byte >= low && byte <= high;
   };
   std::size_t i = 0;

@@ -20,12 +20,12 @@ namespace brinell::io
 /// instrument.
 inline constexpr std::size_t largest_input = 100'000'000; // bytes
 
-/// Passes the content to `take`, block by block. Devices and pipes are refused, because they may have no end, or never deliver
+/// Passes the content to `consume`, block by block. Devices and pipes are refused, because they may have no end, or never deliver
 /// data.
 /// @throws InputError if there is no such file, or if it is not a regular file or larger than `largest`; the text is meant to
 /// follow the file's name, which the caller adds. IoError, with the name, if it cannot be read
 void read_blocks(const std::filesystem::path& file, std::size_t largest,
-                 const std::function<void(std::string_view)>& take);
+                 const std::function<void(std::string_view)>& consume);
 
 /// The content, without a byte order mark of UTF-8 (BOM).
 /// @throws as read_blocks
@@ -67,14 +67,14 @@ public:
   Replacement(const Replacement&) = delete;
   Replacement& operator=(const Replacement&) = delete;
 
-  /// To be written, by `write` or another way.
+  /// Path of the temporary file, to be written by `write` or in another way.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
-  /// @param mode  std::ios::trunc: this is the content; std::ios::app: it comes after what is there
+  /// @param mode  std::ios::trunc: replaces the content; std::ios::app: appends to it
   void write(std::string_view content, std::ios::openmode mode) const;
-  /// To be asked before the file is written, by whatever creates it anew: HDF5 crashes when a full disk does not let it close a
-  /// file. @throws IoError unless there is room for so many bytes
+  /// Checks that the disk has room for a file of this size. To be called before HDF5 writes the file, because HDF5 crashes if it
+  /// cannot close a file on a full disk. @throws IoError if there is not enough room
   void require_room(std::uintmax_t bytes) const;
-  /// Adds the checksum of the file under a mark: HDF5 does not mind what comes after its own.
+  /// Appends a mark and the checksum of the file. HDF5 ignores bytes after the end of its own data.
   void seal(std::string_view mark) const;
   void commit();
 
@@ -85,10 +85,12 @@ private:
   bool is_committed_ = false;
 };
 
-/// Checks the checksum of a sealed file.
-/// @throws IoError if the file is damaged
+/// Checks mark and checksum of a sealed file.
+/// @throws IoError if the file is missing or damaged
 void require_seal(const std::filesystem::path& path, std::string_view mark);
 
+/// Error for a missing or damaged file of a stopped run.
+/// @param how  kind of damage; may be empty
 [[nodiscard]] IoError damaged_file(const std::filesystem::path& path, std::string_view how = "");
 
 /// Position of the first byte that is not valid UTF-8; the size of the text if there is none.

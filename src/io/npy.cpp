@@ -17,11 +17,11 @@ namespace brinell::io
 namespace
 {
 
-static_assert(std::endian::native == std::endian::little, "the numbers of a file are taken as they lie");
+static_assert(std::endian::native == std::endian::little, "the bytes of a file are copied without conversion");
 
 constexpr std::string_view magic = "\x93NUMPY";
-constexpr std::size_t largest_table = 1'000'000'000; // bytes, as for texts far beyond any instrument
-constexpr std::size_t largest_header = 10'000;       // as NumPy itself allows
+constexpr std::size_t largest_table = 1'000'000'000; // bytes; as for text files, far more than any instrument delivers
+constexpr std::size_t largest_header = 10'000;       // the limit of NumPy itself
 
 /// Information from the header of a file.
 struct Head
@@ -55,7 +55,7 @@ std::optional<Head> head_of(std::string_view content)
   if (!std::regex_search(header, found, order))
     return std::nullopt;
   head.is_by_columns = found[1] == "True";
-  if (std::regex_search(header, found, shape)) // of another number of axes: no rows
+  if (std::regex_search(header, found, shape)) // with another number of axes the array counts as empty
   {
     head.rows = std::stoul(found[1]);
     head.columns = std::stoul(found[2]);
@@ -87,7 +87,7 @@ HeightTable read_npy(const std::filesystem::path& file)
   const std::string content = input_text(file, largest_table);
   const std::optional<Head> head = head_of(content);
   if (!head)
-    throw InputError("is no .npy file of NumPy, or damaged");
+    throw InputError("is not a .npy file of NumPy, or is damaged");
   if (head->type != "<f8" && head->type != "<f4")
     throw InputError(fmt::format("has numbers of the type \"{}\"; allowed: float64 or float32, as by "
                                  "numpy.save(file, heights.astype(float))",
@@ -115,10 +115,9 @@ HeightTable read_npy(const std::filesystem::path& file)
 
 std::string not_measured(const std::string& first, std::size_t count)
 {
-  return fmt::format(
-      "has in {} a height that is not finite{}; fill what was not measured, as \"brinell surface convert FILE "
-      "OUT.npy --fill\" does by a smooth surface",
-      first, count > 1 ? fmt::format(", the first of {}", count) : "");
+  return fmt::format("has in {} a height that is not finite{}; fill what was not measured, as \"brinell surface "
+                     "convert FILE OUT.npy --fill\" does by a smooth surface",
+                     first, count > 1 ? fmt::format(", the first of {}", count) : "");
 }
 
 std::string npy_content(std::span<const double> values, std::size_t columns)

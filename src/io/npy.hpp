@@ -16,10 +16,10 @@ namespace brinell::io
 /// not finite; IoError
 [[nodiscard]] HeightTable read_npy(const std::filesystem::path& file);
 
-/// What to say of heights that are not finite. @param first  where the first of them stands
+/// Error text for heights that are not finite. @param first  place of the first of them @param count  number of them
 [[nodiscard]] std::string not_measured(const std::string& first, std::size_t count);
 
-/// The content of a file with these numbers, row after row.
+/// The content of a .npy file with these numbers, row by row.
 [[nodiscard]] std::string npy_content(std::span<const double> values, std::size_t columns);
 
 } // namespace brinell::io

@@ -27,7 +27,7 @@ double interference_at(const ElasticTugging& t, double X)
   return std::max(t.interference - X * X / (std::hypot(omega, X) + omega), 0.0);
 }
 
-/// 1/R = 1/R1 + 1/R2.
+/// Equivalent radius R with 1/R = 1/R1 + 1/R2 [m].
 double equivalent_radius(const ElasticTugging& t)
 {
   return t.radius_lower * t.radius_upper / radii(t);
@@ -38,7 +38,7 @@ struct Press
 {
   double load = 0.0;      ///< P [N]
   double stiffness = 0.0; ///< dP/d alpha [N/m]
-  double work = 0.0;      ///< up to there [J]
+  double work = 0.0;      ///< of pressing up to this interference [J]
 };
 
 Press press_of_spheres(const ElasticTugging& t, double alpha)

@@ -31,8 +31,8 @@ struct EllipticIntegrals
   double K, D;
 };
 
-/// Arithmetic-geometric mean (Abramowitz & Stegun 1964, 17.6). D comes without the cancellation of K - E at small k,
-/// nor k from k' at large k, as std::comp_ellint_2(k) would have it.
+/// Computes them by the arithmetic-geometric mean (Abramowitz & Stegun 1964, 17.6). This avoids the cancellation in K - E at
+/// small k, and the loss of digits if k near 1 is computed from k', as std::comp_ellint_2(k) would require.
 EllipticIntegrals elliptic_integrals(double k_prime)
 {
   double a = 0.5 * (1.0 + k_prime), b = std::sqrt(k_prime);
@@ -99,7 +99,7 @@ void require_contact(double radius_x, double radius_y, double contact_modulus)
   require_positive(contact_modulus, "contact modulus");
 }
 
-/// ln(2 l/a); 0 without a load, whose products with it vanish.
+/// ln(2 l/a); 0 without a load, because then all products with it vanish.
 double reference_logarithm(const LineContact& contact, double contact_modulus, double reference)
 {
   require_positive(contact_modulus, "contact modulus");
@@ -156,7 +156,7 @@ SymTensor point_contact_stress(double x, double y, double z, double contact_radi
   const double r = std::hypot(x, y);
   const auto [xi, eta] = spheroidal(r * r / (contact_radius * contact_radius), z / contact_radius);
   const double sum = xi * xi + eta * eta;
-  const double inverse = sum > 0.0 ? 1.0 / sum : 0.0; // zero on the rim, where numerators vanish faster
+  const double inverse = sum > 0.0 ? 1.0 / sum : 0.0; // set to zero on the rim, where the numerators vanish faster
   const double spread = 1.0 / (1.0 + xi * xi);
   const double q = (1.0 - 2.0 * nu) / 3.0 * (1.0 + eta + eta * eta) * spread / (1.0 + eta);
   const double w = (1.0 - nu) * xi * xi * spread, acot = (1.0 + nu) * xi * std::atan2(1.0, xi);
@@ -199,7 +199,7 @@ LineContact line_contact_at_approach(double radius, double contact_modulus, doub
   if (!(approach <= largest))
     throw InputError(fmt::format("approach = {} m is more than a line contact has with the reference {} m, {} m.",
                                  approach, reference, largest));
-  // Grows with a up to a = 2 l.
+  // The approach grows with a up to a = 2 l.
   const auto excess = [=](double a)
   { return a > 0.0 ? a * a / (4.0 * radius) * (1.0 + 2.0 * std::log(2.0 * reference / a)) - approach : -approach; };
   const double a = approach > 0.0 ? bisected_root(excess, 2.0 * reference, 0.0) : 0.0;
@@ -242,7 +242,7 @@ FirstYield line_contact_first_yield(double poisson_ratio)
 {
   require_within(poisson_ratio, -1.0, 0.5, "Poisson's ratio");
   const double m = (1.0 - 2.0 * poisson_ratio) * (1.0 - 2.0 * poisson_ratio);
-  if (m >= 0.375) // where both are the same, T = 1/2
+  if (m >= 0.375) // there both branches agree, T = 1/2
     return {.pressure_ratio = 1.0 / std::sqrt(m), .depth_ratio = 0.0};
   // The largest root of the cubic, by Viete.
   const double T = 4.0 / 3.0 * std::cos(std::acos(-(11.0 + 9.0 * m) / 16.0) / 3.0) - 1.0 / 3.0;

@@ -19,11 +19,12 @@ namespace
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// Points e on the right half of the unit circle, and weights that make the shear sqrt(1 - r^2) of point forces at the complex
-/// depths z + e: the potential of a point on the surface seen from there, 1/sqrt(r^2 + (z + i t)^2), integrates to that of
-/// the shear with the weight pi/2 (1 - t^2) along t = -1..1, and the path may be bent away from where it is singular, the
-/// disc. Near the rim the ends of the path are singular too, hence the double exponential rule (Takahasi and Mori 1974).
-/// Only the upper half of the path: the points of the lower one are conjugate, and make the same real parts.
+/// Quadrature that represents the shear sqrt(1 - r^2) by point forces at the complex depths z + e: points e on the right half of
+/// the unit circle, with weights. The potential of a point force at the depth z + i t, 1/sqrt(r^2 + (z + i t)^2), integrated with
+/// the weight pi/2 (1 - t^2) along t = -1..1, is the potential of the shear. The path may be deformed away from its singularity,
+/// the disc. Near the rim the ends of the path are singular, too; therefore the double exponential rule is used (Takahasi and
+/// Mori 1974). Only the upper half of the path is stored: the points of the lower half are complex conjugates with equal real
+/// parts.
 struct Path
 {
   static constexpr int points = 60;
@@ -43,19 +44,20 @@ struct Path
   }
 };
 
-/// Derivatives of the potentials of the shear. With D = d/(r dr), and of a point force: V = 1/R, dF/dz = V, dF1/dz = F.
+/// Derivatives of the potentials of the shear, with D = d/(r dr). For a point force, V = 1/R, dF/dz = V and dF1/dz = F.
 struct Potentials
 {
   double DV = 0.0, D2V = 0.0, V_z = 0.0, DV_z = 0.0, D2F = 0.0, D3F = 0.0, D2F1 = 0.0, D3F1 = 0.0;
 };
 
-/// Without what the division of the language does for infinite parts, which costs several times as much: here there are none.
+/// 1/c without the treatment of infinite parts by the division of C++, which takes several times as long: there are none here.
 Complex inverse(const Complex& c)
 {
   return std::conj(c) / std::norm(c);
 }
 
-/// The square root with a positive real part, likewise: half the angle, from whichever part does not cancel.
+/// The square root with a positive real part, also without this treatment. The larger part is computed first, without
+/// cancellation.
 Complex root(const Complex& c)
 {
   const double size = std::sqrt(std::norm(c));
@@ -89,11 +91,11 @@ Potentials potentials(double r2, double z)
   return sum;
 }
 
-/// The place in the half plane z >= 0 where a function is largest, from a start with steps that halve.
+/// The position of a local maximum of a function in the half plane z >= 0, found by a pattern search with steps that are halved.
 template <typename Function>
 std::array<double, 2> climbed(const Function& f, std::array<double, 2> place)
 {
-  constexpr double finest = 1e-7; // the peak is flat: nearer no two values differ
+  constexpr double finest = 1e-7; // the maximum is flat: with smaller steps the values do not differ
   double best = f(place[0], place[1]);
   for (double step = 0.1; step > finest;)
   {
@@ -114,8 +116,9 @@ std::array<double, 2> climbed(const Function& f, std::array<double, 2> place)
   return place;
 }
 
-/// There may be several peaks, on the surface and beneath: the highest of a scan of each is climbed.
-/// @param stress  per peak pressure, at x, z in units of the contact.
+/// There may be several maxima, on the surface and below it. A search starts from the highest value of a scan on the surface, and
+/// of a scan below it.
+/// @param stress  stress over peak pressure, at x, z in units of the contact size
 template <typename Stress>
 SlidingYield largest_stress(const Stress& stress)
 {
@@ -149,7 +152,8 @@ SymTensor added(SymTensor a, const SymTensor& b)
 
 } // namespace
 
-// Of a point force along x, with Cerruti's potentials F = ln(R + z) and F1 = z ln(R + z) - R (Johnson 1985, section 3.2),
+// Stresses of a point force along x, with Cerruti's potentials F = ln(R + z) and F1 = z ln(R + z) - R
+// (Johnson 1985, section 3.2):
 //     2 pi sigma_xx = 2 (1 + nu) V_x + 2 nu F1_xxx - z F_xxx     2 pi sigma_yz = -z V_xy
 //     2 pi sigma_yy = 2 nu V_x + 2 nu F1_xyy - z F_xyy           2 pi sigma_xz = V_z - z V_xx
 //     2 pi sigma_zz = -z V_xz                                    2 pi sigma_xy = V_y + 2 nu F1_xxy - z F_xxy
@@ -161,7 +165,7 @@ SymTensor point_contact_shear_stress(double x, double y, double z, double contac
   z /= contact_radius;
   const double nu = poisson_ratio;
   const Potentials p = potentials(x * x + y * y, z);
-  // The terms with F1 and F stand together as G = 2 nu F1 - z F.
+  // The terms with F1 and F are combined as G = 2 nu F1 - z F.
   const double D2G = 2.0 * nu * p.D2F1 - z * p.D2F, D3G = 2.0 * nu * p.D3F1 - z * p.D3F;
   const double unit = peak_shear / (2.0 * pi);
   return {unit * (2.0 * (1.0 + nu) * x * p.DV + x * x * x * D3G + 3.0 * x * D2G),

@@ -11,9 +11,9 @@ namespace brinell::reference
 namespace
 {
 
-constexpr double jackson_green_limit = 1.9; ///< below, the contact follows Hertz
+constexpr double jackson_green_limit = 1.9; ///< below it, the contact follows Hertz
 
-/// S_y/E' with E' = E/(1 - nu^2): the flat is rigid.
+/// S_y/E' with E' = E/(1 - nu^2), because the flat is rigid.
 double yield_strain(const IndentedSphere& sphere)
 {
   return sphere.yield_stress * sphere.elastic.contact_compliance();

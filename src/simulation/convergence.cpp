@@ -69,8 +69,9 @@ Half half_interval(std::span<const double> h, std::span<const double> f)
 Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale, double known_error)
 {
   if (cells.size() != values.size() || values.size() < 2)
-    throw InputError(fmt::format("an estimate of {} values at {} sizes of cells; allowed: as many, two or more",
-                                 values.size(), cells.size()));
+    throw InputError(
+        fmt::format("an estimate from {} values at {} cell sizes; allowed: as many values as cell sizes, two or more",
+                    values.size(), cells.size()));
   for (std::size_t i = 1; i < cells.size(); ++i)
     if (!(cells[i] > 0.0 && cells[i] < cells[i - 1]))
       throw InputError("the sizes of cells must fall and be > 0");

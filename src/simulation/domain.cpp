@@ -157,10 +157,9 @@ void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, 
   }
   const char* const key = domain.x.cells > 0 ? "grid.cells" : "grid.spacing";
   throw KeyError(key,
-                 fmt::format("{}: on cells of {:g} x {:g} m, each of which takes the mean height over it, nothing is "
-                             "left of {}, and two flats touch everywhere at once; allowed: cells that show the "
-                             "waves, of which the shortest has {:.3g} here and needs 8 for contact area and peak "
-                             "pressure",
+                 fmt::format("{}: on cells of {:g} x {:g} m, each with the mean height over its area, nothing of {} "
+                             "remains, and two flats touch everywhere at once; allowed: cells that resolve the waves: "
+                             "the shortest one has {:.3g} cells and needs 8 for contact area and peak pressure",
                              key, grid.dx, grid.dy, names, *cells));
 }
 
@@ -189,8 +188,8 @@ void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, 
                               const SurfaceGrid& grid)
 {
   if (grid.is_periodic() && grid.size() == 1)
-    throw KeyError("grid.cells", "grid.cells = [1, 1]: a uniform pressure on one cell displaces nothing; allowed: more "
-                                 "than one cell along x or y");
+    throw KeyError("grid.cells", "grid.cells = [1, 1]: the pressure on a single cell is uniform and causes no "
+                                 "displacement; allowed: more than one cell along x or y");
   for (const bool along_y : {false, true})
   {
     const Domain::Axis& axis = along_y ? domain.y : domain.x;
@@ -231,9 +230,8 @@ std::optional<std::string> reason_against_approach(const ShapedBody& lower, cons
   if (approach < 0.0 || (most > 0.0 && approach <= most * rounding))
     return std::nullopt;
   return fmt::format(
-      "cannot be reached: with both axes periodic it counts from the mean planes, and at {0:.3g} m all of "
-      "the surfaces touches; allowed: {1}a load or mean pressure instead "
-      "({2}.load, {2}.pressure, {2}.mean_gap)",
+      "cannot be reached: with both axes periodic the approach counts from the mean planes, and at {0:.3g} m the "
+      "surfaces touch everywhere; allowed: {1}a load or mean pressure instead ({2}.load, {2}.pressure, {2}.mean_gap)",
       most, most > 0.0 || may_be_apart ? "less than that, or " : "", scenario);
 }
 

@@ -114,7 +114,7 @@ std::optional<std::string> reason_against_first_yield(const ShapedBody& lower, c
     return "the bodies are neither round where they touch, nor cylinders in plane strain "
            "(grid.boundary = [\"open\", \"periodic\"])";
   if (!nominal_first_yield(lower, upper, domain))
-    return fmt::format("grid.reference = {:.4g} m is too short beside the contact at first yield",
+    return fmt::format("grid.reference = {:.4g} m is too short compared with the contact at first yield",
                        reference_distance(lower.shape, upper.shape, domain));
   return std::nullopt;
 }

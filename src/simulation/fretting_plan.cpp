@@ -69,8 +69,8 @@ void require_held(const FrettingCase& fretting, const std::string& given, double
       fretting.press.kind == Drive::Kind::load
           ? "friction times load"
           : fmt::format("friction times the largest load under fretting.approach = {:g} m", fretting.press.value);
-  throw KeyError("fretting.force", fmt::format("{}; allowed: below {:g} N, {}, at which all of the contact slides: "
-                                               "give a displacement for that",
+  throw KeyError("fretting.force", fmt::format("{}; allowed: below {:g} N ({}), because at that force the whole "
+                                               "contact slides; for sliding, give fretting.displacement instead",
                                                given, most, carried));
 }
 
@@ -83,16 +83,16 @@ void require_above_errors(const FrettingCase& fretting, const std::string& key, 
   const double mu = fretting.friction.coefficient;
   if (mu > 0.0 && mu < least_friction)
     throw KeyError("interface.friction",
-                   fmt::format("interface.friction = {:g}; allowed: 0, or from {:g} on: slip under less is lost in the "
-                               "rounding of the approach",
+                   fmt::format("interface.friction = {:g}; allowed: 0, or at least {:g}, because with less friction "
+                               "the slip is lost in the rounding errors of the approach",
                                mu, least_friction));
   const bool by_force = fretting.kind == FrettingCase::Kind::force;
   const double step = fretting.solver.contact_tolerance * std::min(1.0, mu / little) *
                       (by_force ? largest_load(fretting, footprint) : footprint.approach);
   const double least = 0.25 * fretting.steps_per_cycle * step;
   if (fretting.amplitude > 0.0 && std::isfinite(least) && fretting.amplitude < least)
-    throw KeyError(key, fmt::format("{}; allowed: 0, or from {:.3g} {} on: steps of less are lost in the error of the "
-                                    "approach, solver.contact_tolerance = {:g}",
+    throw KeyError(key, fmt::format("{}; allowed: 0, or at least {:.3g} {}, because smaller steps are lost in the "
+                                    "error of the approach (solver.contact_tolerance = {:g})",
                                     given, least, by_force ? "N" : "m", fretting.solver.contact_tolerance));
 }
 
@@ -105,15 +105,14 @@ void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
   if (!(fretting.amplitude >= 0.0 && std::isfinite(fretting.amplitude)))
     throw KeyError(key, given + "; allowed: >= 0");
   if (fretting.amplitude > 0.0 && fretting.friction.coefficient == 0.0)
-    throw KeyError("interface.friction",
-                   "interface.friction = 0 with " + given + ": nothing holds the surfaces; allowed: > 0");
+    throw KeyError("interface.friction", "interface.friction = 0 with " + given +
+                                             ": without friction the surfaces cannot stick; allowed: > 0");
   if (by_force && fretting.amplitude > 0.0)
     require_held(fretting, given, largest_load(fretting, footprint));
   if (!by_force && !(fretting.amplitude <= footprint.half_x))
-    throw KeyError(
-        key, fmt::format("{}; allowed: up to {:.3g} m, the radius of the contact, which is counted as staying where "
-                         "it is",
-                         given, footprint.half_x));
+    throw KeyError(key, fmt::format("{}; allowed: up to {:.3g} m, the radius of the contact, because the contact is "
+                                    "treated as staying in place",
+                                    given, footprint.half_x));
   require_above_errors(fretting, key, given, footprint);
 }
 
@@ -147,9 +146,10 @@ FrettingPlan plan(const FrettingCase& fretting)
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
   require_amplitude(fretting, f);
-  require_wear(fretting, fretting.amplitude > 0.0 && fretting.cycles > 0
-                             ? ""
-                             : "nothing slides in no cycle, or with an amplitude of 0; allowed: 0, or a motion");
+  require_wear(fretting,
+               fretting.amplitude > 0.0 && fretting.cycles > 0
+                   ? ""
+                   : "the surfaces do not slide without a cycle, or with an amplitude of 0; allowed: 0, or a motion");
   FrettingPlan plan;
   lay_out(fretting, f, 0.0, 0.0, plan);
   require_cells_in_periods(fretting.lower, fretting.upper, fretting.domain, plan.contact);

@@ -24,8 +24,8 @@ void require_solid(const char* name, const constitutive::Material& material)
   const auto melting = material.softening ? constitutive::melting_temperature(*material.softening) : std::nullopt;
   if (melting && material.temperature >= *melting)
     throw KeyError(fmt::format("{}.material.thermal.temperature", name),
-                   fmt::format("{}.material.thermal.temperature = {:g} degC, but its softening says that it melts at "
-                               "{:g} degC; allowed: below that",
+                   fmt::format("{}.material.thermal.temperature = {:g} degC, but by its softening law the body melts "
+                               "at {:g} degC; allowed: below that",
                                name, material.temperature, *melting));
 }
 
@@ -41,10 +41,10 @@ void require_reference_of_exchange(const Numerics& numerics, const constitutive:
     throw KeyError(
         "thermal.reference",
         fmt::format(
-            "thermal.reference is missing: between a lower body of {:g} and an upper one of {:g} degC heat passes "
-            "while they are pressed together at rest, too, and what a steady flux that rests swells by grows with the "
-            "logarithm of the distance without end; allowed: the distance from the contact at "
-            "which it counts as nothing, as the radius of the body; or thermal.displacement = false",
+            "thermal.reference is missing: between a lower body of {:g} and an upper one of {:g} degC heat also flows "
+            "while they are pressed together at rest, and the thermal displacement under a steady flux at rest has no "
+            "limit: it grows with the logarithm of the distance; allowed: the distance from the contact at which the "
+            "thermal displacement is taken as zero, such as the radius of the body; or thermal.displacement = false",
             lower.temperature, upper.temperature));
 }
 
@@ -72,20 +72,21 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
                    fmt::format("thermal.regime = \"steady\", but {}; allowed: {}, or \"transient\"", reason, allowed));
   };
   if (numerics.domain.x.is_periodic())
-    refuse("along a periodic axis of the motion heat piles up", "an open axis along x");
+    refuse("along a periodic axis of the motion heat accumulates without limit", "an open axis along x");
   if (numerics.domain.y.is_periodic() && motion.upper_rests && upper.material.thermal)
-    refuse("in the upper body, which rests under its heat along a periodic axis, heat piles up", "open axes");
+    refuse("in the upper body, which rests under its heat flux along a periodic axis, heat accumulates without limit",
+           "open axes");
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (body->material.is_plastic() && numerics.heat.of_plastic_work > 0.0)
-      refuse(fmt::format("the heat of the plastic work of the {} body is not known in it", name),
+      refuse(fmt::format("this regime cannot compute the heat of the plastic work of the {} body", name),
              "thermal.heat_of_plastic_work = 0");
   const bool swells = upper.material.thermal && upper.material.thermal->expansion != 0.0 && numerics.heat.displacement;
   if (motion.upper_rests && swells && !numerics.heat.reference)
-    throw KeyError(
-        "thermal.reference",
-        "thermal.reference is missing: the upper body rests under its heat, and what a steady flux that rests "
-        "swells by grows with the logarithm of the distance without end; allowed: the distance from the "
-        "contact at which it counts as nothing, as the radius of the body; or thermal.displacement = false");
+    throw KeyError("thermal.reference",
+                   "thermal.reference is missing: the upper body rests under its heat flux, and the thermal "
+                   "displacement under a steady flux at rest has no limit: it grows with the logarithm of the "
+                   "distance; allowed: the distance from the contact at which the thermal displacement is taken as "
+                   "zero, such as the radius of the body; or thermal.displacement = false");
   if (motion.pressed_at_rest)
     require_reference_of_exchange(numerics, lower.material, upper.material);
 }
@@ -127,10 +128,11 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
   require_two_sides(numerics, lower.material, upper.material);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!body->material.thermal && !body->material.elastic.is_rigid())
-      throw KeyError(fmt::format("{}.material.thermal.conductivity", name),
-                     fmt::format("{}.material.thermal is missing, but the other body has thermal constants; allowed: "
-                                 "those of both bodies, none, or a rigid body, which without them takes no heat",
-                                 name));
+      throw KeyError(
+          fmt::format("{}.material.thermal.conductivity", name),
+          fmt::format("{}.material.thermal is missing, but the other body has thermal constants; allowed: thermal "
+                      "constants of both bodies, of none, or a rigid body, which without them takes no heat",
+                      name));
 }
 
 void require_below_melting(const std::string& where, const HeatedRecord& step, const constitutive::Material& lower,

@@ -221,7 +221,7 @@ Quality with_gaps(Quality quality, const IndentationCase& indentation, const Ind
 IndentationPlan plan(const IndentationCase& indentation)
 {
   require_friction(indentation, indentation.lower, indentation.upper,
-                   "nothing slides in an indentation; allowed: 0, or another scenario");
+                   "the surfaces do not slide in an indentation; allowed: 0, or another scenario");
   require_drives(indentation);
   const contact::Drive largest = largest_drive(indentation);
   require_approach(indentation, largest);

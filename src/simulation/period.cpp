@@ -86,7 +86,7 @@ contact::Drive largest_drive(const IndentationCase& c)
     return *largest;
   }
   if (!c.domain.is_periodic())
-    throw InputError("a mean gap is one over a period; allowed: bodies that are periodic along both axes");
+    throw InputError("a mean gap is defined over a period only; allowed: bodies that are periodic along both axes");
   if (!(smallest->value > 0.0))
     throw InputError(fmt::format("a mean gap of {:g} m; allowed: > 0", smallest->value));
   const double touch = touching_gap(c, sampled_period(c.domain)); // an estimate: the cells of the run are not known yet

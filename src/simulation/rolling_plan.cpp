@@ -52,11 +52,14 @@ void require_creepage(const RollingCase& rolling, double half)
                                "contact",
                                spin, largest_creepage / half, largest_creepage));
   if (rolling.slide_to_roll != 0.0)
-    throw KeyError(key, fmt::format("{} with rolling.slide_to_roll = {:g}, which makes the surfaces slide everywhere; "
-                                    "allowed: 0. The first creepage is what slide_to_roll counts, with stick and slip",
-                                    given, rolling.slide_to_roll));
+    throw KeyError(
+        key, fmt::format("{} with rolling.slide_to_roll = {:g}, which makes the surfaces slide everywhere; allowed: "
+                         "slide_to_roll = 0. With stick and slip, the longitudinal creepage takes its place",
+                         given, rolling.slide_to_roll));
   if (rolling.friction.coefficient == 0.0)
-    throw KeyError(key, fmt::format("{} with interface.friction = 0: nothing holds the surfaces; allowed: > 0", given));
+    throw KeyError(
+        key,
+        fmt::format("{} with interface.friction = 0: without friction the surfaces cannot stick; allowed: > 0", given));
   if (spin != 0.0 && (rolling.domain.x.is_periodic() || rolling.domain.y.is_periodic()))
     throw KeyError(
         "rolling.spin",
@@ -87,19 +90,20 @@ RollingPlan plan(const RollingCase& rolling)
 {
   const std::string why_not =
       rolling.slide_to_roll == 0.0 && !rolling.creepage
-          ? "nothing slides with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
+          ? "the surfaces do not slide with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
           : "";
   require_friction(rolling, rolling.lower, rolling.upper, why_not.empty() ? "" : why_not + ", or rolling.creepage");
   // With creepage, slip occurs where the pressure falls to zero within a step, and wear from the pressure at its end would be far
   // off.
-  require_wear(rolling, rolling.creepage ? "not computed where surfaces that roll stick in places; allowed: 0, or "
-                                           "rolling.slide_to_roll in place of rolling.creepage and spin"
+  require_wear(rolling, rolling.creepage ? "wear is not computed where rolling surfaces stick in places; allowed: 0, "
+                                           "or rolling.slide_to_roll instead of rolling.creepage and rolling.spin"
                                          : why_not);
   require_heat(rolling, rolling.lower, rolling.upper,
                {rolling.speed, "rolling.speed", rolling.slide_to_roll == 2.0, true});
   if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
-    throw KeyError("rolling.creepage", "heat of surfaces that stick in places is not computed; with thermal constants "
-                                       "allowed: rolling.slide_to_roll in place of rolling.creepage and spin");
+    throw KeyError("rolling.creepage", "rolling.creepage or rolling.spin with thermal constants: the heat of surfaces "
+                                       "that stick in places is not computed; allowed: rolling.slide_to_roll instead "
+                                       "of rolling.creepage and rolling.spin, or no thermal constants");
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
   const Footprint f =

@@ -52,9 +52,10 @@ void require_press(const SlidingCase& sliding)
 void require_motion(const SlidingCase& sliding)
 {
   if (!std::holds_alternative<Plane>(sliding.lower.shape))
-    throw KeyError("lower.shape", "sliding needs a flat lower body: the contact stays where it is on the upper one; "
-                                  "allowed: \"plane\", and the other shape for the upper body (two balls that pass "
-                                  "each other: scenario = \"tugging\")");
+    throw KeyError(
+        "lower.shape",
+        "sliding needs a flat lower body, because the contact stays in place on the upper one; allowed: \"flat\", with "
+        "the other shape for the upper body (two balls that pass each other: scenario = \"tugging\")");
   if (!(sliding.distance > 0.0 && std::isfinite(sliding.distance)))
     throw KeyError("sliding.distance", fmt::format("sliding.distance = {:g} m; allowed: > 0", sliding.distance));
   if (sliding.strokes < 1)

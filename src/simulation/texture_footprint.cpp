@@ -165,9 +165,9 @@ Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modu
   std::transform(h.begin(), h.end(), other.begin(), h.begin(), std::plus<>());
   const Roughness together = roughness_of(h, grid);
   if (!(together.height > rounding * apart))
-    throw KeyError("upper.texture", "lower.texture and upper.texture leave the distance of the bodies the same "
-                                    "everywhere in the period, on its cells; allowed: textures that differ, of waves "
-                                    "that the cells show");
+    throw KeyError("upper.texture",
+                   "lower.texture and upper.texture cancel: on the cells of the grid the distance of the bodies is the "
+                   "same everywhere in the period; allowed: textures that differ, with waves that the cells resolve");
   const double length = together.wavelength();
   const double slope = std::numbers::sqrt2 * together.slope; // largest slope of a wave with the same rms values
   Footprint f;

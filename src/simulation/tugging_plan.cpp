@@ -59,12 +59,11 @@ void require_touch(const TuggingCase& tugging, double interference)
     return;
   const double overlap = tugging.interference;
   const double sum = rounding_across("lower", tugging.lower.shape) + rounding_across("upper", tugging.upper.shape);
-  throw KeyError(
-      "tugging.offset",
-      fmt::format("tugging.offset makes {:.6g} m, at which the bodies pass without touching; allowed with an "
-                  "interference of {:.4g} m: between -{:.6g} and {:.6g} m",
-                  tugging.offset, overlap, std::sqrt(overlap * (2.0 * sum - overlap)),
-                  std::sqrt(overlap * (2.0 * sum - overlap))));
+  throw KeyError("tugging.offset",
+                 fmt::format("tugging.offset amounts to {:.6g} m, at which the bodies pass without touching; allowed "
+                             "with an interference of {:.4g} m: between -{:.6g} and {:.6g} m",
+                             tugging.offset, overlap, std::sqrt(overlap * (2.0 * sum - overlap)),
+                             std::sqrt(overlap * (2.0 * sum - overlap))));
 }
 
 Pair pair_of(const TuggingCase& tugging)

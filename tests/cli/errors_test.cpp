@@ -86,7 +86,7 @@ TEST_F(Errors, AListForOneValueIsToldWhatToDo)
 {
   write("case.toml", quick_case);
   expect_refused({"check", "case.toml", "--set", "grid.resolution=[4, 8]"},
-                 {"is a list", "one value is wanted: for several, run the case for each, as brinell sweep does"});
+                 {"is a list", "this key takes one value; brinell sweep runs the case for several values"});
 }
 
 TEST_F(Errors, AKeyWithoutItsTableIsFound)

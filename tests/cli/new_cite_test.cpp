@@ -19,7 +19,7 @@ TEST_P(New, CaseIsAcceptedAndRuns)
 {
   const Outcome written = run({"new", GetParam(), "-o", "first.toml"});
   ASSERT_EQ(written.exit_code, 0) << written.err;
-  EXPECT_EQ(written.out, "first.toml is written; `brinell check first.toml` shows what it comes to\n");
+  EXPECT_EQ(written.out, "first.toml is written; `brinell check first.toml` shows its grid, memory and time\n");
   const Outcome check = run({"check", "first.toml"});
   EXPECT_EQ(check.exit_code, 0);
   EXPECT_EQ(check.err, "");
@@ -108,9 +108,8 @@ TEST_F(Refusals, UnknownScenarioAndCommand)
   for (const std::string& name : io::scenario_names())
     names += (names.empty() ? "" : ", ") + name;
   expect_refused({"new", "walking"}, "brinell: error: unknown scenario walking; allowed: " + names + "\n");
-  expect_refused({"walk", "case.toml"},
-                 "brinell: error: unknown command walk; there are run, check, schema, new, cite, "
-                 "plot, report, sweep, surface, export, completion\n");
+  expect_refused({"walk", "case.toml"}, "brinell: error: unknown command walk; allowed: run, check, schema, new, cite, "
+                                        "plot, report, sweep, surface, export, completion\n");
 }
 
 TEST_F(Refusals, CommandsOfThePythonPackage)

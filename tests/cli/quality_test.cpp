@@ -188,8 +188,8 @@ TEST_F(QualityOfRuns, AnAccuracyThatIsMissedIsTold)
   EXPECT_EQ(read.at("accuracy").at("runs").size(), 5u);
   EXPECT_EQ(read.at("warnings").back().at("key"), "accuracy_missed");
   const auto advice = read.at("warnings").back().at("text").get<std::string>();
-  for (const char* part : {"the accuracy asked for, 0.0001 %, is not reached", "indents[0].", " least; ",
-                           "a larger grid.resolution", "more steps than indentation.steps = ", "would bring it closer"})
+  for (const char* part : {"the requested accuracy of 0.0001 % is not reached", "indents[0].", ", in ",
+                           "a larger grid.resolution", "more steps than indentation.steps = ", "would reduce it"})
     EXPECT_NE(advice.find(part), std::string::npos) << part << "\n  in: " << advice;
 }
 
@@ -216,9 +216,9 @@ TEST_F(QualityOfRuns, AnInterruptedSeriesTakesOverWhatIsFinished)
   resumed.emplace_back("--resume");
   const Outcome outcome = run(resumed);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("run 2 for the accuracy, cells of 1.41 times the size: taken over"), std::string::npos)
+  EXPECT_NE(outcome.err.find("run 2 for the accuracy, cells of 1.41 times the size: reused"), std::string::npos)
       << outcome.err;
-  EXPECT_EQ(outcome.err.find("run 3 for the accuracy, cells of 1 times the size: taken over"), std::string::npos);
+  EXPECT_EQ(outcome.err.find("run 3 for the accuracy, cells of 1 times the size: reused"), std::string::npos);
   EXPECT_EQ(summary().at("accuracy"), whole.at("accuracy"));
 
   // A finished run of another case is not taken over.
@@ -228,7 +228,7 @@ TEST_F(QualityOfRuns, AnInterruptedSeriesTakesOverWhatIsFinished)
   std::ofstream(stranger) << text << "# another\n";
   const Outcome again = run(resumed);
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(again.err.find("run 2 for the accuracy, cells of 1.41 times the size: taken over"), std::string::npos)
+  EXPECT_EQ(again.err.find("run 2 for the accuracy, cells of 1.41 times the size: reused"), std::string::npos)
       << again.err;
   EXPECT_EQ(summary().at("accuracy"), whole.at("accuracy"));
 }

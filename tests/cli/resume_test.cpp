@@ -100,7 +100,7 @@ TEST_P(Resume, AfterAnInterrupt)
   EXPECT_EQ(stopped(5, SIGINT), 130);
   const Outcome resumed = run({"run", "case.toml", "-o", "stopped", "--resume"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_NE(resumed.err.find("going on after"), std::string::npos) << resumed.err;
+  EXPECT_NE(resumed.err.find("resuming after"), std::string::npos) << resumed.err;
   expect_same_as_uninterrupted();
 }
 

@@ -8,8 +8,9 @@ namespace brinell::halfspace
 
 /// Load on the surface of a body: in each part one value per cell of the surface grid; an empty part is zero.
 ///
-/// No operator accepts heat yet, and `SurfaceCompliance` accepts only the pressure. Operators reject unsupported parts with an
-/// error that names the part, so that no load is silently ignored.
+/// The elastic operators do not accept heat: the effects of a heat flux are computed by `HeatResponse`, `ThermalResponse`,
+/// `SurfaceTemperature`, `ThermalField` and `SteadyField`. `SurfaceCompliance` accepts only the pressure. Operators reject
+/// unsupported parts with an error that names the part, so that no load is silently ignored.
 struct SurfaceLoad
 {
   std::span<const double> pressure{};           ///< into the body [Pa]

@@ -48,7 +48,7 @@ struct Accuracy
 /// Estimates from two levels or more.
 [[nodiscard]] Accuracy accuracy_of(const Case& c, std::vector<Level> levels);
 
-/// The key number with the largest error, and what would reduce it: a clause for people.
+/// A clause for the warning: the key number with the largest error, and how to reduce it.
 [[nodiscard]] std::string accuracy_advice(const Case& c, const Accuracy& accuracy);
 
 } // namespace brinell::io

@@ -22,8 +22,8 @@ class CaseValues
 {
 public:
   void set(std::string_view key, Value value) { values_.emplace_back(key, std::move(value)); }
-  /// Replaces `key` by other keys of the same table at the same position, as the resolved case needs the keys of a table
-  /// together.
+  /// Replaces `key` by other keys of the same table at the same position, because in the resolved case the keys of a table must
+  /// be together.
   void replace(std::string_view key, std::vector<std::pair<std::string, Value>> by);
 
   /// nullptr if unset.

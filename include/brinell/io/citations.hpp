@@ -18,10 +18,10 @@ struct Reference
   std::string key;
   std::string kind;                                       ///< as BibTeX has it: "article", "book", ...
   std::map<std::string, std::string, std::less<>> fields; ///< author, title, year, ... without their braces
-  std::string bibtex;                                     ///< its entry in a .bib file
+  std::string bibtex;                                     ///< its entry in BibTeX
 };
 
-/// A source and what a case uses it for.
+/// A source and its use in a case.
 struct Citation
 {
   Reference reference;
@@ -37,7 +37,7 @@ struct Citation
 /// brinell itself, as in CITATION.cff.
 [[nodiscard]] const Reference& brinell_reference();
 
-/// Reads the BibTeX that references.bib is written in: a field per line, in braces.
+/// Reads BibTeX in the form of references.bib: one field per line, in braces.
 [[nodiscard]] std::vector<Reference> read_bibtex(std::string_view text);
 
 /// "Love, A. E. H. (1929). The stress ... Phil. Trans. R. Soc. A 228, 377-420. https://doi.org/..."

@@ -21,8 +21,8 @@ using ScenarioPlan = simulation::AnyPlan;
 /// Warnings and expected errors of a case before it runs: its own warnings, and those about the resolution of its cells.
 [[nodiscard]] std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan);
 
-/// What `brinell check` prints: the resolved case, and as comments its critical values, grids, steps, memory, rough cost and
-/// size of the result. The whole is again a case file.
+/// Output of `brinell check`: the resolved case, and as comments its critical values, grids, steps, memory, rough cost and size
+/// of the result. The whole output is again a case file.
 [[nodiscard]] std::string check_report(const Case& c, const ScenarioPlan& plan);
 
 } // namespace brinell::io

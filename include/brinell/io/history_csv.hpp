@@ -24,7 +24,7 @@ struct NamedNumber
   std::variant<int, double> value;
 };
 
-/// The columns of history.csv, in order, with the values of one step. The same for each record of a scenario.
+/// The columns of history.csv, in order, with the values of one step. All records of a scenario have the same columns.
 template <typename Record>
 [[nodiscard]] std::vector<NamedNumber> columns(const Record& record)
 {

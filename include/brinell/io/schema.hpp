@@ -15,7 +15,7 @@
 
 /// The case file, declared once. Reading, checking, defaults, the resolved case, `brinell schema` and docs/reference/case-file.md
 /// all come from the table `case_schema()`. A new key is a new entry there (src/io/case/schema_*.cpp; those of a scenario:
-/// src/io/scenarios), which also says which member it fills; only what takes judgement is read by functions.
+/// src/io/scenarios), which also says which member it fills; only keys that need more than the schema are read by functions.
 namespace brinell::io
 {
 
@@ -52,7 +52,7 @@ enum class Type
   integer,
   number,
   vector3,  ///< three numbers, x y z
-  numbers,  ///< a list of any length but zero
+  numbers,  ///< a list of at least one number
   snapshots ///< SnapshotRule
 };
 

@@ -31,7 +31,7 @@ constitutive::HardeningLaw hardening_law(const CaseReader& reader, const std::st
     const auto& strain = reader.get<std::vector<double>>(table + "plastic_strain");
     if (std::is_sorted(stress.begin(), stress.end()) || !std::is_sorted(strain.begin(), strain.end()))
       throw;
-    throw InputError(fmt::format("{}; of a measurement that scatters, monotone = true takes the largest stress so far",
+    throw InputError(fmt::format("{}; for a measurement that scatters, monotone = true uses the largest stress so far",
                                  error.what()));
   }
 }
@@ -78,7 +78,7 @@ void require_elastic_at_start(const constitutive::Material& material)
   }
 }
 
-/// Makes the hardening law; if this fails, adds a problem at the place of its key.
+/// Reads a material; where a part of it cannot be made, adds a problem at the place of its key.
 constitutive::Material material(const CaseReader& reader, const std::string& table)
 {
   constitutive::Material result{{std::numeric_limits<double>::infinity(), 0.0}, {}};
@@ -134,7 +134,7 @@ void load_curve(CaseValues& values, const CaseReader& reader, const std::string&
     key = "file";
     curve = read_curve(reader.raw.folder / word(key, ""), word("strain_unit", "1"), stress_unit);
   }
-  catch (const InputError& error) // the whole name, however long
+  catch (const InputError& error) // names the whole file, which `shown` would shorten
   {
     reader.problems.add(reader.place(table + key),
                         fmt::format("{}{} = \"{}\" {}", table, key, word(key, ""), error.what()));
@@ -149,13 +149,13 @@ void load_hardening_file(CaseValues& values, const RawCase& raw, const std::stri
 {
   const std::string table = body + ".material.hardening.";
   const CaseReader reader{values, raw, problems};
-  const bool is_of_file = reader.has(table + "file");
-  if (is_of_file)
+  const bool has_file = reader.has(table + "file");
+  if (has_file)
     load_curve(values, reader, table);
-  for (const char* unit : {"strain_unit", "stress_unit"}) // those of the file: what is resolved is in SI
+  for (const char* unit : {"strain_unit", "stress_unit"}) // units of the file only: the resolved case is in SI
     if (reader.has(table + unit))
     {
-      if (!is_of_file)
+      if (!has_file)
         reader.add(table + unit, "is the unit of a file; it goes with {}file only", table);
       values.replace(table + unit, {});
     }

@@ -16,9 +16,9 @@ using Number = const double*;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Of the numbers in these places.
+/// Makes a product from the parameters at the given places.
 template <typename Product, typename Struct, std::size_t... Place>
-Product of(Number x)
+Product product_of(Number x)
 {
   return Struct{x[Place]...};
 }
@@ -29,9 +29,9 @@ const std::vector<Option<Shape>>& shape_options()
 {
   using namespace simulation;
   static const std::vector<Option<Shape>> options{
-      {"sphere", {"radius"}, of<Shape, Paraboloid, 0, 0>},
-      {"ellipsoid", {"radius_x", "radius_y"}, of<Shape, Paraboloid, 0, 1>},
-      {"cylinder", {"radius", "length"}, of<Shape, Roller, 0, 1>},
+      {"sphere", {"radius"}, product_of<Shape, Paraboloid, 0, 0>},
+      {"ellipsoid", {"radius_x", "radius_y"}, product_of<Shape, Paraboloid, 0, 1>},
+      {"cylinder", {"radius", "length"}, product_of<Shape, Roller, 0, 1>},
       {"cone",
        {"half_angle", "tip_radius"},
        [](Number x) -> Shape {
@@ -47,7 +47,7 @@ const std::vector<Option<Shape>>& shape_options()
        [](Number x) -> Shape {
          return Pyramid{3, 65.27 * degree, x[0]};
        }},
-      {"flat", {}, of<Shape, Plane>},
+      {"flat", {}, product_of<Shape, Plane>},
   };
   return options;
 }
@@ -57,7 +57,7 @@ const std::vector<Option<Texture>>& texture_options()
   using namespace simulation;
   static const std::vector<Option<Texture>> options{
       {"smooth", {}, [](Number) { return Texture{}; }},
-      {"dent", {"x", "y", "depth", "radius"}, of<Texture, Dent, 0, 1, 2, 3>, "ville1999"},
+      {"dent", {"x", "y", "depth", "radius"}, product_of<Texture, Dent, 0, 1, 2, 3>, "ville1999"},
       {"bump",
        {"x", "y", "height", "radius"},
        [](Number x) -> Texture {
@@ -65,7 +65,9 @@ const std::vector<Option<Texture>>& texture_options()
        },
        "ville1999"},
       {"height_map", {"x", "y"}},
-      {"sinusoid", {"amplitude", "wavelength_x", "wavelength_y", "x", "y"}, of<Texture, Sinusoid, 0, 1, 2, 3, 4>},
+      {"sinusoid",
+       {"amplitude", "wavelength_x", "wavelength_y", "x", "y"},
+       product_of<Texture, Sinusoid, 0, 1, 2, 3, 4>},
       {"random", {"hurst", "rms_height", "rms_slope", "rolloff", "cutoff", "size", "seed"}, nullptr, "jacobs2017"},
   };
   return options;
@@ -77,15 +79,15 @@ const std::vector<Option<HardeningLaw>>& law_options()
   const std::vector<std::string> power{"coefficient", "offset", "exponent"};
   const std::vector<std::string> power_from_yield{"yield_stress", "coefficient", "exponent"};
   static const std::vector<Option<HardeningLaw>> options{
-      {"perfect", {"yield_stress"}, of<HardeningLaw, PerfectPlasticity, 0>},
-      {"linear", {"yield_stress", "modulus"}, of<HardeningLaw, LinearHardening, 0, 1>},
-      {"swift", power, of<HardeningLaw, SwiftHardening, 0, 1, 2>, "swift1952"},
+      {"perfect", {"yield_stress"}, product_of<HardeningLaw, PerfectPlasticity, 0>},
+      {"linear", {"yield_stress", "modulus"}, product_of<HardeningLaw, LinearHardening, 0, 1>},
+      {"swift", power, product_of<HardeningLaw, SwiftHardening, 0, 1, 2>, "swift1952"},
       {"swift_microstrain", power, [](Number x) -> HardeningLaw { return swift_of_microstrain(x[0], x[1], x[2]); },
        "swift1952"},
       {"hollomon", power_from_yield, [](Number x) -> HardeningLaw { return hollomon(x[0], x[1], x[2]); },
        "hollomon1945"},
-      {"ludwik", power_from_yield, of<HardeningLaw, LudwikHardening, 0, 1, 2>, "ludwik1909"},
-      {"voce", {"yield_stress", "saturation", "rate"}, of<HardeningLaw, VoceHardening, 0, 1, 2>, "voce1948"},
+      {"ludwik", power_from_yield, product_of<HardeningLaw, LudwikHardening, 0, 1, 2>, "ludwik1909"},
+      {"voce", {"yield_stress", "saturation", "rate"}, product_of<HardeningLaw, VoceHardening, 0, 1, 2>, "voce1948"},
       {"table", {}},
   };
   return options;

@@ -19,17 +19,18 @@ namespace brinell::io
 template <typename Product>
 struct Option
 {
-  std::string name;                                ///< the choice in the case file
-  std::vector<std::string> keys;                   ///< keys of its parameters
-  Product (*make)(const double* number) = nullptr; ///< from these parameters; nullptr: needs more than numbers
-  std::string source{};                            ///< its entry in references.bib
+  std::string name;              ///< the choice in the case file
+  std::vector<std::string> keys; ///< keys of its parameters
+  Product (*make)(const double* number) =
+      nullptr;          ///< makes it from the parameters; nullptr: it needs more than numbers
+  std::string source{}; ///< its entry in references.bib
 };
 
 [[nodiscard]] const std::vector<Option<simulation::Shape>>& shape_options();
 [[nodiscard]] const std::vector<Option<simulation::Texture>>& texture_options();
 [[nodiscard]] const std::vector<Option<constitutive::HardeningLaw>>& law_options();
 
-/// Names of those with that key, of all without one.
+/// Names of the options that have a key, or of all options if the key is empty.
 template <typename Product>
 std::vector<std::string> names_of(const std::vector<Option<Product>>& options, std::string_view key = "")
 {

@@ -25,7 +25,7 @@ std::string case_name(const std::filesystem::path& file)
   return folder.empty() ? "case" : folder;
 }
 
-/// Unit of a value as a comment; empty for pure numbers.
+/// Unit of a value as a TOML comment; empty for a pure number.
 std::string unit_comment(const CaseValues& values, const Entry& entry)
 {
   if (entry.of.notation == Notation::temperature)
@@ -175,7 +175,7 @@ ResolvedFiles resolved_files(const CaseValues& values, std::string_view stem)
                           const auto& heights = values.get<std::vector<double>>(table + "heights");
                           if (heights.size() <= most_inline)
                             return std::nullopt;
-                          if (is_columns) // the file has them
+                          if (is_columns) // the binary file contains the number of columns
                             return "";
                           const auto columns = static_cast<std::size_t>(values.get<std::int64_t>(table + "columns"));
                           const std::string sum = checksum(npy_content(heights, columns));

@@ -39,24 +39,25 @@ struct CaseReader
   [[nodiscard]] int integer(std::string_view key) const { return static_cast<int>(get<std::int64_t>(key)); }
   [[nodiscard]] bool has(std::string_view key) const { return values.find(key) != nullptr; }
 
-  /// The key of a group (Entry::one_of) that is given; empty, with the problem told, if there is none or more than one.
-  /// @param advice  goes on with "one is needed"
+  /// The key of a group (Entry::one_of) that is given. If none or more than one is given, a problem is added and the result is
+  /// empty.
+  /// @param advice  continues the message "one is needed"
   [[nodiscard]] std::string only_one_of(std::string_view group, std::string_view advice = "") const;
 
   /// Place of a key, or of the table in which it is missing.
   [[nodiscard]] std::string place(const std::string& key) const;
-  /// "key = value" for checks that come after the reading.
+  /// "key = value" for messages of checks after reading.
   [[nodiscard]] std::string cited(const std::string& key) const;
 
-  /// A problem: "key = value WHAT".
-  void add(const std::string& key, std::string_view what) const
+  /// Adds the problem "key = value TEXT".
+  void add(const std::string& key, std::string_view text) const
   {
-    problems.add(place(key), fmt::format("{} {}", cited(key), what));
+    problems.add(place(key), fmt::format("{} {}", cited(key), text));
   }
   template <typename First, typename... Rest>
-  void add(const std::string& key, fmt::format_string<First, Rest...> what, First&& first, Rest&&... rest) const
+  void add(const std::string& key, fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) const
   {
-    add(key, fmt::format(what, std::forward<First>(first), std::forward<Rest>(rest)...));
+    add(key, fmt::format(text, std::forward<First>(first), std::forward<Rest>(rest)...));
   }
   void missing(const std::string& key, std::string_view allowed) const
   {
@@ -70,8 +71,8 @@ void warn(Case& c, const char* key, fmt::format_string<Values...> text, Values&&
   c.warnings.push_back({key, fmt::format(text, std::forward<Values>(values)...)});
 }
 
-/// Does what may find that the case cannot be computed; that is a problem at the key it names, at the source of the grid, or at
-/// `key`.
+/// Performs an action that throws if the case cannot be computed. The error becomes a problem at the key that the error names,
+/// at the source of the grid if it is a GridError, or otherwise at `key`.
 template <typename Action>
 void at_its_key(const CaseReader& reader, const Case& c, const std::string& key, const Action& action)
 try
@@ -108,43 +109,47 @@ template <typename Product>
 Product made(const CaseReader& reader, const std::string& table, const Option<Product>& option)
 {
   std::vector<double> numbers;
-  for (const std::string& key : option.keys) // a length that is not given has no end
+  for (const std::string& key : option.keys) // a length that is not given is infinite
     numbers.push_back(reader.get_or(table + key, std::numeric_limits<double>::infinity()));
   return option.make(numbers.data());
 }
 
-/// A body; a shape, texture or law that cannot be made is a problem, at the place of its key.
-/// @param domain  whose period a random texture takes; nullptr if there are problems with it
+/// Reads a body. For a shape, texture or law that cannot be made, a problem is added at the place of its key.
+/// @param domain  its period is the default size of a random texture; nullptr if the domain has problems
 [[nodiscard]] simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body,
                                                const simulation::Domain* domain);
 
-/// The sum of the textures in the tables of a list, or what its one table says; of what cannot be made, the problem is told.
+/// Reads the sum of the textures in the tables of a list, or the texture of a single table. For a texture that cannot be made,
+/// a problem is added.
 [[nodiscard]] simulation::Texture read_texture(const CaseReader& reader, const std::string& key,
                                                const simulation::Domain* domain);
 
-/// Fills in the thermal constants, if there are any; without the elastic ones a body must be known to be rigid or not.
+/// Fills in the thermal constants, if there are any. `material.elastic` must be set before, because a rigid body has no thermal
+/// expansion.
 /// @param table  ends with a dot
 void read_thermal(const CaseReader& reader, const std::string& table, constitutive::Material& material);
 
-/// None if it is not given. @param table  ends with a dot @throws InputError if its keys do not fit together
+/// Reads the softening law; none if no law is given.
+/// @param table  ends with a dot
+/// @throws InputError if its keys do not fit together
 [[nodiscard]] std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader,
                                                                       const std::string& table);
 
-/// Constants that no solid has, and those that nothing uses.
+/// Warns of thermal constants that no solid has, and of a bulk temperature that was probably given in kelvin.
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
                      Case& c);
 
-/// The boundaries of a domain, and its period along the axes that have one.
-/// @param both  whether the scenario can be computed with both axes periodic, or with x alone
+/// Reads the boundaries of a domain, and the period and number of cells of its periodic axes.
+/// @param both  whether the scenario can be computed with a periodic x axis, alone or together with y
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);
 
-/// Put the content of hardening.file and of each texture.file of a body in their place, so that the resolved case stands for
-/// itself.
+/// Replace hardening.file and each texture.file of a body by the content of these files, so that the resolved case needs no
+/// further files.
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
-/// Completes the case of the scenario: what takes judgement, equivalent radius, contact modulus, first yield, warnings. What is
-/// wrong goes into the reader's problems.
+/// Completes the case of the scenario: checks that need more than the schema, equivalent radius, contact modulus, first yield and
+/// warnings. Errors are added to the reader's problems.
 void complete(const CaseReader& reader, Case& c);
 
 } // namespace brinell::io

@@ -27,15 +27,15 @@ constexpr std::size_t line_width = 118;
 
 constexpr std::string_view head = R"(# A case for brinell, written by `brinell new {}`. It runs as it is.
 #
-#   brinell check FILE    what it comes to: grid, steps, memory, cost
+#   brinell check FILE    show its grid, steps, memory and cost
 #   brinell run FILE      compute it
 #
-# A number is SI; text carries its unit ("200 GPa"). Lines that begin with "# key =" show a default, or an example of
-# what may stand there: remove the # to use them. `brinell schema` tells more of every key.
+# A number is in SI units; text carries its unit ("200 GPa"). Lines that begin with "# key =" show a default or an
+# allowed value: remove the # to use them. `brinell schema` describes every key.
 
 )";
 
-/// Text in lines that begin with `first` and `indent`, which end with a blank.
+/// Wraps a text. The first line begins with `first`, the others with `indent`; both end with a blank.
 std::string wrapped(const std::string& text, std::string_view first, std::string_view indent)
 {
   std::string result, line(first);
@@ -54,7 +54,7 @@ std::string wrapped(const std::string& text, std::string_view first, std::string
 
 std::string_view last_part(std::string_view key)
 {
-  return key.substr(key.rfind('.') + 1); // npos + 1 = 0
+  return key.substr(key.rfind('.') + 1); // without a dot: npos + 1 = 0
 }
 
 std::string meaning(const Entry& entry)
@@ -69,7 +69,7 @@ std::string meaning(const Entry& entry)
   return text;
 }
 
-/// Of a key, or of a table on one line: that of its choice, or else those of all its keys.
+/// Meaning of a key, or of a table that is written on one line: the meaning of its choice or, without one, of all its keys.
 std::string meaning(const std::string& key)
 {
   if (const Entry* entry = find_entry(key))
@@ -89,15 +89,15 @@ std::string meaning(const std::string& key)
 /// Whether the bodies of the scenario may have any shape.
 bool has_any_shape(std::string_view scenario)
 {
-  bool has = false;
+  bool allows_any = false;
   for_each_scenario([&](const auto& io)
-                    { has |= io.name == scenario && io.against_shape(simulation::Plane()).empty(); });
-  return has;
+                    { allows_any |= io.name == scenario && io.against_shape(simulation::Plane()).empty(); });
+  return allows_any;
 }
 
 using Lines = std::vector<std::string>;
 
-/// Lines that give one key, in use or as a comment; those of no key are the keys that have no line of their own:
+/// Lines that set one key, in use or as a comment. With an empty key: the keys of the table without a line of their own, as
 /// "#   key such as ...:".
 struct KeyLines
 {
@@ -108,7 +108,7 @@ struct KeyLines
 struct Section
 {
   std::string table; ///< empty: the root
-  std::string ruler; ///< the line before its name, if there is one
+  std::string ruler; ///< the separating comment before the table's name, if there is one
   std::vector<KeyLines> keys{{}};
 
   [[nodiscard]] Lines lines_of(std::string_view key) const
@@ -118,19 +118,20 @@ struct Section
   }
 };
 
-/// @param text  TOML of which each key takes one line; "#   " goes on with the key before it. Other comments are left out: the
-///              schema tells what a key means
+/// Splits TOML into its tables.
+/// @param text  each key is on one line; a line with "#   " belongs to the key before it. Other comments are dropped, because the
+///              meaning of a key is taken from the schema
 std::vector<Section> sections_of(std::string_view text)
 {
   static const std::regex section_line(R"(\[([a-z.@]+)\].*)"), key_line(R"((?:# )?([a-z_]+) = .*)");
   std::istringstream stream{std::string(text)};
   std::vector<Section> sections(1);
-  std::string ruler; // of the table that comes
+  std::string ruler; // of the next table
   std::smatch match;
   for (std::string line; std::getline(stream, line);)
   {
     std::vector<KeyLines>& keys = sections.back().keys;
-    const bool goes_on = line.starts_with("#   ") || (line.starts_with("# ") && line.ends_with(':'));
+    const bool belongs_to_key = line.starts_with("#   ") || (line.starts_with("# ") && line.ends_with(':'));
     if (std::regex_match(line, match, section_line))
       sections.push_back({match.str(1), std::exchange(ruler, {})});
     else if (std::regex_match(line, match, key_line))
@@ -141,7 +142,7 @@ std::vector<Section> sections_of(std::string_view text)
     }
     else if (line.starts_with("# ---"))
       ruler = line;
-    else if (goes_on && !sections.back().table.empty())
+    else if (belongs_to_key && !sections.back().table.empty())
       keys.back().lines.push_back(line);
   }
   return sections;
@@ -155,10 +156,10 @@ std::string choice_of(const std::string& line)
   return std::regex_match(line, match, choice) ? match.str(1) : "";
 }
 
-/// Writes the case of the folder cases/NAME of a scenario, table by table, in each table followed by what else it may have as
-/// comments: "# key = example" (src/io/case/template.toml), "# key = default" (the schema), and last the keys that have neither, as
-/// "#   key:". The text of the schema goes before the first line of each key, and behind those that have none. The keys of the
-/// upper body are explained at the lower one.
+/// Writes the template of a scenario: the case of the folder cases/NAME, table by table. In each table the further allowed keys
+/// follow as comments: "# key = example" (src/io/case/template.toml), "# key = default" (the schema), and last the keys that have
+/// neither, as "#   key:". The meaning from the schema stands before the first line of a key, or after the name of a key without
+/// a line. The keys of the upper body are explained at the lower body only.
 class Writer
 {
 public:
@@ -190,7 +191,7 @@ private:
     return found == of_case_.end() ? Section{} : *found;
   }
 
-  /// A key that has no line of its own is explained behind its name.
+  /// Writes lines; in a line "#   key ...:", the meaning of the key is added.
   void put(const Lines& lines)
   {
     static const std::regex further_line(R"(#   ([a-z_]+)\b.*:)");
@@ -208,7 +209,7 @@ private:
 
   void put(const KeyLines& key)
   {
-    if (key.key.empty()) // put with the keys that have no line of their own
+    if (key.key.empty()) // written by put_rest
       return;
     if (!table_.starts_with("upper"))
     {
@@ -242,7 +243,7 @@ private:
     put_rest(menu, own, names);
   }
 
-  /// Of a key in use, for which something else may be chosen.
+  /// Writes examples of the other choices of a key that is in use.
   void put_examples(const KeyLines& key, const Lines& examples)
   {
     const std::string chosen = key.lines.empty() ? "" : choice_of(key.lines.front());
@@ -254,7 +255,7 @@ private:
     put(others);
   }
 
-  /// By the schema.
+  /// Writes the keys that the schema allows and that have not been written yet.
   void put_rest(const Section& menu, const Section& own, const Lines& names)
   {
     Lines added;
@@ -280,7 +281,7 @@ private:
   std::string scenario_;
   std::vector<Section> of_case_;
   bool shows_shapes_;
-  std::string table_, key_; ///< where the text is: the table with a dot, and the last key in it
+  std::string table_, key_; ///< current position: the table, with a dot at its end, and the last key in it
   std::string text_;
 };
 

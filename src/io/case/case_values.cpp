@@ -29,10 +29,10 @@ std::string allowed(const Entry& entry, bool pure)
 InputError wrong_type(const Raw& raw, const Entry& entry, bool pure)
 {
   const bool is_list = std::holds_alternative<std::vector<Raw>>(raw.value);
-  const bool is_one = entry.of.type == Type::number || entry.of.type == Type::integer;
+  const bool takes_one = entry.of.type == Type::number || entry.of.type == Type::integer;
   return InputError(fmt::format(
       "is {}; {}{}", type_name(raw), allowed(entry, pure),
-      is_list && is_one ? "; one value is wanted: for several, run the case for each, as brinell sweep does" : ""));
+      is_list && takes_one ? "; this key takes one value; brinell sweep runs the case for several values" : ""));
 }
 
 double from_quantity(const std::string& text, const Entry& entry, bool pure)
@@ -115,8 +115,8 @@ std::int64_t integer(const Raw& raw, const Entry& entry)
 std::vector<double> numbers(const Raw& raw, const Entry& entry, bool pure)
 {
   const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
-  if (const auto* text = std::get_if<std::string>(&raw.value); text && text->starts_with('[')) // of --set
-    throw InputError("is text and no list: in a list, text stands between quotes, as in '[\"10 N\", 0]'");
+  if (const auto* text = std::get_if<std::string>(&raw.value); text && text->starts_with('[')) // from --set
+    throw InputError("is text and not a list; in a list, text stands between quotes, as in '[\"10 N\", 0]'");
   if (!items && entry.of.type == Type::numbers)
     return {number(raw, entry, pure)};
   if (!items)
@@ -251,17 +251,17 @@ public:
 
   CaseValues resolve() &&
   {
-    std::string done;
+    std::string last_list;
     for (const Entry& entry : case_schema())
       if (entry.list.empty() || !raw_.lists.contains(entry.list))
         resolve(entry);
-      else if (entry.list != done)
-        resolve_list(done = entry.list);
+      else if (entry.list != last_list)
+        resolve_list(last_list = entry.list);
     return std::move(values_);
   }
 
 private:
-  /// Reads table after table, with the conditions among the keys of each.
+  /// Resolves the tables of a list one after the other; conditions and exclusions refer to keys of the same table.
   void resolve_list(const std::string& list)
   {
     for (const std::string& table : raw_.tables_of(list))
@@ -287,7 +287,7 @@ private:
       return;
     }
     const Given* rival = entry.excludes.empty() ? nullptr : raw_.find(entry.excludes);
-    if (given && (is_pushed_out(entry, *given) || (rival && overridden(*given, entry.excludes))))
+    if (given && (overridden_by_group(entry, *given) || (rival && overridden(*given, entry.excludes))))
       given = nullptr;
     else if (given && rival && !overridden(*rival, entry.key) && reported_rivals_.insert(entry.excludes).second &&
              reported_rivals_.insert(entry.key).second)
@@ -328,8 +328,8 @@ private:
     return !given.from_command_line && rival && rival->from_command_line;
   }
 
-  /// Whether the command line sets another key of the same group, of which only one may be given.
-  [[nodiscard]] bool is_pushed_out(const Entry& entry, const Given& given) const
+  /// Whether a key of the file is to be ignored because the command line sets another key of its group (Entry::one_of).
+  [[nodiscard]] bool overridden_by_group(const Entry& entry, const Given& given) const
   {
     if (entry.one_of.empty())
       return false;
@@ -374,9 +374,9 @@ private:
                     parent ? toml_text(*parent) : "not set", raw_.find(entry.when.key) ? "" : " by default"));
   }
 
-  void add(const Entry& entry, const Given& given, std::string_view what)
+  void add(const Entry& entry, const Given& given, std::string_view text)
   {
-    problems_.add(given.place, fmt::format("{} = {} {}", entry.key, shown(given.raw), what));
+    problems_.add(given.place, fmt::format("{} = {} {}", entry.key, shown(given.raw), text));
     broken_.insert(entry.key);
   }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-/// Checks that need more than the schema, for all scenarios: bodies that can be in contact, grids that fit them, suspicious
-/// values.
+/// Checks of all scenarios that need more than the schema: whether the bodies can be in contact, whether the grid fits them, and
+/// suspicious values.
 namespace brinell::io
 {
 
@@ -20,7 +20,7 @@ using simulation::ShapedBody;
 void warn_of_material(const std::string& name, const constitutive::Material& material, Case& c)
 {
   constexpr double softest = 1e5;   // [Pa], a gel
-  constexpr double stiffest = 1e15; // [Pa], a thousand times diamond; far beyond it fields lose small numbers
+  constexpr double stiffest = 1e15; // [Pa], a thousand times diamond; far above it small numbers in the fields are lost
   const double E = material.elastic.young_modulus;
   if (E < softest)
     warn(c, "soft_material",
@@ -28,8 +28,8 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
          name, E, E);
   if (std::isfinite(E) && E > stiffest)
     warn(c, "stiff_material",
-         "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit "
-         "right? What is not meant to deform has rigid = true",
+         "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit right? "
+         "For a body that is not meant to deform, set rigid = true",
          name, E);
   if (!material.hardening)
     return;
@@ -37,8 +37,8 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
   const double yield_stress = constitutive::initial_yield_stress(*material.hardening);
   if (yield_stress < std::min(lowest_yield, 1e-3 * E))
     warn(c, "low_yield",
-         "{}.material.hardening: the yield stress is {:.4g} Pa, lower than that of any metal; is a unit "
-         "missing, as in \"{:.4g} MPa\"? That of a file is hardening.stress_unit",
+         "{}.material.hardening: the yield stress is {:.4g} Pa, lower than that of any metal; is a unit missing, as in "
+         "\"{:.4g} MPa\"? The unit of a file is set by hardening.stress_unit",
          name, yield_stress, yield_stress);
   if (yield_stress > 0.1 * E)
     warn(c, "hard_material", "{}: the yield stress is above a tenth of Young's modulus; strains will not be small",
@@ -48,19 +48,19 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
 /// Warns of strains that were probably given in percent, which makes a material that hardly hardens.
 void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
 {
-  constexpr double largest_strain = 1.0; // that a tension or compression test reaches
+  constexpr double largest_strain = 1.0; // reached in a tension or compression test
   const std::string key = name + ".material.hardening.plastic_strain";
   if (!reader.has(key))
     return;
   if (const double last = reader.get<std::vector<double>>(key).back(); last > largest_strain)
     warn(c, "large_table_strain",
-         "{} goes up to {:.4g}, which is {:.4g} %; is it in percent? That of a file may be "
-         "told by hardening.strain_unit = \"%\"",
+         "{} goes up to {:.4g}, which is {:.4g} %; is it in percent? For strains of a file in percent, set "
+         "hardening.strain_unit = \"%\"",
          key, last, 100.0 * last);
 }
 
-/// Warns of heights that were probably given in nm or um without a unit, which makes extremely steep surfaces. As in Python:
-/// brinell/surfaces/heightmap.py.
+/// Warns of heights that were probably given in nm or um without a unit, which makes extremely steep surfaces. The same limit is
+/// used in Python (brinell/surfaces/heightmap.py).
 void warn_of_heights(const CaseReader& reader, const std::string& name, const simulation::Texture& texture, Case& c)
 {
   constexpr double steepest = 10.0; // root mean square slope
@@ -71,14 +71,16 @@ void warn_of_heights(const CaseReader& reader, const std::string& name, const si
       {
         const std::string table = texture.parts.size() == tables.size() ? tables[i] : name + ".texture";
         const Given* const unit = reader.raw.find(table + ".unit");
-        warn(c, "steep_texture",
-             "{}: the height map has a root mean square slope of {:.3g} between points at {:.3g} x {:.3g} m; "
-             "{}",
-             table, slope, map->dx, map->dy,
-             unit ? fmt::format("is {}.unit = {} that of the file?", table, shown(unit->raw))
-                  : fmt::format("is a unit missing? Those of a file are in m unless {}.unit says another one, "
-                                "as \"um\"",
-                                table));
+        warn(
+            c, "steep_texture",
+            "{}: the height map has a root mean square slope of {:.3g} between points at {:.3g} x {:.3g} m; "
+            "{}",
+            table, slope, map->dx, map->dy,
+            unit
+                ? fmt::format("is {}.unit = {} the unit of the file?", table, shown(unit->raw))
+                : fmt::format(
+                      "is a unit missing? Heights of a file are in m unless {}.unit names another unit, such as \"um\"",
+                      table));
       }
 }
 
@@ -90,8 +92,8 @@ void warn_of_wear(const elastoplastic::WearLaw& wear, Case& c)
        {std::pair{"interface.wear.lower", wear.lower}, std::pair{"interface.wear.upper", wear.upper}})
     if (value > most)
       warn(c, "unusual_wear",
-           "{} is {:.4g} 1/Pa, more than any solid loses; is the unit right? "
-           "Text carries it: \"{:.4g} mm^3/(N m)\"",
+           "{} is {:.4g} 1/Pa, more than any solid loses; is the unit right? A unit is given as text: \"{:.4g} mm^3/(N "
+           "m)\"",
            key, value, value);
 }
 
@@ -160,10 +162,11 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
   const double radius = std::min(smallest_radius(scenario.lower), smallest_radius(scenario.upper));
   if (half_x > large * radius)
     warn(c, "large_contact",
-         "the contact radius, {:.3g} m, is large beside the bodies (radius {:.3g} m), which are computed as "
+         "the contact radius, {:.3g} m, is large compared with the bodies (radius {:.3g} m), which are computed as "
          "half spaces",
          half_x, radius);
-  const double rows = simulation::is_plane(plan.contact) ? plan.contact.dy : half_y; // any length is as good
+  const double rows =
+      simulation::is_plane(plan.contact) ? plan.contact.dy : half_y; // in plane strain a row may have any length
   if (scenario.spacing)
     if (const auto reason = simulation::reason_against_cells(*scenario.spacing, half_x, rows))
       reader.problems.add(c.grid_source, *reason);
@@ -189,7 +192,8 @@ void warn_of_keys_without_heat(const CaseReader& reader, Case& c, const std::str
                                  std::string("thermal.heat_of_plastic_work"), std::string("thermal.stress"),
                                  std::string("interface.heat_fraction")})
     if (differs(key))
-      warn(c, "no_heat", "{} has no effect: heat takes interface.friction and the thermal constants of a body", key);
+      warn(c, "no_heat",
+           "{} has no effect: heat is computed only with interface.friction and the thermal constants of a body", key);
 }
 
 /// Warns of everything about heat and softening in a case that has no effect.
@@ -201,7 +205,7 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
     if (body->material.thermal && !(can_heat && has_friction))
       warn(c, "no_heat", "{}.material.thermal has no effect: {}", name,
-           can_heat ? "without interface.friction nothing heats" : "no heat is computed in this scenario");
+           can_heat ? "without interface.friction there is no heat" : "no heat is computed in this scenario");
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
     if (body->material.softening && !(can_heat && has_friction && body->material.thermal))
       warn(c, "no_heat", "{}.material.softening has no effect: no heat is computed in this case", name);

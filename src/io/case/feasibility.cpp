@@ -39,7 +39,7 @@ std::string duration_text(double seconds)
   return fmt::format("{:.0f} h", seconds / 3600.0);
 }
 
-/// Steps whose fields will be stored, beside the final state.
+/// Number of steps whose fields will be stored, not counting the final state.
 template <typename ScenarioCase>
 double stored_steps(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
 {
@@ -120,7 +120,7 @@ std::string quality_report(const ScenarioCase& c, const ScenarioPlanOf& plan)
   return fmt::format("# {}\n", text);
 }
 
-/// A refusal of the grid names its key.
+/// The plan; an error about the grid gets the key and place of the grid.
 template <typename ScenarioCase>
 auto planned(const ScenarioCase& scenario, const std::string& grid_source)
 {

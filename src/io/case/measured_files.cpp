@@ -22,7 +22,7 @@ namespace
 
 constexpr std::string_view blanks = " \t\r";
 
-/// Lines that are no comments and not empty, with their numbers, which count from 1.
+/// A line that is neither a comment nor empty, with its number, counted from 1.
 struct Line
 {
   int number = 0;
@@ -49,7 +49,7 @@ InputError wrong_line(const Line& line, const std::string& why, const std::strin
 
 constexpr std::string_view blanks_and_quotes = " \t\r\"";
 
-/// Between any of the separators; empty ones, as behind the last separator of a line, are left out.
+/// Splits a line at any of the separators. Empty fields, such as after the last separator of a line, are left out.
 std::vector<std::string> split(std::string_view line, std::string_view separators)
 {
   std::vector<std::string> fields;
@@ -75,7 +75,7 @@ bool has_comma_at_end(const std::string& field)
   return field.front() == ',' || field.back() == ',';
 }
 
-/// The columns of a line of a curve; decimal commas have become points.
+/// The columns of a line of a curve, with decimal commas replaced by points.
 std::vector<std::string> columns_of(const std::string& line)
 {
   const std::string inside(trimmed(line, blanks_and_quotes));
@@ -89,7 +89,8 @@ std::vector<std::string> columns_of(const std::string& line)
   return split(inside, ", \t");
 }
 
-/// In SI; none if it is no number. The unit is read with it, so that "930.5" in MPa is the double of 930.5e6.
+/// The number in SI; none if the field is not a number. Number and unit are read together, so that "930.5" in MPa is the same
+/// double as 930.5e6.
 std::optional<double> number_of(const std::string& field, std::string_view unit)
 try
 {
@@ -109,7 +110,7 @@ bool begins_like_a_number(const std::string& line)
   return first != text.npos && text[first] >= '0' && text[first] <= '9';
 }
 
-/// What a line may be, 930 MPa at 0.2 %.
+/// Example of an allowed line, with 930 MPa at 0.2 %.
 std::string example(std::string_view strain_unit, std::string_view stress_unit)
 {
   const double strain = strain_unit == "%" ? 0.2 : 0.002;
@@ -121,7 +122,7 @@ std::string example(std::string_view strain_unit, std::string_view stress_unit)
                      strain_unit == "%" ? " in %" : "", stress_unit, with_point, stress, with_comma, stress);
 }
 
-/// Whether a word stands for what was not measured.
+/// Whether a word stands for a point that was not measured.
 bool is_missing(std::string word)
 {
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -156,15 +157,15 @@ bool may_have_decimal_commas(const Line& line)
          std::all_of(fields.begin(), fields.end(), fits);
 }
 
-/// Rows of heights; empty ones where something is no number.
-/// @throws InputError if some are not measured: where, how many, and what helps
+/// Rows of heights; a row with a word that is not a number is empty.
+/// @throws InputError if some heights were not measured, with the place of the first one, their number and a remedy
 std::vector<std::vector<double>> rows_of(const std::vector<Line>& lines)
 {
   const auto has_comma = [](const Line& line) { return line.text.find(',') != line.text.npos; };
   const bool decimal = std::any_of(lines.begin(), lines.end(), has_comma) &&
                        std::all_of(lines.begin(), lines.end(), may_have_decimal_commas);
   std::vector<std::vector<double>> rows;
-  std::string first; // of what was not measured
+  std::string first; // place of the first height that was not measured
   std::size_t missing = 0;
   for (const Line& line : lines)
   {
@@ -193,7 +194,7 @@ Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit
   for (const Line& line : lines_of(file))
   {
     if (curve.stress.empty() && !begins_like_a_number(line.text))
-      continue; // titles
+      continue; // title lines
     const std::vector<std::string> columns = columns_of(line.text);
     const auto strain =
         columns.size() == 2 ? number_of(columns[0], strain_unit == "1" ? "" : strain_unit) : std::nullopt;
@@ -201,7 +202,7 @@ Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit
     if (!strain || !stress)
       throw wrong_line(line,
                        columns.size() != 2 ? fmt::format(", {} columns", columns.size())
-                                           : fmt::format(", where {} is no number", columns[strain ? 1 : 0]),
+                                           : fmt::format(", where {} is not a number", columns[strain ? 1 : 0]),
                        example(strain_unit, stress_unit));
     curve.plastic_strain.push_back(*strain);
     curve.stress.push_back(*stress);
@@ -227,7 +228,7 @@ HeightTable read_heights(const std::filesystem::path& file)
     table.heights.insert(table.heights.end(), rows[j].begin(), rows[j].end());
   }
   if (table.heights.empty())
-    throw InputError("has no heights");
+    throw InputError("has no heights; allowed: text with a row of heights in m per line");
   return table;
 }
 

@@ -9,10 +9,12 @@
 #include <string_view>
 #include <vector>
 
-/// What was measured, from files. Those of text have a comment behind each # at the beginning of a line. Between their numbers stand
-/// blanks, tabs, semicolons or commas; where something else than commas does, a comma is a decimal one: in a curve line by line,
-/// of heights in the whole file. The same holds in Python (brinell/surfaces/files.py).
-/// @throws InputError; its text continues a sentence that begins with the key ("has in line 3 ..."); IoError. (all of this header)
+/// Reading of measured data from files. In text files, a line that begins with # is a comment. Numbers are separated by blanks,
+/// tabs, semicolons or commas. If they are separated by something other than commas, a comma is a decimal comma; this is decided
+/// line by line for a curve, and once for a whole file of heights. Python reads files in the same way
+/// (brinell/surfaces/files.py).
+/// @throws InputError; its text continues a sentence that begins with the key ("has in line 3 ..."); IoError. (all of this
+/// header)
 namespace brinell::io
 {
 
@@ -22,17 +24,18 @@ struct Curve
   std::vector<double> plastic_strain, stress;
 };
 
-/// Reads a text file with a point per line, plastic strain and stress. Lines of titles may come first.
+/// Reads a text file with one point per line, plastic strain and stress. Title lines may precede the points.
 /// @param strain_unit  "1" or "%"
-/// @param stress_unit  as "MPa"
+/// @param stress_unit  such as "MPa"
 [[nodiscard]] Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit,
                                std::string_view stress_unit);
 
-/// Heights as they stand in the file: .npy, or text, a line per row.
+/// Reads heights without converting units: from a .npy file, or from text with one row per line.
 [[nodiscard]] HeightTable read_heights(const std::filesystem::path& file);
 
-/// What a unit is in SI.
-/// @param allowed  "stress, such as \"MPa\""
+/// Size of a unit in SI.
+/// @param allowed  for the error text: "stress, such as \"MPa\""
+/// @throws InputError if the unit is unknown or has another dimension
 [[nodiscard]] double size_of_unit(const std::string& unit, Dimension dimension, std::string_view allowed);
 
 } // namespace brinell::io

@@ -9,7 +9,7 @@ namespace brinell::io
 namespace
 {
 
-/// The list of tables of whose entries one member is meant, and that member; of other names the key alone.
+/// Splits a new name "a.b[].c" into the list of tables a.b and the member c; of other names, the second part is empty.
 std::pair<std::string, std::string> list_and_member(const OldName& name)
 {
   constexpr std::string_view each = "[].";
@@ -23,11 +23,13 @@ std::string key_of(const std::string& list, std::size_t i, const std::string& me
   return fmt::format("{}[{}].{}", list, i, member);
 }
 
-/// Of what an earlier layer gives, new names are replaced as a whole, old ones member by member.
-void take_list(const OldName& name, const Given& given, RawCase& raw_case)
+/// Distributes a list given by an old name to a member of the tables of a list. If an earlier layer gave the list by its new
+/// name, it is replaced as a whole; if it gave other members by old names, they are kept.
+void distribute_list(const OldName& name, const Given& given, RawCase& raw_case)
 {
   const auto parts = list_and_member(name);
-  const std::string &list = parts.first, &member = parts.second; // which clang 14 lets a lambda see
+  const std::string &list = parts.first,
+                    &member = parts.second; // clang 14 does not capture structured bindings in a lambda
   std::erase_if(raw_case.values,
                 [&](const auto& item)
                 {
@@ -39,12 +41,12 @@ void take_list(const OldName& name, const Given& given, RawCase& raw_case)
   for (const Raw& item : std::get<std::vector<Raw>>(given.raw.value))
     raw_case.values.insert_or_assign(key_of(list, count++, member),
                                      Given{item, given.place, given.from_command_line, name.old_key});
-  const auto has = [&](std::size_t i) // another member
+  const auto has_table = [&](std::size_t i) // given by another member
   {
     const auto next = raw_case.values.lower_bound(key_of(list, i, ""));
     return next != raw_case.values.end() && next->first.starts_with(key_of(list, i, ""));
   };
-  while (has(count))
+  while (has_table(count))
     ++count;
   raw_case.lists[list] = static_cast<int>(count);
 }
@@ -66,17 +68,17 @@ void take_old_name(const OldName& name, Given given, RawCase& raw_case, Problems
                                     shown(given.raw), items ? "empty" : type_name(given.raw), key));
   for (const auto& [other_key, other] : raw_case.values)
   {
-    const bool is_beside = given.from_command_line ? other.place == given.place : !other.from_command_line;
+    const bool is_in_same_layer = given.from_command_line ? other.place == given.place : !other.from_command_line;
     const bool is_same =
         member.empty() ? other_key == key : other_key.starts_with(key + "[") || other_key.starts_with(key + ".");
-    if (is_same && is_beside && other.old_name.empty())
+    if (is_same && is_in_same_layer && other.old_name.empty())
       return problems.add(given.place,
                           fmt::format("{} is an old name of {}, which is given, too; keep {}", name.old_key, key, key));
   }
   if (member.empty())
     raw_case.values.insert_or_assign(key, std::move(given));
   else
-    take_list(name, given, raw_case);
+    distribute_list(name, given, raw_case);
 }
 
 void check_old_lists(const RawCase& raw_case, Problems& problems)

@@ -7,11 +7,12 @@
 namespace brinell::io
 {
 
-/// Puts what was given by an old name under the new one, as if it had been written so. Both names in one layer, the file or one
-/// override, are a problem: keys are taken in the order of the alphabet, in which the new name comes first.
+/// Stores a value that was given by an old name under the new name, and adds a warning. Both names in one layer, the file or one
+/// override, are a problem. This is detected only here, because keys are read in alphabetical order, in which the new name of
+/// each pair comes first.
 void take_old_name(const OldName& name, Given given, RawCase& raw_case, Problems& problems);
 
-/// Lists by old names, of which each holds one member of a list of tables, must be of one length.
+/// Checks that a list given by an old name, which holds one member of the tables of a list, has one entry per table.
 void check_old_lists(const RawCase& raw_case, Problems& problems);
 
 } // namespace brinell::io

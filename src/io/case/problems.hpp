@@ -15,34 +15,34 @@ namespace brinell::io
 {
 
 /// A message with its place before it, if it has one.
-inline std::string at_place(std::string_view place, std::string_view what)
+inline std::string at_place(std::string_view place, std::string_view text)
 {
-  return place.empty() ? std::string(what) : fmt::format("{}: {}", place, what);
+  return place.empty() ? std::string(text) : fmt::format("{}: {}", place, text);
 }
 
 /// Collects the problems of a case, so that the user sees all of them at once.
 class Problems
 {
 public:
-  /// @param place  "file", "file:line" or "--set key=value"; empty for a text that nobody sees
-  void add(std::string_view place, std::string_view what)
+  /// @param place  "file", "file:line" or "--set key=value"; empty for a case that a program has made
+  void add(std::string_view place, std::string_view text)
   {
-    problems_.push_back({line_number(place), at_place(place, what)});
+    problems_.push_back({line_number(place), at_place(place, text)});
   }
 
   /// Adds a problem that may be the cause of all others, and is listed first.
-  void add_cause(std::string_view place, std::string_view what) { problems_.push_back({0, at_place(place, what)}); }
+  void add_cause(std::string_view place, std::string_view text) { problems_.push_back({0, at_place(place, text)}); }
 
   [[nodiscard]] bool empty() const { return problems_.empty(); }
 
-  /// @throws InputError if there is any problem; in the order of the file
+  /// @throws InputError if there is any problem, with the problems in the order of the file
   void throw_if_any() const
   {
     if (problems_.empty())
       return;
     auto sorted = problems_;
     std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
-    constexpr std::size_t most_shown = 20; // with more, something else is wrong than each of them
+    constexpr std::size_t most_shown = 20; // more problems probably have a common cause
     std::string text;
     for (std::size_t i = 0; i < std::min(most_shown, sorted.size()); ++i)
       text += (i == 0 ? "" : "\n") + sorted[i].text;

@@ -45,7 +45,7 @@ Raw raw_value(const toml::node& node)
   return {Raw::Other{node.is_table() ? "table" : "date or time"}};
 }
 
-/// For a word in the place of a table: the key of that table that may have it, as hardening.law = "none".
+/// For a word where a table is expected: suggests the key of that table that allows the word, such as hardening.law = "none".
 std::string key_of_word(const std::string& table, const Raw& raw)
 {
   const auto* word = std::get_if<std::string>(&raw.value);
@@ -57,13 +57,13 @@ std::string key_of_word(const std::string& table, const Raw& raw)
   return "";
 }
 
-/// What a flattened tree is written into, and how it names its places.
+/// Destination of a flattened TOML tree, and how its places are named.
 struct Target
 {
   RawCase& raw_case;
   Problems& problems;
   std::string override_place; ///< empty for the file itself
-  std::string scenario{};     ///< as the file has it, right or not
+  std::string scenario{};     ///< as written in the file, even if it is invalid
 
   [[nodiscard]] std::string suggestion_for(const std::string& unknown_key) const
   {
@@ -81,7 +81,7 @@ struct Target
 
 void flatten(const toml::table& table, const std::string& prefix, Target& target);
 
-/// The tables of a list; an empty one is as if it were not there.
+/// Flattens the tables of a list; an empty list counts as missing.
 void flatten_list(const toml::array& list, const std::string& path, Target& target)
 {
   if (!list.empty())
@@ -102,14 +102,14 @@ void flatten_list(const toml::array& list, const std::string& path, Target& targ
   }
 }
 
-/// Walks a table; `prefix` is empty or ends with a dot.
+/// Flattens a table; `prefix` is empty or ends with a dot.
 void flatten(const toml::table& table, const std::string& prefix, Target& target)
 {
   for (const auto& [key, node] : table)
   {
     const std::string path = prefix + std::string(key.str());
     const std::string place = target.place(key.source());
-    if (key.str().find('[') != key.str().npos) // in quotes: the number of a table is not for a file to write
+    if (key.str().find('[') != key.str().npos) // a quoted key; only --set may number a table
       target.problems.add(place, fmt::format("unknown key {}; {}", path, target.suggestion_for(path)));
     else if (const OldName* old = find_old_name(path))
       take_old_name(*old, {raw_value(node), place, !target.override_place.empty()}, target.raw_case, target.problems);
@@ -135,7 +135,7 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
 }
 
 /// The value of an override as TOML; a bare word, or a bare quantity such as 3.85 mm, is a string.
-/// @throws InputError if it has a table with keys that are far too deep
+/// @throws InputError if the value contains a key with too many parts
 toml::table override_table(const std::string& value)
 {
   if (line_of_deep_key(value))
@@ -154,22 +154,22 @@ toml::table override_table(const std::string& value)
   return text;
 }
 
-/// A table, or a list of them, given to --set replaces that table as a whole.
-void forget_table(RawCase& raw_case, const std::string& key)
+/// Removes all keys of a table, because a table or list of tables given to --set replaces it as a whole.
+void remove_table(RawCase& raw_case, const std::string& key)
 {
   std::erase_if(raw_case.values, [&](const auto& item)
                 { return item.first.starts_with(key + ".") || item.first.starts_with(key + "["); });
   std::erase_if(raw_case.lists, [&](const auto& item) { return (item.first + ".").starts_with(key + "."); });
 }
 
-/// The table of a key in which there is a list of tables, or may be; empty if there is none.
+/// The repeatable table that contains the key; empty if there is none.
 std::string list_of(std::string_view key)
 {
   const Entry* entry = find_entry(key);
   return entry ? entry->list : "";
 }
 
-/// Keys that --set puts beside a list of tables, or behind its end.
+/// Checks that keys given by --set refer to existing tables of a list.
 void check_lists(const RawCase& raw_case, Problems& problems)
 {
   for (const auto& [key, given] : raw_case.values)
@@ -191,8 +191,8 @@ void check_lists(const RawCase& raw_case, Problems& problems)
   }
 }
 
-/// Results carry their case, and readers of TOML take UTF-8 only.
-bool has_other_bytes(const std::string& text, Problems& problems)
+/// Adds a problem if an override is not UTF-8: results contain their case, and TOML readers accept only UTF-8.
+bool has_invalid_utf8(const std::string& text, Problems& problems)
 {
   const std::size_t good = valid_utf8(text);
   if (good < text.size())
@@ -203,7 +203,7 @@ bool has_other_bytes(const std::string& text, Problems& problems)
 
 void apply_override(const std::string& text, const std::string& scenario, RawCase& raw_case, Problems& problems)
 {
-  if (has_other_bytes(text, problems))
+  if (has_invalid_utf8(text, problems))
     return;
   Target target{raw_case, problems, "--set " + text, scenario};
   const auto equals = text.find('=');
@@ -227,13 +227,13 @@ void apply_override(const std::string& text, const std::string& scenario, RawCas
   }
   const toml::node& node = *parsed.get("value");
   if (node.is_array() && is_list_of_tables(key))
-    forget_table(raw_case, key);
+    remove_table(raw_case, key);
   if (node.is_table() && is_table(key))
   {
-    forget_table(raw_case, key);
+    remove_table(raw_case, key);
     return flatten(*node.as_table(), key + ".", target);
   }
-  toml::table wrapped; // the same checks as for a key of the file, whose last part alone is a key here
+  toml::table wrapped; // contains the last part of the key, so that the checks are those of a key in the file
   const auto dot = key.rfind('.');
   wrapped.insert(dot == key.npos ? key : key.substr(dot + 1), node);
   flatten(wrapped, dot == key.npos ? "" : key.substr(0, dot + 1), target);

@@ -17,7 +17,7 @@ namespace brinell::io
 /// A value as written in the file, before it is compared with the schema.
 struct Raw
 {
-  /// A TOML type no key has: a date, a table inside a list.
+  /// A TOML type that no key accepts: a date, or a table inside a list.
   struct Other
   {
     std::string type;
@@ -31,7 +31,7 @@ struct Raw
 /// The value as TOML on one line, shortened if it is long.
 [[nodiscard]] std::string shown(const Raw& raw);
 
-/// A key's value and where it stands.
+/// The value of a key and its place.
 struct Given
 {
   Raw raw;
@@ -40,30 +40,30 @@ struct Given
   std::string_view old_name{}; ///< old name under which it was given; empty if given by its present name
 };
 
-/// The keys of a case file that the schema knows, with the overrides applied. Those of a list of tables are numbered from 0:
+/// The keys of a case file that the schema knows, with the overrides applied. Tables of a list are numbered from 0:
 /// lower.texture[0].type.
 struct RawCase
 {
-  std::string file;             ///< as messages name it; empty if they do not, of a text that nobody sees
-  std::filesystem::path folder; ///< where the paths in the case begin
+  std::string file;             ///< name used in messages; empty if a program has made the text (Places::none)
+  std::filesystem::path folder; ///< folder that paths in the case are relative to
   std::map<std::string, Given, std::less<>> values;
-  std::map<std::string, std::string, std::less<>> tables; ///< places of the tables, for keys that are missing in them
+  std::map<std::string, std::string, std::less<>> tables; ///< places of the tables, for messages about missing keys
 
-  const HeightTables* height_tables = nullptr; ///< tables in memory that texture.file may name
+  const HeightTables* height_tables = nullptr; ///< tables in memory to which texture.file may refer
 
-  std::map<std::string, int, std::less<>> lists; ///< repeated tables with their numbers
+  std::map<std::string, int, std::less<>> lists; ///< repeated tables with the number of their instances
 
   std::vector<simulation::Warning> warnings; ///< about old names
 
   [[nodiscard]] const Given* find(std::string_view key) const;
-  /// The table itself, or each one of its list.
+  /// The table itself, or, if it is repeated, all its numbered instances.
   [[nodiscard]] std::vector<std::string> tables_of(const std::string& table) const;
-  /// Where a missing key is missed: the innermost table that exists, or the file.
+  /// Place for a message about a missing key: the innermost existing table around the key, or the file.
   [[nodiscard]] std::string place_for(std::string_view missing_key) const;
 };
 
 /// Reads TOML, flattens it into dotted keys, applies the overrides and reports unknown keys.
-/// @throws InputError on a syntax error, which leaves nothing to go on with
+/// @throws InputError on a syntax error, after which nothing can be read
 [[nodiscard]] RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
                                     const std::vector<std::string>& overrides, Places places, Problems& problems);
 

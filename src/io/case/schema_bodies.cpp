@@ -9,7 +9,7 @@ namespace
 
 using Entries = std::vector<Entry>;
 
-/// Shape on the scale of the contact.
+/// Keys of the macroscopic shape.
 Entries shape_entries(const std::string& table)
 {
   const std::string type = table + "type";
@@ -52,7 +52,7 @@ Entries shape_entries(const std::string& table)
       });
 }
 
-/// A height map.
+/// Keys of a height map.
 Entries map_entries(const std::string& table)
 {
   return in_table(table, {table + "type", {"height_map"}},
@@ -90,7 +90,7 @@ Entries map_entries(const std::string& table)
                   });
 }
 
-/// Waves.
+/// Keys of sinusoidal waves.
 Entries wave_entries(const std::string& table)
 {
   return in_table(
@@ -108,7 +108,7 @@ Entries wave_entries(const std::string& table)
       });
 }
 
-/// Roughness.
+/// Keys of a random rough surface.
 Entries random_entries(const std::string& table)
 {
   return in_table(
@@ -149,7 +149,7 @@ Entries random_entries(const std::string& table)
       });
 }
 
-/// What lies on the surface.
+/// Keys of the textures of a surface.
 Entries texture_entries(const std::string& table)
 {
   const std::string type = table + "type";

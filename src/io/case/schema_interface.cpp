@@ -5,22 +5,22 @@
 #include <algorithm>
 #include <concepts>
 
-/// Keys of what is between the surfaces: friction, its heat, wear.
+/// Keys of the interface: friction, its heat, wear.
 namespace brinell::io
 {
 
 namespace
 {
 
-/// Scenarios whose rows tell of something.
+/// Scenarios whose history contains the columns of a record `Part`.
 template <typename Part>
-std::vector<std::string> scenarios_that_tell_of()
+std::vector<std::string> scenarios_with_record()
 {
   return scenarios_with([]<typename ScenarioCase>(const ScenarioIo<ScenarioCase>&)
                         { return std::derived_from<typename ScenarioCase::Record, Part>; });
 }
 
-/// A key of one part of what all scenarios have.
+/// A key that fills a member of a part of `simulation::Numerics`.
 template <typename Part, typename Member>
 Entry of_part(Entry given, const std::vector<std::string>& scenarios, Part part, Member member)
 {
@@ -31,7 +31,7 @@ Entry of_part(Entry given, const std::vector<std::string>& scenarios, Part part,
 std::vector<Entry> friction_entries()
 {
   using elastoplastic::Friction;
-  const auto entry = [all = scenarios_that_tell_of<simulation::FrictionRecord>()](Entry given, auto member)
+  const auto entry = [all = scenarios_with_record<simulation::FrictionRecord>()](Entry given, auto member)
   { return of_part(std::move(given), all, &simulation::Numerics::friction, member); };
   return {
       entry({.key = "interface.friction",
@@ -58,11 +58,11 @@ std::vector<Entry> friction_entries()
 template <typename Member>
 Entry of_heat(Entry given, Member member)
 {
-  return of_part(std::move(given), scenarios_that_tell_of<simulation::HeatedRecord>(), &simulation::Numerics::heat,
+  return of_part(std::move(given), scenarios_with_record<simulation::HeatedRecord>(), &simulation::Numerics::heat,
                  member);
 }
 
-/// Wear, in scenarios whose rows tell of it.
+/// Keys of wear, for scenarios whose history contains it.
 std::vector<Entry> wear_entries()
 {
   using elastoplastic::WearLaw;

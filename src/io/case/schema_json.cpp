@@ -73,7 +73,7 @@ Json table()
   return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
 }
 
-/// Of a key or table; the tables around it are made if they are not there.
+/// The schema of a key or table; missing tables around it are created.
 Json& place_of(Json& root, std::string_view key)
 {
   Json* place = &root;
@@ -93,7 +93,7 @@ Json& place_of(Json& root, std::string_view key)
 std::string schema_json()
 {
   Json root = table();
-  std::set<std::string> lists; // tables of which there may be several, as one table or as a list
+  std::set<std::string> lists; // repeatable tables, allowed as one table or as a list
   for (const Entry& entry : case_schema())
   {
     place_of(root, entry.key) = entry_schema(entry);

@@ -17,7 +17,7 @@ std::vector<std::string> law_names()
   return names;
 }
 
-/// The elastic constants, and which law of hardening there is.
+/// Keys of the elastic constants, and of the choice of the hardening law.
 Entries elastic_entries(const std::string& table)
 {
   const Condition deforms{table + "rigid", {"false"}};
@@ -52,7 +52,7 @@ Entries elastic_entries(const std::string& table)
            })});
 }
 
-/// Points of a measured curve.
+/// Keys of a measured hardening curve.
 Entries curve_entries(const std::string& table)
 {
   return in_table(
@@ -90,7 +90,7 @@ Entries curve_entries(const std::string& table)
       });
 }
 
-/// Parameters of the hardening laws of one body.
+/// Keys of the parameters of the hardening laws.
 Entries hardening_entries(const std::string& table, const Condition& yields)
 {
   const auto of_law = [&](Entry entry) { return parameter(table + "law", law_options(), std::move(entry)); };
@@ -118,7 +118,7 @@ Entries hardening_entries(const std::string& table, const Condition& yields)
       });
 }
 
-/// Kinematic hardening of one body, beside any law: a list of tables, one per back stress.
+/// Keys of kinematic hardening, which may be added to any law: a list of tables, one per back stress.
 Entries back_stress_entries(const std::string& list, const Condition& yields)
 {
   Entries entries =
@@ -141,7 +141,7 @@ Entries back_stress_entries(const std::string& list, const Condition& yields)
   return entries;
 }
 
-/// What changes with depth in one body.
+/// Keys of profiles over depth.
 Entries depth_entries(const std::string& table, const Condition& yields)
 {
   return in_table(
@@ -172,7 +172,7 @@ Entries depth_entries(const std::string& table, const Condition& yields)
 
 constexpr double absolute_zero = -273.15; // [degC]
 
-/// What a material has to do with heat.
+/// Keys of the thermal constants of a material.
 Entries thermal_entries(const std::string& material)
 {
   constexpr double most_expansion = 1e-3; // [1/K]: three times that of rubber
@@ -208,7 +208,8 @@ Entries thermal_entries(const std::string& material)
       });
 }
 
-/// How its yield stress falls with temperature. @param yields  the condition that it has one
+/// Keys of softening: how the yield stress falls with temperature.
+/// @param yields  condition that the material has a yield stress
 Entries softening_entries(const std::string& material, const Condition& yields)
 {
   const std::string table = material + "softening.";

@@ -11,7 +11,7 @@
 namespace brinell::io
 {
 
-/// The part of a case that has the members of a class: itself, what all scenarios have, or a scenario.
+/// The part of a case that is an object of a class: the case itself, the numerics common to all scenarios, or the scenario.
 template <typename Class>
 Class& part(Case& c)
 {
@@ -24,9 +24,9 @@ Class& part(Case& c)
 }
 
 template <typename T, typename Class>
-Class holder(T Class::*member); // for its type
+Class holder(T Class::*member); // declared only to deduce the class of a member
 
-/// A member as a value, and back. An enumerator is the choice in its place.
+/// Converts a member to a value; `fill` converts back. An enumerator becomes the choice with the same index.
 template <typename Member>
 Value value_of(const Member& member, const std::vector<std::string>& choices)
 {
@@ -64,14 +64,15 @@ void fill(std::optional<Member>& member, const Value& value, const std::vector<s
   fill(member.emplace(), value, choices);
 }
 
-/// An entry that fills a member of the case, whose type and default it has.
-/// @param members  the way to it: &Case::title, or &Numerics::domain, &Domain::layer
+/// An entry that fills a member of the case, and has the type and default of this member.
+/// @param first, rest  pointers to the member, outermost first: &Case::title, or &Numerics::domain, &Domain::layer
 template <typename First, typename... Rest>
 Entry bound(Entry entry, First first, Rest... rest)
 {
   using Class = decltype(holder(first));
-  constexpr std::array types{Type::boolean, Type::integer, Type::number,   Type::text,
-                             Type::vector3, Type::numbers, Type::snapshots}; // of the alternatives of Value
+  constexpr std::array types{
+      Type::boolean, Type::integer, Type::number,   Type::text,
+      Type::vector3, Type::numbers, Type::snapshots}; // in the order of the alternatives of Value
   const Class none{};
   const Value value = value_of(((none.*first).*....*rest), entry.choices);
   entry.of.type = types.at(value.index());
@@ -82,7 +83,7 @@ Entry bound(Entry entry, First first, Rest... rest)
   return entry;
 }
 
-/// The keys of a table, which apply under one condition unless they have their own.
+/// The keys of a table; the condition applies to keys that have none of their own.
 [[nodiscard]] std::vector<Entry> in_table(const std::string& table, const Condition& when, std::vector<Entry> entries);
 
 /// The keys of a group (Entry::one_of), in the order of the schema.
@@ -93,7 +94,7 @@ Entry bound(Entry entry, First first, Rest... rest)
 /// The entries of several tables.
 [[nodiscard]] std::vector<Entry> joined(std::vector<std::vector<Entry>> parts);
 
-/// A number of some of the options, required unless it has a default.
+/// A parameter of those options that list its key; required unless it has a default or may stay unset.
 template <typename Product>
 Entry parameter(const std::string& choice, const std::vector<Option<Product>>& options, Entry entry)
 {
@@ -108,9 +109,9 @@ Entry parameter(const std::string& choice, const std::vector<Option<Product>>& o
 /// Keys of a material. @param material  its table, ends with a dot
 [[nodiscard]] std::vector<Entry> material_entries(const std::string& material);
 
-/// What is between the surfaces: friction, its heat, wear.
+/// Keys of the interface: friction, its heat, wear.
 [[nodiscard]] std::vector<Entry> interface_entries();
-/// What the heat of friction does, the table `thermal`.
+/// Keys of the table `thermal`: what the heat of friction changes.
 [[nodiscard]] std::vector<Entry> heat_entries();
 
 /// Kinds of values.

@@ -38,7 +38,7 @@ std::string with_range(const std::string& text, const Range& range)
   return interval.empty() ? text : text + " " + interval;
 }
 
-/// The key inside its top-level table, and that table.
+/// The top-level table of a key, and the rest of the key (`tail`).
 std::string_view section(std::string_view key)
 {
   return key.find('.') == key.npos ? "" : key.substr(0, key.find('.'));
@@ -60,11 +60,11 @@ std::string default_text(const Entry& entry)
   return entry.required ? "required" : entry.unset;
 }
 
-/// What cannot be said by type and range.
+/// Conditions and exclusions, which type and range do not express.
 std::string notes(const Entry& entry, std::string_view quote)
 {
   std::string text;
-  // The scenario is the section's own condition: not repeated at each key.
+  // A condition on the scenario applies to the whole section and is not repeated for each key.
   if (!entry.when.key.empty() && entry.when.key != "scenario")
     text += fmt::format(" Only with {0}{1}{0} = {2}.", quote, tail(entry.when.key), quoted_list(entry.when.values));
   if (!entry.excludes.empty())
@@ -78,12 +78,12 @@ std::string section_note(std::string_view name)
     return "The lower body. `[upper]`, the moving one, has the same keys.\n\n";
   if (name == "grid")
     return "Give `spacing` or `resolution`, or neither.\n\n";
-  if (name == scenario_names().front()) // those of the others follow it
+  if (name == scenario_names().front()) // the sections of the other scenarios follow
     return fmt::format("With `scenario = \"{}\"`.\n\n", name);
   return "";
 }
 
-/// Keys and tables of which a part between dots has that word in it. The upper body has the same as the lower one.
+/// Keys and tables whose name contains a word. Keys of the upper body are left out, because the lower body has the same.
 std::vector<std::string> keys_with(std::string_view word)
 {
   std::vector<std::string> keys;
@@ -128,7 +128,7 @@ std::string Range::text() const
 {
   const bool low = std::isfinite(min), high = std::isfinite(max);
   if (!zero_allowed)
-    return "other than 0"; // none of those has bounds
+    return "other than 0"; // no such key has bounds
   if (low && high)
     return fmt::format("in {}{}, {}{}", min_allowed ? '[' : '(', min, max, max_allowed ? ']' : ')');
   if (low)

@@ -27,7 +27,7 @@ std::vector<Entry> root_entries()
   };
 }
 
-/// Of scenarios that have another one than most.
+/// Default resolutions of the scenarios that differ from the common default.
 std::vector<std::pair<std::string, Value>> other_resolutions()
 {
   std::vector<std::pair<std::string, Value>> others;
@@ -176,7 +176,7 @@ std::vector<Entry> output_entries()
   };
 }
 
-/// Keys of the scenarios' own tables.
+/// Keys of the tables of the scenarios.
 std::vector<Entry> scenario_entries()
 {
   std::vector<Entry> entries;

@@ -13,21 +13,21 @@ namespace brinell::io
 namespace
 {
 
-/// Key and its table.
+/// The table of a key, and its last part.
 std::pair<std::string_view, std::string_view> split(std::string_view key)
 {
   const auto dot = key.rfind('.');
   return dot == key.npos ? std::pair{std::string_view{}, key} : std::pair{key.substr(0, dot), key.substr(dot + 1)};
 }
 
-/// Symbols of the theory that are written for a key.
+/// Symbols from the theory that users write instead of a key.
 constexpr std::pair<std::string_view, std::string_view> symbols[] = {
     {"E", "young_modulus"}, {"nu", "poisson_ratio"},     {"R", "radius"}, {"S_y", "yield_stress"},
     {"Sy", "yield_stress"}, {"sigma_y", "yield_stress"}, {"P", "load"},   {"F", "load"},
     {"force", "load"},      {"depth", "approach"},
 };
 
-/// The word that is near enough to be what was meant.
+/// The candidate that was probably meant by a word; empty if none is similar enough.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates)
 {
   for (const auto& [symbol, key] : symbols)
@@ -36,7 +36,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   for (const auto& candidate : candidates) // "poisson" for "poisson_ratio"
     if (word.size() > 2 && (candidate.starts_with(word) || candidate.ends_with(word)))
       return candidate;
-  constexpr std::size_t longest = 100; // beyond it nothing is near, and the comparison costs much
+  constexpr std::size_t longest = 100; // longer words match no key, and comparing them is expensive
   if (word.size() > longest)
     return "";
   std::string best;
@@ -50,7 +50,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
-/// A key of that name in some other table: in one beneath that of the unknown key if there is one, else in the scenario's.
+/// A key with the same last part in another table, preferably in the same top-level table, else in the table of the scenario.
 std::string misplaced(std::string_view key, std::string_view scenario)
 {
   const auto name = split(key).second;
@@ -116,7 +116,7 @@ std::string known_keys(std::string_view parent)
 std::string suggestion(std::string_view unknown_key, std::string_view scenario)
 {
   const auto [parent, name] = split(unknown_key);
-  if (!parent.empty() && !is_table(parent)) // the mistake is further up
+  if (!parent.empty() && !is_table(parent)) // the error is in the name of the table
     return suggestion(parent, scenario);
   const std::string near = nearest(name, children(parent));
   if (!near.empty())

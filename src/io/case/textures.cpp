@@ -13,7 +13,7 @@ namespace brinell::io
 namespace
 {
 
-/// Smooth, with the problem told, if the keys do not fit together.
+/// Reads a height map; if its keys are inconsistent, adds a problem and returns a smooth texture.
 simulation::Texture height_map(const CaseReader& reader, const std::string& table)
 {
   const auto& spacing = reader.get<std::vector<double>>(table + "spacing");
@@ -48,7 +48,8 @@ simulation::Texture height_map(const CaseReader& reader, const std::string& tabl
 std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const std::string& table,
                                                  const simulation::Domain* domain)
 {
-  constexpr double rolloffs = 8.0; // period over roll-off, so that there are many of the longest waves
+  constexpr double rolloffs =
+      8.0; // period over roll-off wavelength, so that the period contains many of the longest waves
   if (reader.has(table + "size"))
   {
     const auto& size = reader.get<std::vector<double>>(table + "size");
@@ -74,7 +75,7 @@ std::optional<std::array<double, 2>> random_size(const CaseReader& reader, const
   return std::nullopt;
 }
 
-/// Smooth, with the problem told, if the keys do not fit together.
+/// Reads a random surface; if its keys are inconsistent, adds a problem and returns a smooth texture.
 simulation::Texture random_surface(const CaseReader& reader, const std::string& table, const simulation::Domain* domain)
 {
   const auto number = [&](const char* key)
@@ -133,14 +134,15 @@ simulation::Texture read_texture(const CaseReader& reader, const std::string& ke
 namespace
 {
 
-/// Of a table in memory, or of a file.
+/// Heights from a table in memory or, if there is none with that name, from a file.
 HeightTable named_heights(const RawCase& raw, const std::string& name)
 {
   const auto found = raw.height_tables ? raw.height_tables->find(name) : HeightTables::const_iterator();
   return raw.height_tables && found != raw.height_tables->end() ? found->second : read_heights(raw.folder / name);
 }
 
-/// What the unit of a file of heights is in m; 1 with the problem told if it is none. What is resolved has no unit.
+/// Size in m of the unit of a height file; 1 if no unit is given. If the unit is invalid, a problem is added and the result is 1.
+/// The key is removed, because the resolved case is in SI.
 /// @param table  ends with a dot
 double metres_of_unit(CaseValues& values, const CaseReader& reader, const std::string& table)
 {
@@ -163,6 +165,7 @@ double metres_of_unit(CaseValues& values, const CaseReader& reader, const std::s
   return metres;
 }
 
+/// Replaces the key `file` of a texture by its heights.
 /// @param table  ends with a dot
 void load_heights(CaseValues& values, const RawCase& raw, const std::string& table, Problems& problems)
 {

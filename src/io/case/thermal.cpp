@@ -38,8 +38,9 @@ std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader
   const double melting = reader.get<double>(table + "melting_temperature");
   const double reference = reader.get_or(table + "reference_temperature", constitutive::LinearSoftening{}.reference);
   if (!(melting > reference))
-    throw InputError(fmt::format("melting_temperature = {:g} degC is not above reference_temperature = {:g} degC",
-                                 melting, reference));
+    throw InputError(
+        fmt::format("melting_temperature = {:g} degC is not above reference_temperature = {:g} degC; allowed: above it",
+                    melting, reference));
   if (law == "linear")
     return constitutive::LinearSoftening{reference, melting};
   return constitutive::JohnsonCookSoftening{reference, melting, reader.get<double>(table + "exponent")};
@@ -48,15 +49,15 @@ std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader
 namespace
 {
 
-/// Ranges of the constants of solids, from foams to metals and diamond.
-struct Usual
+/// Range of a thermal constant over all solids, from foams to metals and diamond.
+struct UsualRange
 {
   const char* key;
   double Thermal::*member;
   double min, max;
 };
 
-constexpr Usual usual[] = {
+constexpr UsualRange usual_ranges[] = {
     {"conductivity", &Thermal::conductivity, 0.01, 3000.0},
     {"density", &Thermal::density, 10.0, 23000.0},
     {"specific_heat", &Thermal::specific_heat, 50.0, 10000.0},
@@ -69,10 +70,10 @@ void warn_of_thermal(const CaseReader& reader, const std::string& body, const co
   if (!material.thermal)
     return;
   const std::string table = body + ".material.thermal";
-  for (const Usual& of : usual)
-    if (const double value = *material.thermal.*of.member; value < of.min || value > of.max)
+  for (const UsualRange& range : usual_ranges)
+    if (const double value = *material.thermal.*range.member; value < range.min || value > range.max)
     {
-      const Entry& entry = *find_entry(fmt::format("{}.{}", table, of.key));
+      const Entry& entry = *find_entry(fmt::format("{}.{}", table, range.key));
       warn(c, "unusual_thermal", "{} is {:.4g} {}, which no solid has; is the unit right? {}", entry.key, value,
            si_unit(entry.of.dimension), entry.hint);
     }

@@ -13,8 +13,8 @@ namespace brinell::io
 namespace
 {
 
-/// Behind the string that begins at `first`. One of several lines ends with three quotes, of which two more may stand before;
-/// others end with their line at the latest.
+/// Position after the end of the string that begins at `first`. A multi-line string ends with three quotes, which may be preceded
+/// by up to two quotes of its content; other strings end at the end of the line at the latest.
 std::size_t end_of_string(std::string_view text, std::size_t first)
 {
   const char quote = text[first];
@@ -30,7 +30,7 @@ std::size_t end_of_string(std::string_view text, std::size_t first)
   return text.size();
 }
 
-/// What is often meant by a line, counted from 1, that is no TOML.
+/// Hint about a common mistake in a line, counted from 1, that is not valid TOML; empty if none is recognised.
 std::string remedy(std::string_view text, std::size_t number)
 {
   for (; number > 1 && !text.empty(); --number)
@@ -39,7 +39,7 @@ std::string remedy(std::string_view text, std::size_t number)
   if (std::count(line.begin(), line.end(), '"') % 2 == 1)
     return "; is a quote missing at the end of the line?";
   if (line.find('\\') != line.npos)
-    return "; between \" a backslash is written twice: for a path take '...', or / as in \"data/curve.csv\"";
+    return "; between \" a backslash is written twice; for a path use '...', or / as in \"data/curve.csv\"";
   if (std::regex_search(line, std::regex(R"(=\s*[-+]?\d+,\d)")))
     return "; is a decimal comma meant? Numbers have a point, as in 0.3";
   return "";
@@ -49,7 +49,8 @@ std::string remedy(std::string_view text, std::size_t number)
 
 std::string too_deep()
 {
-  return fmt::format("a key of more than {} parts; those of a case have four at most", deepest_key);
+  return fmt::format("a key of more than {} parts; allowed: the keys of a case, which have four parts at most",
+                     deepest_key);
 }
 
 std::optional<int> line_of_deep_key(std::string_view toml)

@@ -6,21 +6,22 @@
 #include <string_view>
 #include <toml++/toml.h>
 
-/// Text that is to be TOML, and what is told where it is none.
+/// Parsing of TOML, with hints about common mistakes.
 namespace brinell::io
 {
 
-/// Parts that a key may have, as a.b.c has three. Those of a case have four at most; toml++ recurses into each of them, and
-/// tens of thousands are more than a stack holds.
+/// Largest number of parts of a key; a.b.c has three. The keys of a case have at most four. The limit exists because toml++
+/// recurses into each part, and tens of thousands of them would overflow the stack.
 inline constexpr int deepest_key = 30;
 
-/// The line of the first key of TOML that has more parts, counted from 1; none if there is none. Behind the first syntax error
-/// it may go astray, but there the parser does not go.
+/// Line, counted from 1, of the first key with more parts than `deepest_key`; none if there is no such key. After a syntax error
+/// the result may be wrong, but the parser stops at that error anyway.
 [[nodiscard]] std::optional<int> line_of_deep_key(std::string_view toml);
+/// Error text for such a key.
 [[nodiscard]] std::string too_deep();
 
-/// @param file  as messages name it
-/// @throws InputError with line and column, and what may have been meant
+/// @param file  its name in messages
+/// @throws InputError with line, column and a hint about common mistakes
 [[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& file);
 
 } // namespace brinell::io

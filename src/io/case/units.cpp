@@ -38,7 +38,7 @@ constexpr std::array units{
     Unit{"bar", {.mass = 1, .length = -1, .time = -2}, 5},
     Unit{"J", {.mass = 1, .length = 2, .time = -2}},
     Unit{"W", {.mass = 1, .length = 2, .time = -3}},
-    Unit{"rad", {}, 0, false}, // per length: an angle alone is a matter of the keys that take one
+    Unit{"rad", {}, 0, false}, // only per length; plain angles are read by the keys that accept them
     Unit{"%", {}, -2, false},
 };
 
@@ -117,7 +117,7 @@ std::optional<Unit> find_unit(std::string_view symbol)
   return std::nullopt;
 }
 
-/// Known units that differ from a symbol in small and capital letters only: " (did you mean GPa?)".
+/// Known units that differ from a symbol only in upper and lower case, as a hint: " (did you mean GPa?)".
 std::string units_like(std::string_view symbol)
 {
   const auto is_same = [](char a, char b)
@@ -139,7 +139,7 @@ struct Number
   int exponent = 0;
 };
 
-/// Takes the longest number off the front.
+/// Removes the longest number from the beginning of a text, and returns it.
 std::optional<Number> take_number(std::string_view& text)
 {
   const bool has_plus = text.starts_with('+');
@@ -168,7 +168,7 @@ void multiply(Unit& product, const Unit& factor, int exponent)
   product.dimension.temperature += factor.dimension.temperature * exponent;
 }
 
-/// "W/(m K)" as "W/m/K", and "1/K" as "/K". What else stands in parentheses stays, and is no unit.
+/// Rewrites "W/(m K)" as "W/m/K", and "1/K" as "/K". Other parentheses remain, and are rejected later.
 std::string without_parentheses(std::string text)
 {
   static const std::regex divisor(R"(/[ \t]*\([ \t]*([^()/]*[^()/ \t])[ \t]*\))"), between(R"([ \t]*\*[ \t]*|[ \t]+)"),
@@ -178,7 +178,7 @@ std::string without_parentheses(std::string text)
   return std::regex_replace(text, one, "/");
 }
 
-/// Products and quotients of units; each "/" concerns the one unit behind it.
+/// Reads products and quotients of units; each "/" applies only to the unit after it.
 Unit unit_expression(std::string_view whole)
 {
   const auto bad = [&](std::string_view what, const std::string& hint = "")
@@ -257,7 +257,7 @@ double degrees_celsius(std::string_view text)
   rest = trimmed(rest);
   const bool is_celsius = rest == "degC" || rest == "\u00b0C";
   if (!is_celsius && rest != "K")
-    throw InputError("is no temperature; allowed: a number in degC, or text as in \"20 degC\" or \"293.15 K\"");
+    throw InputError("is not a temperature; allowed: a number in degC, or text as in \"20 degC\" or \"293.15 K\"");
   const double value = quantity(text.substr(0, unit)).value;
   return is_celsius ? value : value - ice_point;
 }

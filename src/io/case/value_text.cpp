@@ -17,9 +17,9 @@ struct Overload : Ts...
   using Ts::operator()...;
 };
 template <class... Ts>
-Overload(Ts...) -> Overload<Ts...>; // clang 14 cannot deduce aggregates by itself
+Overload(Ts...) -> Overload<Ts...>; // clang 14 cannot deduce it for aggregates
 
-/// A TOML float needs a point or an exponent, else it is an integer; fmt's "1" would change the type.
+/// A TOML float needs a point or an exponent, otherwise it is an integer: fmt writes 1.0 as "1", which would change the type.
 std::string number_text(double x)
 {
   const std::string text = fmt::format("{}", x);

@@ -11,13 +11,13 @@
 namespace brinell::io
 {
 
-/// The first kinds of a SnapshotRule, in their order.
+/// Words of the first kinds of a SnapshotRule, in the order of the enumeration.
 inline constexpr std::array rule_words{"none", "aligned", "all"};
 
 /// A TOML string literal.
 [[nodiscard]] std::string toml_string(std::string_view text);
 
-/// A value as it stands behind "key = " in a case file; numbers in the shortest form that reads back the same.
+/// A value as written after "key = " in a case file; numbers in the shortest form that reads back the same.
 [[nodiscard]] std::string toml_text(const Value& value);
 
 [[nodiscard]] nlohmann::ordered_json json_value(const Value& value);

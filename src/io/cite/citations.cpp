@@ -37,7 +37,7 @@ void cite_contact(Sources& sources, const Case& c)
     sources.add("green2005", "values at first yield, alpha_c, P_c and U_c");
 }
 
-/// The source of what a body has chosen; a constant, a straight line or points have none.
+/// Cites the source of the chosen option, if it has one; a constant, a straight line or a table has none.
 template <typename Product>
 void cite_option(Sources& sources, const std::string& key, const std::vector<Option<Product>>& options,
                  std::string_view use)

@@ -10,7 +10,7 @@
 namespace brinell::io
 {
 
-/// Sources in the order of their first use; a second use is added to the first one.
+/// Collects sources in the order of their first use; further uses of a source are added to its text.
 class Sources
 {
 public:
@@ -19,7 +19,7 @@ public:
   /// @param key  of references.bib
   void add(std::string_view key, std::string_view use)
   {
-    const auto has_key = [&](const auto& of) { return of.key == key; };
+    const auto has_key = [&](const Reference& reference) { return reference.key == key; };
     const auto known = std::find_if(citations_.begin(), citations_.end(),
                                     [&](const Citation& citation) { return has_key(citation.reference); });
     if (known == citations_.end())
@@ -34,7 +34,7 @@ public:
       known->use += fmt::format("; {}", use);
   }
 
-  /// Whether the key of the case has that word.
+  /// Whether a key of the case has the value `word`.
   [[nodiscard]] bool is(std::string_view key, std::string_view word) const
   {
     const Value* value = case_.values.find(key);

@@ -16,12 +16,13 @@ namespace brinell::io
 namespace
 {
 
-/// Decides which numbers of a summary are results.
+/// The numbers of a summary that count as results.
 struct Results
 {
   std::vector<std::string> parts{"energy", "residual", "wear"};
-  /// In these parts: where, which one, the energies' own error, what goes with the steps.
-  std::set<std::string_view> others{"x_m", "balance_error", "max_depth_of_an_increment_m"};
+  /// Numbers in these parts that are not results: positions, indices, the error of the energy balance, and a quantity that
+  /// depends on the steps.
+  std::set<std::string_view> excluded{"x_m", "balance_error", "max_depth_of_an_increment_m"};
 };
 
 Results results_of_all_scenarios()
@@ -36,7 +37,7 @@ Results results_of_all_scenarios()
           results.parts.push_back(name);
           for (const NamedNumber& column : columns)
             if (std::holds_alternative<int>(column.value))
-              results.others.insert(column.name);
+              results.excluded.insert(column.name);
         }
       });
   return results;
@@ -51,7 +52,7 @@ void collect(const Json& json, const std::string& name, const Results& results, 
       collect(json[i], fmt::format("{}[{}]", name, i), results, numbers);
   else if (json.is_object())
     for (const auto& [key, value] : json.items())
-      if (!results.others.contains(key))
+      if (!results.excluded.contains(key))
         collect(value, fmt::format("{}.{}", name, key), results, numbers);
 }
 
@@ -82,7 +83,7 @@ std::vector<std::string> key_names(const Scenario& scenario, const Numbers& numb
   return names;
 }
 
-/// The longest unit that the name ends with: N/m is no length. Empty for a pure number.
+/// The longest unit with which the name ends, because N/m also ends with m. Empty for a pure number.
 std::string_view unit_of(const std::string& name)
 {
   std::string_view longest;
@@ -92,7 +93,7 @@ std::string_view unit_of(const std::string& name)
   return longest;
 }
 
-/// The largest force, energy, length, ... that the run has.
+/// The largest number of the run for each unit.
 std::map<std::string_view, double> largest_by_unit(const Case& c, const Numbers& numbers)
 {
   std::map<std::string_view, double> largest;
@@ -120,7 +121,7 @@ double scale_of_number(const std::string& name, const std::map<std::string_view,
   return name.starts_with("load_ratio") ? ratio : strain;
 }
 
-/// Usual error of a number of such a run, from the tables that also give the expected errors of every run.
+/// Expected error of a number, from the tables that also give the expected errors of every run.
 double expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
 {
   for (const auto& [quantity, pattern, relative] : errors)
@@ -196,14 +197,14 @@ std::string accuracy_advice(const Case& c, const Accuracy& accuracy)
   const auto error = [&](const std::string& name) { return accuracy.numbers.at(name).relative_error; };
   const auto worst = std::max_element(accuracy.key_numbers.begin(), accuracy.key_numbers.end(),
                                       [&](const auto& a, const auto& b) { return error(a) < error(b); });
-  std::string text = worst == accuracy.key_numbers.end() ? "" : fmt::format("{} least; ", *worst);
+  std::string text = worst == accuracy.key_numbers.end() ? "" : fmt::format("in {}; ", *worst);
   text +=
-      c.values.find("grid.spacing") ? "a smaller grid.spacing to begin with" : "a larger grid.resolution to begin with";
+      c.values.find("grid.spacing") ? "a smaller grid.spacing to start with" : "a larger grid.resolution to start with";
   const std::string steps(std::visit([](const auto& scenario) { return io_of(scenario).steps; }, c.scenario));
   if (const Value* given = c.values.find(steps)) // otherwise the steps scale with the cells
     text += fmt::format(", or {} than {} = {}, which the series keeps,",
                         steps.ends_with("shift") ? "a smaller step" : "more steps", steps, toml_text(*given));
-  return text + " would bring it closer";
+  return text + " would reduce it";
 }
 
 } // namespace brinell::io

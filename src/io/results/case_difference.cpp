@@ -16,7 +16,7 @@ namespace
 
 using Keys = std::vector<std::pair<std::string, std::string>>;
 
-/// "[grid]" makes "grid.", and the second "[[lower.texture]]" makes "lower.texture[1].".
+/// Prefix of the keys of a table: "grid." for "[grid]", and "lower.texture[1]." for the second "[[lower.texture]]".
 std::string prefix_of(const std::string& heading, std::map<std::string, int>& lists)
 {
   if (!heading.starts_with("[["))
@@ -25,7 +25,7 @@ std::string prefix_of(const std::string& heading, std::map<std::string, int>& li
   return fmt::format("{}[{}].", list, lists[list]++);
 }
 
-/// All keys of a resolved case, which has each on a line of its own, with their values as written.
+/// All keys of a resolved case with their values as written. In a resolved case each key is on a line of its own.
 Keys keys_of(std::string_view text)
 {
   Keys keys;
@@ -38,7 +38,8 @@ Keys keys_of(std::string_view text)
     else if (const auto equals = line.find(" = "); equals != line.npos)
     {
       const std::string key = prefix + line.substr(0, equals);
-      if (key != "grid.extent" && key != "output.checkpoint_interval" && key != "solver.symmetry") // change no result
+      if (key != "grid.extent" && key != "output.checkpoint_interval" &&
+          key != "solver.symmetry") // these keys do not change results
         keys.emplace_back(key, line.substr(equals + 3));
     }
   return keys;
@@ -50,7 +51,7 @@ const std::string* value_in(const Keys& keys, const std::string& key)
   return found == keys.end() ? nullptr : &found->second;
 }
 
-/// Without the unit behind it, and not the whole of a height map.
+/// The value without the comment with its unit, shortened if it is long, such as a height map.
 std::string shown(const std::string* value)
 {
   constexpr std::size_t longest = 60;

@@ -8,9 +8,9 @@ namespace brinell::io
 {
 
 /// Keys that differ between the cases of an earlier run and of this one, with both values: "grid.resolution = 5.0 there, 6.0
-/// here". A few of them are named, and how many more there are.
-/// @param there, here  as resolved.toml has them
-/// @returns empty if they are the same but for grid.extent, which only decides with which grids a run begins
+/// here". The first few are named, and the number of the others is given.
+/// @param there, here  contents of resolved.toml
+/// @returns empty if the cases have the same results: grid.extent, output.checkpoint_interval and solver.symmetry are ignored
 [[nodiscard]] std::string case_difference(std::string_view there, std::string_view here);
 
 } // namespace brinell::io

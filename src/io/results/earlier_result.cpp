@@ -19,24 +19,24 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A file of a run, and what tells that a run has written it.
+/// A file of a run, and how to recognise that a run has written it.
 struct Known
 {
   std::string_view name;
-  std::string_view begin{};  ///< of the file
-  std::string_view within{}; ///< somewhere at its beginning
-  std::string_view end{};    ///< somewhere at its end
-  bool is_replaced = true;   ///< under its name with .part first
+  std::string_view begin{};  ///< text with which the file begins
+  std::string_view within{}; ///< text somewhere near its beginning
+  std::string_view end{};    ///< text somewhere near its end
+  bool is_replaced = true;   ///< first written under its name with the suffix .part
 };
 
-/// The summary goes first.
+/// The files in the order of their removal: the summary first.
 constexpr Known known_files[] = {
     {.name = "summary.json", .within = "brinell-summary"},
     {.name = "history.csv", .begin = "step,pass,", .within = ",energy_residual,"},
     {.name = "result.vtkhdf", .begin = "\x89HDF", .within = result_mark},
     {.name = "resolved.toml", .begin = "scenario = ", .end = "\ncheckpoint_interval = "},
     {.name = checkpoint_file, .end = checkpoint_mark},
-    // of format version 1
+    // files of format version 1
     {.name = "result.h5", .begin = "\x89HDF", .within = result_mark},
     {.name = "contact.xdmf", .within = "result.h5", .is_replaced = false},
     {.name = "lower.xdmf", .within = "result.h5", .is_replaced = false},
@@ -45,7 +45,7 @@ constexpr Known known_files[] = {
 
 constexpr Known piece = {.name = "000012.h5", .end = piece_mark};
 
-std::string taken(std::ifstream& stream, std::streamoff from, std::streamoff count)
+std::string read_part(std::ifstream& stream, std::streamoff from, std::streamoff count)
 {
   std::string text(static_cast<std::size_t>(count), '\0');
   stream.seekg(from);
@@ -53,10 +53,10 @@ std::string taken(std::ifstream& stream, std::streamoff from, std::streamoff cou
   return text;
 }
 
-/// Whether a run wrote the file, as far as it tells by itself. An empty one holds nothing that could be lost.
+/// Whether the content shows that a run has written the file. An empty file counts too, because it contains nothing to lose.
 bool is_own(const fs::path& file, const Known& known)
 {
-  constexpr std::streamoff most = 1 << 16; // where all marks are
+  constexpr std::streamoff most = 1 << 16; // all marks are within so many bytes of the beginning or end
   std::error_code error;
   if (!fs::is_regular_file(file, error))
     return false;
@@ -64,13 +64,13 @@ bool is_own(const fs::path& file, const Known& known)
   const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : -1;
   if (size <= 0)
     return size == 0;
-  const std::string head = taken(stream, 0, std::min(size, most));
-  const std::string tail = taken(stream, std::max<std::streamoff>(0, size - most), std::min(size, most));
+  const std::string head = read_part(stream, 0, std::min(size, most));
+  const std::string tail = read_part(stream, std::max<std::streamoff>(0, size - most), std::min(size, most));
   return stream && head.starts_with(known.begin) && head.find(known.within) != head.npos &&
          tail.find(known.end) != tail.npos;
 }
 
-/// 000012.h5, final.h5, and what is left of them when a process is killed that writes one.
+/// Whether it is the name of a piece: 000012.h5 or final.h5, also with .part, which remains if a process is killed while writing.
 bool is_piece(std::string name)
 {
   if (name.ends_with(".part"))
@@ -107,7 +107,7 @@ std::vector<fs::path> pieces_in(const fs::path& folder)
   return pieces;
 }
 
-/// A folder with two of these is that of a run: what is damaged in it is of the run too.
+/// Whether a folder contains at least two recognisable files of a run. Then damaged files in it belong to the run, too.
 bool is_of_a_run(const fs::path& folder)
 {
   int count = 0;
@@ -121,22 +121,22 @@ bool is_of_a_run(const fs::path& folder)
   return count >= 2;
 }
 
-/// Files that a run would remove or replace, but that none has written.
+/// Files that a run would remove or replace although no run has written them.
 std::vector<std::string> foreign_files(const fs::path& folder)
 {
   std::vector<std::string> names;
   if (is_of_a_run(folder))
     return names;
-  const auto look = [&](const std::string& name, const Known& known)
+  const auto check = [&](const std::string& name, const Known& known)
   {
     if (is_there(folder / name) && !is_own(folder / name, known))
       names.push_back(name);
   };
   for (const Known& known : known_files)
   {
-    look(std::string(known.name), known);
+    check(std::string(known.name), known);
     if (known.is_replaced)
-      look(fmt::format("{}.part", known.name), known);
+      check(fmt::format("{}.part", known.name), known);
   }
   if (is_there(folder / pieces_folder) && !fs::is_directory(folder / pieces_folder))
     names.emplace_back(pieces_folder);
@@ -153,9 +153,10 @@ std::vector<std::string> foreign_files(const fs::path& folder)
 bool remove_earlier_result(const fs::path& folder)
 {
   if (const auto foreign = foreign_files(folder); !foreign.empty())
-    throw InputError(fmt::format("{}: holds other files: {}. A run writes files of these names, but no run of brinell "
-                                 "has written these: move them away, or choose another folder (-o, output.directory)",
-                                 folder.string(), fmt::join(foreign, ", ")));
+    throw InputError(
+        fmt::format("{}: holds other files: {}. A run writes files with these names, but these files were not written "
+                    "by a run of brinell: move them away, or choose another folder (-o, output.directory)",
+                    folder.string(), fmt::join(foreign, ", ")));
   bool found = false;
   for (const Known& known : known_files)
   {

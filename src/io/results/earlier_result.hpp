@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-/// Removal of an earlier result: a run removes only files of runs, nothing else.
+/// Removal of an earlier result. Only files that a run has written are removed.
 namespace brinell::io
 {
 
@@ -20,11 +20,12 @@ inline constexpr std::string_view piece_mark = "brinell-piece";
 
 /// Removes the files of an earlier run from a folder. The summary is removed first, because without it the remaining files cannot
 /// look like a complete result.
-/// @returns whether there was anything
-/// @throws InputError, before anything goes, if a file of such a name was not written by a run; IoError
+/// @returns whether there was an earlier result
+/// @throws InputError, before anything is removed, if a file with such a name was not written by a run; IoError
 bool remove_earlier_result(const std::filesystem::path& folder);
 
-/// Removes the pieces of a run, and their folder if nothing else is in it. @throws IoError
+/// Removes the pieces of a run, and their folder if it contains nothing else.
+/// @throws IoError
 bool remove_pieces(const std::filesystem::path& folder);
 
 } // namespace brinell::io

@@ -14,7 +14,7 @@ namespace brinell::io::h5
 namespace
 {
 
-/// The text of the innermost HDF5 error, where the cause is.
+/// Stores the text of the innermost HDF5 error, which describes the cause.
 herr_t take_description(unsigned n, const H5E_error2_t* error, void* data)
 {
   if (n == 0 && error->desc)
@@ -22,13 +22,13 @@ herr_t take_description(unsigned n, const H5E_error2_t* error, void* data)
   return 0;
 }
 
-/// HDF5 prints errors by itself unless told not to.
+/// Stops HDF5 from printing errors itself.
 void silence()
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// The bytes of a chunk as they are stored. @param mask  tells which filters were left out
+/// The bytes of a chunk as they are stored. @param mask  output: the filters that were skipped
 std::vector<char> stored_chunk(const Handle& dataset, const std::vector<hsize_t>& offset, std::uint32_t& mask,
                                const std::string& what)
 {
@@ -102,7 +102,7 @@ Handle create_file_in_memory(std::size_t growth)
   constexpr hbool_t on_disk_too = false;
   const Handle access = properties(H5P_FILE_ACCESS);
   check(H5Pset_fapl_core(access.id(), growth, on_disk_too), "keep a file in memory");
-  static std::atomic<unsigned> count = 0; // HDF5 takes files in memory of one name for the same file
+  static std::atomic<unsigned> count = 0; // HDF5 treats files in memory with equal names as the same file
   const std::string name = fmt::format("memory-{}", count++);
   return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), "create a file in memory");
 }
@@ -125,7 +125,7 @@ Handle open_file(const std::filesystem::path& path)
 
 void close_file(Handle file)
 {
-  // A full disk shows at the flush; closing afterwards has nothing left to lose.
+  // A full disk causes an error at the flush; after it, closing cannot lose data.
   check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write the file to the disk");
 }
 
@@ -155,10 +155,10 @@ std::vector<double> read_numbers(const Handle& group, const std::string& name)
   const Handle space = checked(H5Dget_space(dataset.id()), what);
   const Handle type = checked(H5Dget_type(dataset.id()), what);
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
-  // A size that is not stored is a claim only, for which no memory should be taken.
+  // Compared with the stored size, so that a damaged header cannot cause a huge allocation.
   const hsize_t stored = H5Dget_storage_size(dataset.id()) / sizeof(double);
   if (H5Tget_class(type.id()) != H5T_FLOAT || size < 0 || static_cast<hsize_t>(size) != stored)
-    fail(fmt::format("{}: it is no plain list of numbers", what));
+    fail(fmt::format("{}: it is not a plain list of numbers", what));
   std::vector<double> values(static_cast<std::size_t>(size));
   check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
   return values;
@@ -170,7 +170,7 @@ namespace
 struct Attribute
 {
   Handle attribute, type;
-  hssize_t count; ///< of its values
+  hssize_t count; ///< number of its values
   std::string what;
 };
 

@@ -28,7 +28,7 @@ public:
   ~Handle()
   {
     if (id_ >= 0)
-      H5Idec_ref(id_); // closes what it stands for
+      H5Idec_ref(id_); // closes the object
   }
   [[nodiscard]] hid_t id() const { return id_; }
 
@@ -44,11 +44,11 @@ private:
 void check(herr_t status, std::string_view what);
 [[nodiscard]] Handle properties(hid_t kind);
 
-/// A new file, replacing what is there.
+/// A new file, which replaces an existing one.
 /// @throws IoError (all of this header)
 [[nodiscard]] Handle create_file(const std::filesystem::path& path);
 /// A file in memory, to be written in one piece: HDF5 crashes when a full disk does not let it close a file.
-/// @param growth  by which it is lengthened [bytes]
+/// @param growth  increment by which its memory grows [bytes]
 [[nodiscard]] Handle create_file_in_memory(std::size_t growth = 1 << 20);
 /// The bytes of a file in memory.
 [[nodiscard]] std::string file_image(Handle file);
@@ -57,7 +57,7 @@ void check(herr_t status, std::string_view what);
 void close_file(Handle file);
 
 [[nodiscard]] Handle create_group(const Handle& parent, const std::string& name);
-/// A group that remembers the order in which things were put into it.
+/// A group that keeps the order in which its members were created.
 [[nodiscard]] Handle create_ordered_group(const Handle& parent, const std::string& name);
 [[nodiscard]] Handle open_group(const Handle& parent, const std::string& name);
 
@@ -66,7 +66,7 @@ void write_attribute(const Handle& object, const char* name, double value);
 void write_attribute(const Handle& object, const char* name, int value);
 void write_attribute(const Handle& object, const char* name, std::span<const double> values);
 void write_attribute(const Handle& object, const char* name, std::span<const int> values);
-/// Text of fixed length in ASCII, for readers that know no other; not empty.
+/// Writes text of fixed length in ASCII, for readers that support no other kind. The text must not be empty.
 void write_fixed_attribute(const Handle& object, const char* name, std::string_view text);
 
 /// Storage layout of a dataset. Both chunked layouts have checksums, so that a reader detects damage.
@@ -92,26 +92,26 @@ struct Field
   std::string long_name;
 };
 
-/// Writes several at once, deflated by all threads: the bytes are those that HDF5 would write, which knows one thread only.
-/// @param shape  of each
+/// Writes several fields, compressed by all threads. The bytes are those that HDF5 would write with a single thread.
+/// @param shape  of each field, slowest index first
 void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
                     std::string_view units);
-/// One text, UTF-8.
+/// Writes a dataset with a single UTF-8 text.
 void write_text(const Handle& group, const char* name, std::string_view text);
 
-/// Cells of an array, slowest index first.
+/// A box of cells of an array, slowest index first.
 struct Box
 {
   std::vector<hsize_t> start, count;
 };
 
-/// A box of a virtual dataset, and the box of equal size in the dataset that is seen there.
+/// A box of a virtual dataset, and the box of equal size in the dataset to which it refers.
 struct VirtualPart
 {
   Box target;
-  std::string file; ///< relative to the folder of this one; "." is this one
+  std::string file; ///< relative to the folder of the file; "." is the file itself
   std::string dataset;
-  std::vector<hsize_t> shape; ///< of that dataset
+  std::vector<hsize_t> shape; ///< of the dataset referred to
   Box source;
 };
 
@@ -136,7 +136,8 @@ void link_external(const Handle& group, const std::string& name, const std::stri
 /// Copies a group, or a dataset, from another file or place without decompressing it.
 void copy_object(const Handle& from, const std::string& object, const Handle& to, const std::string& name);
 
-/// @throws IoError unless each dataset of a group is in the other one too, with the same bytes as they are stored
+/// Checks that the other group contains all datasets of a group, with the same stored bytes.
+/// @throws IoError
 void require_same_datasets(const Handle& group, const Handle& other);
 
 } // namespace brinell::io::h5

@@ -18,7 +18,7 @@ namespace brinell::io::h5
 namespace
 {
 
-/// Of chunks, by rank; 64^3 doubles are 2 MB, a good size for the deflate filter.
+/// Longest side of a chunk, by the number of dimensions; 64^3 doubles are 2 MB, a good size for the deflate filter.
 constexpr std::array<hsize_t, 4> longest_chunk_side{1, 4096, 512, 64};
 constexpr int deflate_level = 1; ///< fields are smooth or zero: higher levels gain little and cost much
 
@@ -28,7 +28,7 @@ hid_t type_of()
   return std::is_same_v<Number, int> ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE;
 }
 
-/// Variable length, because a fixed one cannot hold an empty string; UTF-8 for titles.
+/// Text type of variable length, because a fixed length cannot hold an empty string, and in UTF-8 because of titles.
 Handle text_type()
 {
   Handle type = checked(H5Tcopy(H5T_C_S1), "make a string type");
@@ -37,7 +37,7 @@ Handle text_type()
   return type;
 }
 
-/// An array; a single value if it has no side.
+/// Data space of an array; an empty shape means a single value.
 Handle space_of(std::span<const hsize_t> shape)
 {
   return checked(shape.empty() ? H5Screate(H5S_SCALAR)
@@ -45,7 +45,7 @@ Handle space_of(std::span<const hsize_t> shape)
                  "make a data space");
 }
 
-/// The same, of which a box is selected.
+/// Data space of an array in which a box is selected.
 Handle selection(std::span<const hsize_t> shape, const Box& box)
 {
   Handle space = space_of(shape);
@@ -70,7 +70,7 @@ void write_list_attribute(const Handle& object, const char* name, std::span<cons
   write_attribute_of(object, name, type_of<Number>(), {&size, 1}, values.data());
 }
 
-/// @param data  none for one that stores nothing
+/// @param data  nullptr: the dataset is created without writing data
 Handle write_dataset_of(const Handle& group, const std::string& name, hid_t type, std::span<const hsize_t> shape,
                         const void* data, hid_t creation = H5P_DEFAULT)
 {
@@ -82,7 +82,8 @@ Handle write_dataset_of(const Handle& group, const std::string& name, hid_t type
   return dataset;
 }
 
-/// Of one size, as chunks are stored whole: 69 cells in chunks of 64 would take the place of 128.
+/// Sides of the chunks. They divide the shape evenly, because chunks are stored as a whole: 69 cells in chunks of 64 would take
+/// the space of 128.
 std::vector<hsize_t> sides_of_chunk(std::span<const hsize_t> shape)
 {
   std::vector<hsize_t> sides(shape.begin(), shape.end());
@@ -161,7 +162,7 @@ void require_values(const char* name, std::size_t values, std::span<const std::s
     throw InternalError(fmt::format("field {} has {} values on a grid of {} cells", name, values, size));
 }
 
-/// One chunk of one of several fields.
+/// One chunk of a field.
 struct Chunk
 {
   const Field* field;
@@ -169,7 +170,7 @@ struct Chunk
   std::vector<unsigned char> stored{};
 };
 
-/// All of a field of this shape.
+/// Appends all chunks of a field.
 void add_chunks(const Field& field, std::span<const hsize_t> shape, std::span<const hsize_t> sides,
                 std::vector<Chunk>& chunks)
 {
@@ -179,7 +180,7 @@ void add_chunks(const Field& field, std::span<const hsize_t> shape, std::span<co
         chunks.push_back({&field, {k, j, i}});
 }
 
-/// The numbers of a chunk; 0 beyond the end of the field, as HDF5 fills it.
+/// The numbers of a chunk; 0 beyond the end of the field, like the fill value of HDF5.
 std::vector<double> numbers_of(const Chunk& chunk, std::span<const hsize_t> shape, std::span<const hsize_t> sides)
 {
   const auto& [k0, j0, i0] = chunk.offset;
@@ -192,8 +193,8 @@ std::vector<double> numbers_of(const Chunk& chunk, std::span<const hsize_t> shap
   return numbers;
 }
 
-/// A chunk as the filters shuffle and deflate of HDF5 leave it: the first bytes of all numbers, then their second ones and so on, as a
-/// zlib stream. HDF5 does one chunk at a time; this may be called by several threads.
+/// A chunk as the HDF5 filters shuffle and deflate store it: the first bytes of all numbers, then their second bytes and so on,
+/// as a zlib stream. Unlike HDF5, this function may be called by several threads at the same time.
 std::vector<unsigned char> shuffled_and_deflated(std::span<const double> numbers)
 {
   const std::span<const std::byte> bytes = std::as_bytes(numbers);
@@ -216,7 +217,7 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
                     std::string_view units)
 {
   if (shape.size() != 3)
-    throw InternalError(fmt::format("write_deflated: {} sides in place of 3", shape.size()));
+    throw InternalError(fmt::format("write_deflated: the shape has {} sides; allowed: 3", shape.size()));
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
   const std::vector<hsize_t> sides = sides_of_chunk(dims);
   std::vector<Chunk> chunks_of_all;
@@ -225,7 +226,7 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
     require_values(field.name, field.values.size(), shape);
     add_chunks(field, dims, sides, chunks_of_all);
   }
-  std::exception_ptr failure; // lack of memory: none may leave the loop
+  std::exception_ptr failure; // such as lack of memory; an exception must not leave the parallel loop
 #pragma omp parallel for schedule(dynamic)
   for (Chunk& chunk : chunks_of_all)
     try

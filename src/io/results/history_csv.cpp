@@ -17,9 +17,9 @@ namespace brinell::io
 namespace
 {
 
-IoError failure(const std::filesystem::path& path, const char* what)
+IoError failure(const std::filesystem::path& path, const char* problem)
 {
-  return IoError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
+  return IoError(fmt::format("{}: {}: {}", path.string(), problem, std::strerror(errno)));
 }
 
 /// The numbers of a row. @throws IoError
@@ -39,7 +39,7 @@ std::vector<double> parsed_row(const std::string& line, std::size_t count, const
   return values;
 }
 
-/// Without rows.
+/// The columns of a history without rows.
 std::vector<HistoryColumn> columns_of(const std::vector<NamedNumber>& record)
 {
   std::vector<HistoryColumn> columns;
@@ -100,7 +100,7 @@ std::string HistoryWriter::checksum() const
   return sum_->text();
 }
 
-/// The rows of the first steps stay, what comes after them goes.
+/// Keeps the rows of the first steps and removes the following ones.
 void HistoryWriter::keep_rows(const std::string& header, int count, std::string_view sum)
 {
   std::ifstream stream(path_, std::ios::binary);

@@ -79,7 +79,7 @@ std::string program()
   return versions.brinell + " " + versions.git_hash;
 }
 
-/// Field by field, without a copy in memory.
+/// Writes a checkpoint field by field, so that no copy of the state is kept in memory.
 void write_checkpoint(const fs::path& path, int step, const std::string& history_sum,
                       const std::function<void(Archive&)>& state)
 {
@@ -102,10 +102,10 @@ void write_checkpoint(const fs::path& path, int step, const std::string& history
   replacement.commit();
 }
 
-/// The number of the last step, as the state has it.
+/// The number of the last step according to the state; -1 if the state does not contain it.
 double last_step(const Archive::Fields& fields)
 {
-  for (const char* name : {"last.step", "summary.last.step"}) // which of them, the scenario says
+  for (const char* name : {"last.step", "summary.last.step"}) // depends on the scenario
     if (const auto found = fields.find(name); found != fields.end() && !found->second.empty())
       return found->second.front();
   return -1.0;
@@ -146,7 +146,7 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& path)
 
 InputError nothing_to_resume(const fs::path& folder)
 {
-  return InputError(fmt::format("{}: no run was stopped there that could be resumed", folder.string()));
+  return InputError(fmt::format("{}: there is no stopped run in this folder that could be resumed", folder.string()));
 }
 
 /// The checkpoint from which a run can resume; none if it was stopped before the first one.
@@ -162,7 +162,7 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
   const std::string text = input_text(folder / "resolved.toml", std::numeric_limits<std::size_t>::max());
   if (const std::string difference = case_difference(text, resolved_files(c.values).text); !difference.empty())
   {
-    if (!is_complete) // it may be of another program, whose keys have other names
+    if (!is_complete) // first check the program: in another version, keys may have other names
       static_cast<void>(read_checkpoint(folder / checkpoint_file));
     throw InputError(fmt::format("{}: the run {} there is of another case: {}; without --resume it is replaced",
                                  folder.string(), is_complete ? "that is complete" : "that was stopped", difference));
@@ -172,7 +172,7 @@ std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
   return read_checkpoint(folder / checkpoint_file);
 }
 
-/// The columns that the history of a scenario has.
+/// The columns of the history of a scenario.
 std::vector<NamedNumber> columns_of(const Scenario& scenario)
 {
   return std::visit([]<typename ScenarioCase>(const ScenarioCase&) { return columns(typename ScenarioCase::Record{}); },
@@ -185,7 +185,7 @@ struct ResultDirectory::State
 {
   State(const fs::path& folder, const Case& c, Mode mode)
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
-        lock(path), checkpoint(take(path, c, mode)),
+        lock(path), checkpoint(checkpoint_to_resume(path, c, mode)),
         replaced(!checkpoint && remove_earlier_result(path) && mode == Mode::replace),
         history(path / "history.csv", columns_of(c.scenario), finished_steps(),
                 checkpoint ? checkpoint->history_sum : ""),
@@ -194,14 +194,14 @@ struct ResultDirectory::State
     write_resolved(path / "resolved.toml", c.values);
   }
 
-  static std::optional<Checkpoint> take(const fs::path& folder, const Case& c, Mode mode)
+  static std::optional<Checkpoint> checkpoint_to_resume(const fs::path& folder, const Case& c, Mode mode)
   {
     return mode == Mode::resume ? resumable(folder, c) : std::nullopt;
   }
   [[nodiscard]] int finished_steps() const { return checkpoint ? checkpoint->step + 1 : 0; }
 
   fs::path path;
-  FolderLock lock; // before anything in the folder is touched
+  FolderLock lock; // acquired before any file in the folder is changed
   std::optional<Checkpoint> checkpoint;
   std::optional<Archive::Fields> fields = checkpoint ? std::optional(std::move(checkpoint->fields)) : std::nullopt;
   bool replaced;

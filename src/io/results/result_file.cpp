@@ -29,14 +29,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* file_name = "result.vtkhdf";
 constexpr const char *piece_group = "state", *final_group = "/final";
-constexpr std::size_t most_shown = 30; ///< states in /VTKHDF of an unfinished file, which is written anew for each
+constexpr std::size_t most_shown =
+    30; ///< number of states in /VTKHDF of an unfinished file, which is rewritten after each state
 
 constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
 
 using simulation::StepFields;
 using simulation::TensorField;
 
-/// Bodies that stay elastic may leave fields empty; then there is no dataset.
+/// Whether a field has a dataset. Fields of bodies that stay elastic may be empty and are not stored.
 bool is_stored(const std::vector<double>& field)
 {
   return !field.empty();
@@ -71,7 +72,7 @@ std::vector<double> von_mises_field(const TensorField& stress)
   return result;
 }
 
-/// Whether the file stays in memory: then nothing is compressed.
+/// Where the file is written; in memory, nothing is compressed.
 enum class Place
 {
   disk,
@@ -111,7 +112,7 @@ void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapsho
   write("heat_flux_upper", snapshot.heat_flux[1], "W/m^2", "heat of friction into the upper body");
 }
 
-/// The fields within a body, one after the other, so that one is in memory at a time.
+/// Writes the fields within a body one after the other, so that only one of them is in memory at a time.
 void write_within(const h5::Handle& group, const StepFields::Within& within, std::span<const std::size_t> volume,
                   Place place)
 {
@@ -131,7 +132,8 @@ void write_within(const h5::Handle& group, const StepFields::Within& within, std
   h5::write_dataset(group, "von_mises_stress", von_mises_field(stress), volume, "Pa", "von Mises stress", plain);
 }
 
-/// The same from a body that has the same, as they are stored: neither computed nor deflated again.
+/// Copies the fields within a body from the group of a body with the same fields, so that they are neither computed nor
+/// compressed again.
 void copy_within(const h5::Handle& alike, const h5::Handle& group, const StepFields::Within& within)
 {
   const auto copy = [&](bool is_there, const char* name)
@@ -146,7 +148,7 @@ void copy_within(const h5::Handle& alike, const h5::Handle& group, const StepFie
   copy(static_cast<bool>(within.stress), "von_mises_stress");
 }
 
-/// @param alike  the group of a body that has the same fields within; nullptr: there is none
+/// @param alike  group of a body with the same fields within; nullptr: there is none
 h5::Handle write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body,
                       const StepFields::Within& within, Place place, const h5::Handle* alike)
 {
@@ -177,7 +179,7 @@ h5::Handle write_body(const h5::Handle& parent, const char* name, const simulati
   return group;
 }
 
-/// The fields of a step, and its row of the history as attributes, as docs/reference/results-format.md says.
+/// Writes the fields of a step, and its row of the history as attributes: docs/reference/results-format.md.
 /// @throws IoError; InternalError if a field does not fit its grid
 void write_state(const h5::Handle& group, const std::vector<NamedNumber>& columns, const StepFields& fields,
                  Place place = Place::disk)
@@ -190,7 +192,7 @@ void write_state(const h5::Handle& group, const std::vector<NamedNumber>& column
   (void)write_body(group, "upper", fields.surfaces.upper, fields.upper, place, fields.are_alike ? &lower : nullptr);
 }
 
-/// Bytes of the file of a state at the most: more fields than there are, none of which compression makes smaller.
+/// Upper bound for the size of the file of a state [bytes], with more fields than there are and without compression.
 std::uintmax_t largest_size(const StepFields& fields)
 {
   constexpr std::size_t in_cell = 16, on_surface = 8, in_contact = 16, around = 1 << 18;
@@ -218,7 +220,7 @@ void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& his
   }
 }
 
-/// What a result file holds besides the fields.
+/// Writes the content of a result file other than the fields.
 void write_description(const h5::Handle& file, const Description& description,
                        const std::vector<HistoryColumn>& history, Place place = Place::disk)
 {
@@ -298,7 +300,7 @@ void ResultFile::add_final(int step, const std::vector<NamedNumber>& columns, co
 void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const StepFields& fields)
 {
   std::error_code error;
-  fs::create_directories(folder_ / pieces_folder, error); // a failure shows when the file is created
+  fs::create_directories(folder_ / pieces_folder, error); // an error is reported when the file is created
   Replacement replacement(path_of(piece));
   replacement.require_room(largest_size(fields));
   h5::Handle file = h5::create_file(replacement.part());
@@ -308,7 +310,7 @@ void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const
   replacement.commit();
   piece.layout = layout_of(fields);
   pieces_.push_back(piece);
-  if (!piece.is_final) // which is merged next
+  if (!piece.is_final) // after the final state, the pieces are merged
     write_linked();
 }
 
@@ -324,13 +326,14 @@ std::uintmax_t ResultFile::size_of_pieces() const
   return sum;
 }
 
-/// Writes result.vtkhdf anew, with links to the pieces. Its cost must grow little with each of them: thirty in /VTKHDF take
-/// some 15 ms, a plain link or a row of the history some microseconds.
+/// Rewrites result.vtkhdf with links to the pieces. The cost must grow little with their number: thirty states in /VTKHDF take
+/// about 15 ms, a plain link or a row of the history some microseconds.
 void ResultFile::write_linked() const
 {
-  constexpr std::size_t growth = 1 << 16; // small: it is cleared
+  constexpr std::size_t growth = 1 << 16; // small, because HDF5 clears the memory
   h5::Handle file = h5::create_file_in_memory(growth);
-  write_description(file, description_, history_, Place::memory); // deflating the history took most of the time
+  write_description(file, description_, history_,
+                    Place::memory); // uncompressed, because compressing the history took most of the time
   std::vector<StoredState> states;
   {
     // The group must be closed before the file is.
@@ -357,12 +360,12 @@ void ResultFile::merge(const std::string& summary)
   }
   catch (...)
   {
-    write_linked(); // with the last piece
+    write_linked(); // includes the last piece
     throw;
   }
 }
 
-/// Writes result.vtkhdf anew, with the content of the pieces.
+/// Rewrites result.vtkhdf with the content of the pieces.
 void ResultFile::write_merged(const std::string& summary) const
 {
   Replacement replacement(folder_ / file_name);
@@ -375,7 +378,7 @@ void ResultFile::write_merged(const std::string& summary) const
     const h5::Handle steps = h5::create_group(file, "steps");
     for (const Piece& piece : pieces_)
     {
-      require_seal(path_of(piece), piece_mark); // it is copied as it is
+      require_seal(path_of(piece), piece_mark); // copied without another check
       states.push_back({piece.time(), ".", piece.group(), piece.layout});
       h5::copy_object(h5::open_file(path_of(piece)), piece_group, file, piece.group());
     }

@@ -21,13 +21,13 @@ struct Description
   std::string case_text, sources, scenario, title;
 };
 
-/// result.vtkhdf. An HDF5 file that is open when its process is killed may be lost as a whole, so each step becomes a sealed file
-/// of its own, complete before it gets its name, and result.vtkhdf an index of links that is replaced in one piece. `merge`
-/// copies the pieces into one file at the end.
+/// Writes result.vtkhdf. An HDF5 file that is open when its process is killed may be lost as a whole. Therefore each step becomes
+/// a sealed file of its own, which gets its name only when it is complete, and result.vtkhdf is an index of links that is
+/// replaced atomically. At the end, `merge` copies the pieces into one file.
 class ResultFile
 {
 public:
-  /// Writes an index of the steps of a checkpoint, of none in a new folder. @throws IoError (all members)
+  /// Writes an index of the steps that a checkpoint contains, or an empty one for a new run. @throws IoError (all members)
   /// @param history     its rows are written with each index; must outlive this object.
   /// @param checkpoint  nullptr: a new run
   ResultFile(std::filesystem::path folder, const Case& c, const std::vector<HistoryColumn>& history,
@@ -36,10 +36,10 @@ public:
   void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   /// The state after the last step.
   void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
-  /// The pieces stay, because a run is resumed from them.
+  /// Replaces the index by one file with the content of all pieces. The pieces are kept, because a run can be resumed from them.
   void merge(const std::string& summary);
 
-  /// The steps that are stored.
+  /// Saves or restores the list of stored steps.
   void exchange(Archive& archive) { archive.list("pieces", pieces_); }
 
 private:

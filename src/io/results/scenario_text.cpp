@@ -11,7 +11,7 @@ namespace brinell::io
 namespace
 {
 
-/// Empty without friction.
+/// Line about friction; empty without friction.
 std::string friction_text(const simulation::RunTotals& s)
 {
   if (s.dissipation_friction == 0.0)
@@ -23,7 +23,7 @@ std::string friction_text(const simulation::RunTotals& s)
   return text + "\n";
 }
 
-/// Empty without wear.
+/// Line about wear; empty without wear.
 std::string wear_text(const simulation::RunTotals& s)
 {
   if (s.worn_volume_lower == 0.0 && s.worn_volume_upper == 0.0)

@@ -27,7 +27,7 @@ bool SnapshotRule::stores(int step, bool is_key_step) const
   return false;
 }
 
-/// The next step is not known yet: it is taken to be as long as this one was.
+/// The next position is not known yet, so the next step is assumed to be as long as this one.
 bool NearestToMiddle::operator()(int pass, double x)
 {
   const bool first = pass != pass_;

@@ -18,7 +18,7 @@ namespace
 
 using simulation::RunTotals;
 
-/// Null where nothing yields.
+/// The values at first yield; null if there are none.
 Json critical_json(const Case& c)
 {
   constexpr std::array bodies{"lower", "upper", "both"};
@@ -74,7 +74,7 @@ Json versions_json()
       {"brinell", versions.brinell}, {"git_hash", versions.git_hash}, {"fftw", versions.fftw}, {"hdf5", versions.hdf5}};
 }
 
-/// Of one part of a key: a member, or an entry of a list as of texture[0].
+/// The child for one part of a key: a member, or an entry of a list such as texture[0].
 Json& child(Json& parent, std::string_view part)
 {
   const auto open = part.find('[');
@@ -100,7 +100,7 @@ Json case_json(const CaseValues& values)
   return root;
 }
 
-/// What every summary begins with.
+/// The first part of every summary.
 Json head_json(const Case& c)
 {
   Json json;
@@ -124,7 +124,7 @@ Json energy_json(const RunTotals& s)
           {"balance_error", s.energy_balance_error}};
 }
 
-/// What both surfaces have lost.
+/// Volumes and depths that wear has removed from both surfaces.
 Json wear_json(const RunTotals& s)
 {
   return {{"volume_lower_m3", s.worn_volume_lower},         {"volume_upper_m3", s.worn_volume_upper},
@@ -132,11 +132,11 @@ Json wear_json(const RunTotals& s)
           {"max_depth_of_an_increment_m", s.max_wear_step}, {"work_J", s.work_of_wear}};
 }
 
-/// @param fraction  of the heat of friction that warms the bodies
+/// @param fraction  share of the friction work that heats the bodies
 Json heat_json(double fraction, const RunTotals& s, const simulation::HeatedRecord& last)
 {
   const double given = fraction * s.dissipation_friction;
-  // Between bodies that are not equally warm far more may pass than what friction gives.
+  // Between bodies of different temperatures far more heat may flow than friction generates.
   const double largest = std::max({given, std::abs(last.heat_lower), std::abs(last.heat_upper)});
   return {{"max_temperature_lower_degC", s.max_temperature[0]},
           {"max_temperature_upper_degC", s.max_temperature[1]},
@@ -155,7 +155,7 @@ Json residual_json(const RunTotals& s)
           {"max_equivalent_plastic_strain", s.max_equivalent_plastic_strain}};
 }
 
-/// What every scenario's own part ends with.
+/// Adds energies, heat, wear, residual displacement and shift after the scenario's own part.
 template <typename ScenarioCase>
 void put_totals(Json& json, const ScenarioCase& c, const typename ScenarioCase::Plan& plan,
                 const typename ScenarioCase::Summary& s)
@@ -213,7 +213,7 @@ Json accuracy_json(const Accuracy& a)
   return json;
 }
 
-/// What every summary ends with, and its text.
+/// Adds the last part of every summary, and returns the text.
 std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo& info)
 {
   const Json grid = grid_json(s);

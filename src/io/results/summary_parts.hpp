@@ -9,17 +9,18 @@
 #include <string_view>
 #include <vector>
 
-/// Parts of summary.json that a scenario puts where it wants them.
+/// Functions with which a scenario writes its parts of summary.json.
 namespace brinell::io
 {
 
 using Json = nlohmann::ordered_json;
 
-/// Units of what is normalised; without first yield every quotient becomes NaN, hence null.
+/// Values at first yield, by which results are normalised. Without first yield they are NaN, so that every quotient is NaN and
+/// becomes null in JSON.
 [[nodiscard]] reference::CriticalValues scale_of(const Case& c);
 
 [[nodiscard]] Json geometry_json(const Case& c);
-/// "hardness_Pa", "loading_stiffness_N_per_m": a name and, unless the number is pure, its unit.
+/// Key of a number: its name and, unless it is a pure number, its unit, as in "hardness_Pa", "loading_stiffness_N_per_m".
 [[nodiscard]] std::string key_of(std::string_view name, std::string_view unit);
 
 template <typename Record>
@@ -28,7 +29,7 @@ void put(Json& json, const simulation::Column<Record>& column, const Record& rec
   std::visit([&](auto number) { json[key_of(column.name, column.unit)] = number; }, column.value(record));
 }
 
-/// All columns of a record.
+/// An object with all columns of a record.
 template <typename Record>
 [[nodiscard]] Json row_json(const Record& record)
 {

@@ -18,10 +18,10 @@ namespace
 using Shape = std::vector<hsize_t>;
 using Body = BodyLayout StateLayout::*;
 
-/// The order in which VTK has the components of a symmetric tensor.
+/// Components of a symmetric tensor in the order of VTK.
 constexpr std::array components{"xx", "yy", "zz", "xy", "yz", "xz"};
 
-/// A rectangular part of a plane or volume, slowest index first.
+/// Number of cells, slowest index first.
 Shape cells(const VolumeGrid& grid)
 {
   return {static_cast<hsize_t>(grid.nz), static_cast<hsize_t>(grid.surface.ny), static_cast<hsize_t>(grid.surface.nx)};
@@ -37,7 +37,7 @@ h5::Box whole(const Shape& shape)
   return {Shape(shape.size(), 0), shape};
 }
 
-/// Columns and rows of the grid of `all` before the first ones of the grid of `state`, which lies within it.
+/// Number of rows and columns of the grid of `all` before the first row and column of the grid of `state`, which lies within it.
 std::array<hsize_t, 2> offset(const BodyLayout& all, const BodyLayout& state)
 {
   const SurfaceGrid& s = all.grid.surface;
@@ -45,7 +45,7 @@ std::array<hsize_t, 2> offset(const BodyLayout& all, const BodyLayout& state)
           static_cast<hsize_t>(std::lround((state.x0 - all.x0) / s.dx))};
 }
 
-/// Where the cells of a state lie among those of `all`: a plane, or a volume with both surfaces at layer 0.
+/// The box that the cells of a state occupy in the grid of `all`: a plane, or a volume; layer 0 is at the surface in both grids.
 h5::Box place_of(const Shape& shape, const BodyLayout& all, const BodyLayout& state)
 {
   h5::Box box = whole(shape);
@@ -55,11 +55,11 @@ h5::Box place_of(const Shape& shape, const BodyLayout& all, const BodyLayout& st
   return box;
 }
 
-/// An image of VTK, with all states on one axis of time. A single state has no such axis: VTK would take it for a space axis.
+/// A VTK image with all states along a time axis. A single state has no time axis, because VTK would treat it as a space axis.
 class Block
 {
 public:
-  /// @param body  whose fields it shows: its group in a state
+  /// @param body  group, in a state, of the body whose fields are shown
   Block(const h5::Handle& parent, const char* name, std::string body, int index, const std::vector<StoredState>& states)
       : body_(std::move(body)), states_(states), group_(h5::create_ordered_group(parent, name))
   {
@@ -70,7 +70,7 @@ public:
       write_steps(h5::create_group(group_, "Steps"));
   }
 
-  /// @param up  where layers that follow each other lead: 1 up, -1 down
+  /// @param up  direction of increasing layer index: 1 up, -1 down
   void place(const std::array<int, 3>& last, const std::array<double, 3>& origin, const std::array<double, 3>& spacing,
              double up = 1.0)
   {
@@ -83,7 +83,7 @@ public:
   /// @param data  "CellData" or "PointData"
   void begin(const char* data) { data_.emplace(h5::create_group(group_, data)); }
 
-  /// Parts of the array at one state, of datasets in its group.
+  /// Function that returns the parts of an array for one state; they refer to datasets in its group.
   using Parts = std::function<std::vector<h5::VirtualPart>(const StateLayout&)>;
 
   void add(const char* name, const Shape& shape, double fill, const Parts& parts_of)
@@ -105,8 +105,8 @@ public:
     of_volume,
     tensor
   };
-  /// A field of a body. The image has the grid of the last state; those of earlier ones may be smaller.
-  /// @param beyond  value where these do not reach
+  /// Adds a field of a body. The image has the grid of the last state; grids of earlier states may be smaller.
+  /// @param beyond  value outside a smaller grid
   void add_field(const char* name, Kind kind, Body body, double beyond)
   {
     const BodyLayout& all = states_.back().layout.*body;
@@ -132,8 +132,8 @@ public:
     add(name, shape, beyond, parts_of);
   }
 
-  /// Readers of VTK 9.7 see the time axis of a composite only if /VTKHDF itself has a group Steps. Each of its groups is a block
-  /// for them, and for older ones: so this one has the times and is an empty image.
+  /// Makes this group the group Steps of /VTKHDF: VTK 9.7 recognises the time axis of a composite only if /VTKHDF itself has such
+  /// a group. But readers also treat each group of /VTKHDF as a block, so this one is an empty image that has the times.
   void imitate_steps()
   {
     place({-1, -1, -1}, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
@@ -166,11 +166,11 @@ private:
   std::optional<h5::Handle> data_;
 };
 
-/// Of fields that are not zero beyond a grid but were not computed there.
+/// Value outside a grid of fields that were not computed there, but are not zero.
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// @param up  into the body: 1 up, -1 down. Datasets are shown as they are, from the surface into the body, and virtual ones
-///            cannot be turned over: so the axis is.
+/// @param up  direction into the body: 1 up, -1 down. The layers of a dataset go from the surface into the body, and a virtual
+///            dataset cannot reverse their order, so the axis is reversed instead.
 void write_volume(Block block, Body which, const BodyLayout& body, double up)
 {
   const SurfaceGrid& s = body.grid.surface;
@@ -191,7 +191,7 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
     block.add_field("temperature", Block::Kind::of_volume, which, unknown);
 }
 
-/// The cells of the contact that lie on the lower body's grid, placed on that of `all`. @returns none if the grids are apart.
+/// The cells of the contact that lie on the lower body's grid, as a part of the grid of `all`; none if the grids do not overlap.
 std::vector<h5::VirtualPart> contact_part(const char* name, const StateLayout& layout, const BodyLayout& all)
 {
   const ContactLayout& c = layout.contact;
@@ -213,8 +213,8 @@ std::vector<h5::VirtualPart> contact_part(const char* name, const StateLayout& l
   return {{target, "", fmt::format("contact/{}", name), shape, box(c.row, c.column)}};
 }
 
-/// A sheet of points in the cells' centres: so it can be warped by its values.
-/// @param contact  what is known of it; nullptr for the body that does not show it
+/// Writes a surface as points at the centres of the cells, so that ParaView can warp it by its values.
+/// @param contact  layout of the contact fields that are shown on this surface; nullptr: none
 void write_surface(Block block, Body which, const BodyLayout& body, const ContactLayout* contact)
 {
   const SurfaceGrid& s = body.grid.surface;

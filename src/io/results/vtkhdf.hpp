@@ -24,11 +24,11 @@ struct BodyLayout
   void exchange(Archive& archive);
 };
 
-/// The contact's grid takes cells of the lower body's surface.
+/// The contact grid, whose cells coincide with cells of the lower body's surface.
 struct ContactLayout
 {
   int nx = 0, ny = 0;
-  int column = 0, row = 0; ///< of the lower body, where the contact's first ones are
+  int column = 0, row = 0; ///< indices, in the lower body's grid, of the first column and row of the contact
   bool has_shear = false, has_slip = false, has_temperature = false;
 
   void exchange(Archive& archive);

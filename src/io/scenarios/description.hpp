@@ -9,11 +9,11 @@
 
 #include <algorithm>
 
-/// For the files that describe a scenario.
+/// Helpers for the files that describe a scenario.
 namespace brinell::io
 {
 
-/// To be specialised for each scenario; then scenario_io is to be instantiated.
+/// Description of a scenario. Each scenario specialises this function and instantiates `scenario_io`.
 template <typename ScenarioCase>
 ScenarioIo<ScenarioCase> description();
 
@@ -36,7 +36,7 @@ template <typename ScenarioCase>
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
-/// A key of a group, of which one is given: it imposes the drive of a case.
+/// A key that imposes the drive of a case; of its group, exactly one key is given.
 template <typename ScenarioCase>
 [[nodiscard]] Entry drive_key(const std::string& key, const ValueKind& of, const std::string& text,
                               const std::string& group, contact::Drive ScenarioCase::*drive, contact::Drive::Kind kind)
@@ -65,7 +65,7 @@ template <typename ScenarioCase>
   return {{key_of(name, unit), drive.value}};
 }
 
-/// A table for a terminal, of as many rows as one likes to see there.
+/// A table for a terminal, with a limited number of rows.
 template <typename Row, typename Line>
 [[nodiscard]] std::string table_text(std::string text, const std::vector<Row>& rows, const Line& line)
 {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-/// The fretting in files and messages.
+/// Keys, texts and results of the scenario fretting.
 namespace brinell::io
 {
 
@@ -136,7 +136,7 @@ void summarise(Json& json, const Case& c, const FrettingCase& f, const FrettingP
   json["cycles"] = rows_json(s.cycles);
 }
 
-/// The turns, and the ends of pressing and of each cycle.
+/// Whether a step ends at a reversal, at the end of pressing or at the end of a cycle.
 bool is_key_step(const FrettingCase& f, const FrettingRecord& record, NearestToMiddle& /*middle*/)
 {
   const int moved = record.step + 1 - f.press_steps, quarter = f.steps_per_cycle / 4;

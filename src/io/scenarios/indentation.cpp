@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-/// The indentation in files and messages.
+/// Keys, texts and results of the scenario indentation.
 namespace brinell::io
 {
 
@@ -19,8 +19,8 @@ using simulation::IndentationSummary;
 
 constexpr const char* drive_group = "indentation drive";
 
-/// The numbers of a list are the sequence.
-/// @param other  what is given instead, and may be normalised like this one; empty: a mean over a period
+/// A key with a list of numbers, which is the sequence of the drive.
+/// @param other  the key that may be given instead; both may be normalised. Empty for a mean over a period
 Entry drive(const std::string& key, const ValueKind& of, Drive::Kind kind, const std::string& other, const char* text)
 {
   const std::string table = "indentation.";
@@ -72,7 +72,7 @@ std::vector<Entry> keys()
   };
 }
 
-/// What a number of that key stands for [N], [m]; none, with the problem told, if it cannot stand in this case.
+/// Unit of the numbers of a key [N] or [m]. If the key is not allowed in this case, a problem is added and the result is none.
 std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, const IndentationCase& indentation,
                                     const std::string& key)
 {
@@ -107,7 +107,8 @@ std::string read(const CaseReader& reader, Case& c, IndentationCase& i)
     return key;
   for (Drive& drive : i.sequence)
     drive.value *= *unit;
-  if (i.sequence.front().kind == Drive::Kind::mean_gap) // whether it presses, and ends without contact, the plan knows
+  if (i.sequence.front().kind ==
+      Drive::Kind::mean_gap) // the plan checks whether there is contact, and whether it ends without
     return key;
   if (std::none_of(i.sequence.begin(), i.sequence.end(), [](const Drive& d) { return d.value > 0.0; }))
     reader.add(key, "never presses the bodies together; allowed: a list with a number > 0");

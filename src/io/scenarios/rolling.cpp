@@ -2,7 +2,7 @@
 #include "brinell/simulation/estimates.hpp"
 #include "description.hpp"
 
-/// The rolling in files and messages.
+/// Keys, texts and results of the scenario rolling.
 namespace brinell::io
 {
 
@@ -25,7 +25,7 @@ Creepage& creepage_of(Case& c)
   return creepage ? *creepage : creepage.emplace();
 }
 
-/// Stick and slip.
+/// Keys of creepage and spin, with which surfaces stick and slip.
 std::vector<Entry> creep_keys()
 {
   return {
@@ -110,12 +110,12 @@ std::vector<Entry> keys()
   return all;
 }
 
-/// Load whose elastic contact has that peak pressure.
+/// Load whose elastic contact has the given peak pressure.
 double load_of_hertz_pressure(const CaseReader& reader, Case& c, const RollingCase& rolling)
 {
   const std::string key = "rolling.hertz_pressure";
   const double pressure = reader.get<double>(key);
-  constexpr double lowest = 1e-7; // over the contact modulus: a contact of a few nm under a ball of a cm
+  constexpr double lowest = 1e-7; // relative to the contact modulus: a contact of a few nm under a ball of a centimetre
   if (pressure < lowest * c.contact_modulus)
     warn(c, "low_pressure",
          "{} = {:g} Pa is next to nothing for these materials; is a unit missing, as in \"{:g} {}\"?", key, pressure,
@@ -195,7 +195,7 @@ Json pass_json(const RollingPass& pass)
   for (const auto& column : simulation::columns<RollingPass>)
   {
     if (column.name == "unsteadiness")
-      json["steady"] = pass.is_steady(); // beside what it follows from
+      json["steady"] = pass.is_steady(); // next to the number from which it follows
     if (column.name == "creep_unsteadiness")
       json["creep_steady"] = pass.creeps_steadily();
     put(json, column, pass);

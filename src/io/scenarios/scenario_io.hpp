@@ -37,14 +37,14 @@ struct ScenarioIo
   std::string (*read)(const CaseReader& reader, Case& c, ScenarioCase& scenario);
   double Plan::*half_x; ///< half-lengths of the contact, estimates [m]
   double Plan::*half_y;
-  bool moves = true; ///< the contact moves on both bodies: then x is no periodic axis
-  /// Why a body cannot have that shape; empty if it can.
+  bool moves = true; ///< whether the contact moves on both bodies; then the x axis cannot be periodic
+  /// Why the scenario does not allow a shape; empty if it does.
   std::string_view (*against_shape)(const simulation::Shape& shape) = [](const simulation::Shape&)
   { return std::string_view(); };
 
   // --- Output of `brinell check` ---
   std::string (*motion)(const ScenarioCase& scenario, const Plan& plan); ///< lines that begin with #
-  /// Goes on with the line that tells E', and with those of first yield.
+  /// Text that is appended to the line with E', and lines that are appended to those of first yield.
   std::string (*drive)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return std::string(); };
   std::string (*drive_at_yield)(const ScenarioCase& scenario, const reference::CriticalValues& critical) =
       [](const ScenarioCase&, const reference::CriticalValues&) { return std::string(); };
@@ -56,26 +56,27 @@ struct ScenarioIo
   std::string_view aligned{}; ///< description of these steps, if not the middles of the passes: a clause for the schema
   std::string (*place)(const Case& c, const Record& record);     ///< position of a step, for the progress display
   std::string (*results)(const Case& c, const Summary& summary); ///< lines for a terminal
-  /// Puts its numbers into summary.json, between what every summary begins with and what it ends with: energies, heat, wear and
-  /// residual displacement. What it says of "energy" itself comes last there.
+  /// Adds the numbers of the scenario to summary.json, between the first part of every summary and its last one: energies, heat,
+  /// wear and residual displacement. Numbers that the scenario adds to "energy" come last there.
   void (*summarise)(Json& json, const Case& c, const ScenarioCase& scenario, const Plan& plan, const Summary& summary);
   /// Lists in the summary, and their columns.
   std::vector<std::pair<std::string, std::vector<NamedNumber>>> lists{};
 
   // --- Accuracy ---
-  std::vector<std::string> result_parts{}; ///< of the summary, beside energy, residual and the lists
+  std::vector<std::string>
+      result_parts{}; ///< parts of the summary with results, besides energy, residual and the lists
   /// Names of the key numbers: "forces.peak_F_X_N"; "indents[].hardness_Pa" refers to the last entry of a list.
   std::vector<std::string> (*key_numbers)(const ScenarioCase& scenario);
-  /// The key by which steps become finer; those that it leaves alone go with the cells if it is not given.
+  /// The key that sets the size or number of the steps. If it is not given, the steps scale with the cells.
   std::string_view steps{};
-  /// The drive that is imposed throughout, if there is a single one; other forces may be small compared with an imposed load.
+  /// The drive that is kept throughout the run, if there is a single one. Forces are compared with an imposed load.
   contact::Drive ScenarioCase::*drive_kept = nullptr;
 
   // --- Papers ---
   void (*cite)(Sources& sources, const ScenarioCase& scenario) = [](Sources&, const ScenarioCase&) {};
 };
 
-/// Its definition: description.hpp.
+/// The description of a scenario; defined in description.hpp.
 template <typename ScenarioCase>
 [[nodiscard]] const ScenarioIo<ScenarioCase>& scenario_io();
 
@@ -106,7 +107,7 @@ struct EachScenario
   }
 };
 
-/// For each scenario, in their order; the action takes a ScenarioIo.
+/// Calls an action with the ScenarioIo of each scenario, in their order.
 template <typename Action>
 void for_each_scenario(const Action& action)
 {

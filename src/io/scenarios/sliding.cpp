@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-/// The sliding in files and messages.
+/// Keys, texts and results of the scenario sliding.
 namespace brinell::io
 {
 
@@ -122,7 +122,7 @@ void summarise(Json& json, const Case& c, const SlidingCase& s, const SlidingPla
   json["strokes"] = rows_json(summary.strokes);
 }
 
-/// Pressed, and the middle of each stroke.
+/// Whether a step is the last of pressing, or nearest to the middle of a stroke.
 bool is_key_step(const SlidingCase& s, const SlidingRecord& record, NearestToMiddle& middle)
 {
   return record.step + 1 == s.press_steps ||

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-/// The tugging in files and messages.
+/// Keys, texts and results of the scenario tugging.
 namespace brinell::io
 {
 
@@ -77,7 +77,7 @@ std::vector<Entry> keys()
   };
 }
 
-/// Each body must be a circle in the plane of motion, as passing another one takes.
+/// Each body must be a circle in the plane of motion, which passing another body requires.
 std::string_view against_shape(const simulation::Shape& shape)
 {
   return simulation::passing_radius(shape) ? ""
@@ -85,7 +85,7 @@ std::string_view against_shape(const simulation::Shape& shape)
                                              "\"sphere\", \"ellipsoid\" or \"cylinder\"";
 }
 
-/// Interference or load, whichever is given; of a load, the approach that elastic bodies would have.
+/// Sets interference or load, whichever is given. With a load, the interference is set to the approach of elastic bodies.
 void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
 {
   const bool by_load = tugging.load.has_value();
@@ -130,7 +130,7 @@ void set_drive(const CaseReader& reader, const Case& c, TuggingCase& tugging)
         normalised && !by_load ? fmt::format(" = {:.4g} alpha_c", limit / c.first_yield->critical.interference) : "");
 }
 
-/// Whether the bodies touch at all beside each other the plan tells.
+/// Sets the offset. Whether the bodies touch at this offset is checked by the plan.
 void set_offset(const CaseReader& reader, const Case& c, TuggingCase& tugging)
 {
   const std::string key = "tugging.offset";
@@ -141,7 +141,7 @@ void set_offset(const CaseReader& reader, const Case& c, TuggingCase& tugging)
     reader.add(key, "goes with a constant height only; allowed with tugging.load: 0");
     return;
   }
-  if (reader.get<bool>("tugging.normalised") && c.first_yield) // without it the interference has been refused
+  if (reader.get<bool>("tugging.normalised") && c.first_yield) // otherwise the interference has been refused already
     tugging.offset *= c.first_yield->critical.contact_radius;
 }
 
@@ -231,7 +231,7 @@ Json forces_json(const TuggingCase& t, const TuggingSummary& s)
 {
   Json json = {{"peak_F_X_N", s.peak_F_X}, {"X_at_peak_F_X_m", s.X_at_peak_F_X}, {"min_F_X_N", s.min_F_X},
                {"peak_F_Z_N", s.peak_F_Z}, {"F_X_aligned_N", s.F_X_aligned},     {"F_Z_aligned_N", s.F_Z_aligned}};
-  if (t.offset != 0.0) // else it is rounding
+  if (t.offset != 0.0) // otherwise the force is a rounding error
     json["peak_F_Y_N"] = s.peak_F_Y;
   return json;
 }
@@ -271,7 +271,7 @@ ScenarioIo<TuggingCase> description()
       .motion = motion,
       .drive = drive,
       .drive_at_yield = drive_at_yield,
-      .work = {.evaluations = 12.0, .yields_along_the_track = false}, // much of the track is not plastic yet
+      .work = {.evaluations = 12.0, .yields_along_the_track = false}, // much of the track is still elastic
       .is_key_step = [](const TuggingCase&, const TuggingRecord& record, NearestToMiddle& middle)
       { return middle(record.pass, record.X); },
       .key_steps = [](const TuggingCase& t, const TuggingPlan&) { return double(t.passes); },

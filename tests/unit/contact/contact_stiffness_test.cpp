@@ -166,7 +166,7 @@ TEST(MeanGap, IsRefusedIfNegativeOrWithoutAPeriod)
     }
     catch (const InputError& e)
     {
-      EXPECT_NE(std::string(e.what()).find("allowed: not below 0, of bodies that are periodic along both axes"),
+      EXPECT_NE(std::string(e.what()).find("allowed: >= 0, and only for bodies that are periodic along both axes"),
                 std::string::npos)
           << e.what();
     }

@@ -214,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"grid.spacing=[1, 2]", {"has 2 elements", "three lengths"}},
                     Bad{"grid.spacing=[1, 2, -3]", {"element -3", "> 0"}}, Bad{"grid.spacing=1", {"is an integer"}},
                     Bad{"grid.spacing=1 um", {"as in [\"3.85 mm\", \"3.85 mm\", \"3.85 mm\"]"}},
-                    Bad{"grid.spacing=[1 um, 2 um, 1 um]", {"no list", "between quotes"}},
+                    Bad{"grid.spacing=[1 um, 2 um, 1 um]", {"not a list", "between quotes"}},
                     Bad{"solver.anderson_depth=-1", {"in [0, 50]"}},
                     Bad{"output.snapshots=[1.5]", {"not a step number"}}, Bad{"output.snapshots=every 0", {"every N"}},
                     Bad{"output.snapshots=3", {"is an integer"}}, Bad{"title=1979-05-27", {"date"}},

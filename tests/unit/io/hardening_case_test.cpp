@@ -190,7 +190,7 @@ TEST_F(HardeningFile, ExamplesAreInTheUnitsOfTheFile)
   catch (const InputError& error)
   {
     EXPECT_NE(std::string(error.what())
-                  .find("where nan is no number; allowed: plastic strain in % and stress in MPa, as in \"0.2, 930\" "
+                  .find("where nan is not a number; allowed: plastic strain in % and stress in MPa, as in \"0.2, 930\" "
                         "or, with decimal commas, \"0,2; 930\""),
               std::string::npos)
         << error.what();
@@ -242,7 +242,7 @@ TEST_F(HardeningFile, ErrorsNameFileLineAndContent)
   write("0,002,930,5\n");
   EXPECT_NE(message().find("line 1 \"0,002,930,5\""), std::string::npos) << message();
   write("0, 900e6\n0.01, many\n");
-  EXPECT_NE(message().find("line 2 \"0.01, many\", where many is no number"), std::string::npos) << message();
+  EXPECT_NE(message().find("line 2 \"0.01, many\", where many is not a number"), std::string::npos) << message();
   write("0.1, 900e6\n");
   EXPECT_NE(message().find("must begin at plastic strain 0"), std::string::npos) << message();
   write("");

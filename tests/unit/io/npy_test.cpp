@@ -83,9 +83,9 @@ TEST_F(Npy, WrittenIsRead)
 TEST_F(Npy, Refusals)
 {
   const std::vector<double> two{1.0, 2.0};
-  EXPECT_EQ(refusal("1,2\n3,4\n"), "is no .npy file of NumPy, or damaged");
-  EXPECT_EQ(refusal(""), "is no .npy file of NumPy, or damaged");
-  EXPECT_EQ(refusal("\x93NUMPY\x01"), "is no .npy file of NumPy, or damaged");
+  EXPECT_EQ(refusal("1,2\n3,4\n"), "is not a .npy file of NumPy, or is damaged");
+  EXPECT_EQ(refusal(""), "is not a .npy file of NumPy, or is damaged");
+  EXPECT_EQ(refusal("\x93NUMPY\x01"), "is not a .npy file of NumPy, or is damaged");
   EXPECT_NE(refusal(file_of("{'descr': '|O', 'fortran_order': False, 'shape': (1, 2), }", two)).find("type \"|O\""),
             std::string::npos);
   EXPECT_NE(refusal(file_of("{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }", two)).find("an array [y, x]"),

@@ -165,7 +165,7 @@ TEST(PeriodicCase, CellsTwice)
                  {"grid.layer = \"1 um\" cannot stand together with grid.spacing"});
   expect_refused(
       indentation(wavy, "load = [10]", std::string(both) + "cells = [20, 20]\nresolution = 8"), 14,
-      {"grid.resolution = 8 says nothing where both axes are periodic", "allowed: grid.cells or grid.spacing"});
+      {"grid.resolution = 8 has no effect where both axes are periodic", "allowed: grid.cells or grid.spacing"});
   expect_refused(
       indentation(wavy, "load = [10]", std::string(both) + "spacing = [\"30 um\", \"50 um\", \"20 um\"]"), 12,
       {"grid.size = 0.001 m along x is 33.3333 cells of grid.spacing = 3e-05 m", "allowed: a whole number of cells"});
@@ -205,7 +205,7 @@ TEST(PeriodicCase, TexturesThatTheCellsDoNotShow)
   const std::string texture = R"(texture = {type = "sinusoid", amplitude = "1 um", wavelength_x = "62.5 um"}
 )";
   expect_refused(indentation(shape + texture, "pressure = [\"1 MPa\"]", std::string(both) + "cells = [16, 16]"), 13,
-                 {"grid.cells: on cells of 6.25e-05 x 6.25e-05 m", "nothing is left of upper.texture"});
+                 {"grid.cells: on cells of 6.25e-05 x 6.25e-05 m", "nothing of upper.texture remains"});
 }
 
 // Without a size there is no period that a texture could not fit: the default of 1 m is nobody's.
@@ -241,11 +241,11 @@ TEST(PeriodicCase, DrivesThatHaveNoContact)
 {
   const std::string grid = std::string(both) + "cells = [16, 16]";
   expect_refused(indentation(wavy, "approach = [\"0.1 um\", 0]", grid), 8,
-                 {"indentation.approach = [\"0.1 um\", 0]", "counts from the mean planes, and at 0 m all",
+                 {"indentation.approach = [\"0.1 um\", 0]", "counts from the mean planes, and at 0 m the",
                   "allowed: a load or mean pressure instead", "indentation.load", "indentation.pressure"});
   expect_refused(indentation(ball, "approach = [\"20 um\"]", grid), 8,
                  {"indentation.approach", "an approach of 2e-05 m cannot be reached",
-                  "at 8.35e-06 m all of the surfaces touches"}); // 1 mm^2/(12 R), and 1/512 more by the cells
+                  "at 8.35e-06 m the surfaces touch everywhere"}); // 1 mm^2/(12 R), and 1/512 more by the cells
   expect_refused(indentation(wavy, "pressure = [\"1 MPa\"]\nnormalised = true", grid), 9,
                  {"indentation.normalised = true", "not with indentation.pressure"});
   expect_refused(indentation(cylinder, "pressure = [\"1 MPa\"]", plane), 8,

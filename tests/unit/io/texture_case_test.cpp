@@ -241,10 +241,10 @@ TEST_F(HeightFile, HasAUnit)
 TEST_F(HeightFile, OfAnotherUnitIsTold)
 {
   static_cast<void>(read("map.csv", "0 1e-3\n"));
-  EXPECT_NE(warned_.find("are in m unless lower.texture.unit says another one, as \"um\""), std::string::npos)
+  EXPECT_NE(warned_.find("are in m unless lower.texture.unit names another unit, such as \"um\""), std::string::npos)
       << warned_;
   static_cast<void>(read("map.csv", "0 1\n", ", unit = \"mm\""));
-  EXPECT_NE(warned_.find("is lower.texture.unit = \"mm\" that of the file?"), std::string::npos) << warned_;
+  EXPECT_NE(warned_.find("is lower.texture.unit = \"mm\" the unit of the file?"), std::string::npos) << warned_;
   static_cast<void>(read("map.csv", "0 1\n", ", unit = \"nm\""));
   EXPECT_EQ(warned_, "");
 }

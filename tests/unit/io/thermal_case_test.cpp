@@ -88,7 +88,7 @@ TEST(ThermalCase, BadConstantsNameTheKeyAndWhatIsAllowed)
   expect_message("temperature = \"0 K\"", "is out of range");
   expect_message("temperature = \"20 K\"", "conductivity is missing");
   expect_message("temperature = \"68 degF\"", "allowed: a number in degC, or text as in \"20 degC\" or \"293.15 K\"");
-  expect_message("temperature = \"20\"", "is no temperature");
+  expect_message("temperature = \"20\"", "is not a temperature");
   expect_message("conductivity = 50, density = 7850, expansion = 0", "lower.material.thermal.specific_heat is missing; "
                                                                      "allowed: specific heat > 0, in J/(kg K)");
 }
@@ -152,7 +152,7 @@ TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
           "thermal.heat_of_plastic_work = 1.5 is out of range");
   refused({lower, upper, friction, speed, "lower.material.softening={law=\"linear\",melting_temperature=60}",
            "lower.material.thermal.temperature=80"},
-          "lower.material.thermal.temperature = 80 degC, but its softening says that it melts at 60 degC");
+          "lower.material.thermal.temperature = 80 degC, but by its softening law the body melts at 60 degC");
   refused({lower, upper, friction, speed, "interface.heat_fraction=-1"},
           "interface.heat_fraction = -1 is out of range");
 }

@@ -129,10 +129,9 @@ TEST(CellsInPeriods, TheyHaveToShowSomethingOfTheTextures)
   const double cell = 1e-3 / 16.0;
   IndentationCase c = flats(load(1.0));
   c.lower.texture = Sinusoid{.amplitude = 1e-6, .wavelength_x = cell, .wavelength_y = 0.5e-3};
-  expect_refused(
-      c, "grid.cells",
-      "nothing is left of lower.texture, and two flats touch everywhere at once; allowed: cells that show the "
-      "waves, of which the shortest has 1 here and needs 8");
+  expect_refused(c, "grid.cells",
+                 "nothing of lower.texture remains, and two flats touch everywhere at once; allowed: cells that "
+                 "resolve the waves: the shortest one has 1 cells and needs 8");
   c.lower.texture.parts.push_back(Sinusoid{.amplitude = 1e-7, .wavelength_x = 0.5e-3}); // one of them is enough
   EXPECT_NO_THROW(static_cast<void>(plan(c)));
   HeightMap checks{32, 32, 0.5 * cell, 0.5 * cell, 0.0, 0.0, std::vector<double>(32 * 32), true};
@@ -140,7 +139,7 @@ TEST(CellsInPeriods, TheyHaveToShowSomethingOfTheTextures)
     checks.heights[i] = (i + i / 32) % 2 == 0 ? 1e-6 : -1e-6;
   c.lower.texture = checks;
   c.upper.texture = checks;
-  expect_refused(c, "grid.cells", "nothing is left of lower.texture and upper.texture");
+  expect_refused(c, "grid.cells", "nothing of lower.texture and upper.texture remains");
   c.domain.x.cells = c.domain.y.cells = 0;
   c.spacing = {cell, cell, cell};
   c.upper.texture = {};

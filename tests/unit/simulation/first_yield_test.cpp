@@ -130,7 +130,7 @@ TEST(FirstYield, HasAReasonWhereItIsNotInClosedForm)
   TuggingCase t = cylinders();
   EXPECT_EQ(reason(t), "none");
   t.domain.reference = 1e-3; // a_c is 22 mm
-  EXPECT_EQ(reason(t), "grid.reference = 0.001 m is too short beside the contact at first yield");
+  EXPECT_EQ(reason(t), "grid.reference = 0.001 m is too short compared with the contact at first yield");
   EXPECT_FALSE(nominal_first_yield(t.lower, t.upper, t.domain));
   EXPECT_FALSE(earliest_first_yield(t.lower, t.upper, t.domain, 0.0));
   t = cylinders();

@@ -55,7 +55,7 @@ TEST(FrettingTest, RefusesWhatHasNoSolution)
   expect_refused("fretting.force", "below 0.6 N", [](auto& c) { c.kind = Kind::force, c.amplitude = 0.6; });
   expect_refused("fretting.displacement", "error of the approach", [](auto& c) { c.amplitude = 1e-14; });
   expect_refused("fretting.force", "error of the approach", [](auto& c) { c.kind = Kind::force, c.amplitude = 1e-7; });
-  expect_refused("interface.friction", "from 1e-10 on", [](auto& c) { c.friction.coefficient = 1e-11; });
+  expect_refused("interface.friction", "at least 1e-10", [](auto& c) { c.friction.coefficient = 1e-11; });
   expect_refused("fretting.load", "= -2", [](auto& c) { c.press.value = -2.0; });
   expect_refused("fretting.approach", "= 0", [](auto& c) { c.press = {contact::Drive::Kind::approach, 0.0}; });
   expect_refused("fretting.press_steps", "= 0", [](auto& c) { c.press_steps = 0; });

@@ -134,13 +134,13 @@ TEST(WearTest, IsRefusedWhereItMakesNoSense)
   r = rolling();
   r.slide_to_roll = 0.0;
   r.creepage = Creepage{.longitudinal = 1e-3};
-  test::expect_refused(r, "interface.wear.lower", "rolling.slide_to_roll in place of");
+  test::expect_refused(r, "interface.wear.lower", "rolling.slide_to_roll instead of");
   FrettingCase f = fretting();
   f.amplitude = 0.0;
-  test::expect_refused(f, "interface.wear.lower", "nothing slides");
+  test::expect_refused(f, "interface.wear.lower", "the surfaces do not slide");
   f = fretting();
   f.cycles = 0;
-  test::expect_refused(f, "interface.wear.lower", "nothing slides");
+  test::expect_refused(f, "interface.wear.lower", "the surfaces do not slide");
 }
 
 // Under a mean gap that is kept the load changes, and the volume is coefficient x load x way step by step.
