@@ -25,7 +25,7 @@ if "OMP_WAIT_POLICY" not in os.environ:
     os.environ["OMP_WAIT_POLICY"] = "passive"
 
 from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, scenarios, surfaces
-from brinell._arguments import tell_of_arguments
+from brinell._arguments import explain_argument_errors
 from brinell._names import did_you_mean
 from brinell.bodies import (
     Berkovich,
@@ -152,7 +152,7 @@ __all__ = [
     "sweeps",
 ]
 __all__ += scenarios.__all__
-tell_of_arguments(sys.modules[__name__])
+explain_argument_errors(sys.modules[__name__])
 
 
 def __getattr__(name: str) -> Any:

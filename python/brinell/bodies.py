@@ -171,7 +171,7 @@ class RandomSurface(_Typed):
         hurst: Hurst exponent [-].
         rolloff: wavelength above which the spectrum is constant; None: self-affine up to `size`.
         size: period along x and y, which is the longest wavelength; None: 8 rolloff.
-        seed: seed of the random phases; other seeds give other surfaces with the same spectrum.
+        seed: seed of the random numbers; other seeds give other surfaces with the same spectrum.
     """
 
     type: ClassVar[str] = "random"

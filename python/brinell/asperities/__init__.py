@@ -13,7 +13,7 @@ Modules: `moments` and `population` (the asperities of a surface), `pairs` (two 
 
 import sys
 
-from brinell._arguments import tell_of_arguments
+from brinell._arguments import explain_argument_errors
 from brinell.errors import MissingExtraError
 
 try:
@@ -46,4 +46,4 @@ __all__ = [
     "resting_sum",
     "statistical_sum",
 ]
-tell_of_arguments(sys.modules[__name__])
+explain_argument_errors(sys.modules[__name__])

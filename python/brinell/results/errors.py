@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from brinell import _core
 from brinell.summary import RunError
 
-__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "tells_damage"]
+__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "reports_damage"]
 
 FORMAT_VERSION: int = _core.FORMAT_VERSION
 """Version of the results format that this package reads."""
@@ -21,7 +21,7 @@ def one_line(error: BaseException) -> str:
 
 
 @contextlib.contextmanager
-def tells_damage(path: object, part: str = "it") -> Iterator[None]:
+def reports_damage(path: object, part: str = "it") -> Iterator[None]:
     """Whatever h5py and NumPy raise of a file that is not as it was written becomes a `RunError` that names it.
 
     Args:

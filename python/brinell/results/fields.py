@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brinell._names import did_you_mean
-from brinell.results.errors import RunError, listed, tells_damage
+from brinell.results.errors import RunError, listed, reports_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile, Source
 from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of
@@ -39,7 +39,7 @@ def field_names(path: Source, body: Body) -> list[str]:
         if not states:
             raise RunError(f"{path}: no stored step; [output] of the case chooses them")
         group = file.group(next(iter(states.values())))
-        with tells_damage(path, str(group.name)):
+        with reports_damage(path, str(group.name)):
             of_contact = [one for one in CONTACT_FIELDS if one in group["contact"]] if body == "lower" else []
             return [*group[body], *of_contact]
 
@@ -56,7 +56,7 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
     with ResultFile(path) as file:
         states = file.states()
         last = file.group(list(states.values())[-1])  # grids only grow: its grid holds those of all states
-        with tells_damage(path, str(last.name)):
+        with reports_damage(path, str(last.name)):
             data = _first_dataset(last, body, name)
             coords = _coords(last, body, name, data)
             units, long_name = str(data.attrs["units"]), str(data.attrs["long_name"])
@@ -69,7 +69,7 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
         with ResultFile(path) as opened:
 
             def at(step: int) -> FloatArray:
-                with tells_damage(path, f"/{groups[step]}"):
+                with reports_damage(path, f"/{groups[step]}"):
                     return part(opened.group(groups[step]), body, name, inside, grid)
 
             if isinstance(steps, int):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell._names import tell_old_name
+from brinell._names import warn_of_old_name
 from brinell._reprs import column_table
 from brinell.errors import MissingExtraError
 from brinell.results.columns import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, scenario_of
@@ -53,7 +53,7 @@ class History(dict[str, Column]):
 
     def __missing__(self, name: str) -> Column:
         if name in OLD_COLUMNS:
-            tell_old_name(f"the column {name}", OLD_COLUMNS[name])
+            warn_of_old_name(f"the column {name}", OLD_COLUMNS[name])
             return self[OLD_COLUMNS[name]]
         raise KeyError(f"no column {name!r}; {self._alternatives(str(name))}")
 

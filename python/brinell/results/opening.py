@@ -17,7 +17,7 @@ from brinell.results.run import Run
 from brinell.scenarios import Scenario
 from brinell.summary import summary_place, unfinished
 
-__all__ = ["kept_of", "open_run", "run_of_image"]
+__all__ = ["kept_results", "open_run", "run_of_image"]
 
 
 def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
@@ -44,7 +44,7 @@ def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
     return run
 
 
-def kept_of(folder: Path) -> str:
+def kept_results(folder: Path) -> str:
     """What a run that was stopped has left in its folder, and how to go on with it; empty if that is nothing.
 
     Args:

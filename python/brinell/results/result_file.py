@@ -12,7 +12,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, tells_damage
+from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, reports_damage
 from brinell.results.history import History
 from brinell.results.old_format import OLD_VERSION, columns_of_today
 from brinell.results.snapshots import Snapshot, row_of, snapshot_of
@@ -57,7 +57,7 @@ class _Components:
     owner: object
 
     def __call__(self, body: str, tensor: str, component: str) -> FloatArray:
-        with ResultFile(self.path) as file, tells_damage(self.path, f"/{self.state}/{body}/{tensor}"):
+        with ResultFile(self.path) as file, reports_damage(self.path, f"/{self.state}/{body}/{tensor}"):
             return np.asarray(file.group(self.state)[body][tensor][component][()], dtype=np.float64)
 
 
@@ -84,7 +84,7 @@ class ResultFile:
         except OSError as error:
             raise RunError(f"{path}: not a readable HDF5 file ({one_line(error)})") from error
         try:
-            with tells_damage(path, "its description"):
+            with reports_damage(path, "its description"):
                 self._require_format()
         except RunError:
             self._file.close()
@@ -107,7 +107,7 @@ class ResultFile:
 
     def text(self, name: str) -> str | None:
         """A text in the file: "case", the resolved case, "sources" or "summary"; None if it is not there."""
-        with tells_damage(self.path, f"/{name}"):
+        with reports_damage(self.path, f"/{name}"):
             return str(self._file[name].asstr()[()]) if name in self._file else None
 
     def history(self) -> History:
@@ -116,7 +116,7 @@ class ResultFile:
         Raises:
             RunError: no step is finished, or it is damaged.
         """
-        with tells_damage(self.path, "/history"):
+        with reports_damage(self.path, "/history"):
             columns = {name: np.asarray(column[()], dtype=np.float64) for name, column in self._file["history"].items()}
             if len({column.shape for column in columns.values()}) > 1 or any(c.ndim != 1 for c in columns.values()):
                 raise ValueError("columns of different lengths")
@@ -129,13 +129,13 @@ class ResultFile:
 
     def steps(self) -> list[int]:
         """Numbers of the steps whose fields are stored, in order."""
-        with tells_damage(self.path, "/steps"):
+        with reports_damage(self.path, "/steps"):
             return sorted(int(name) for name in self._file["steps"]) if "steps" in self._file else []
 
     def states(self) -> dict[int, str]:
         """Names of the groups with fields, by step; the final state comes last, by the number after the last step."""
         groups = {step: self._step_name(step) for step in self.steps()}
-        with tells_damage(self.path, "/final"):
+        with reports_damage(self.path, "/final"):
             if "final" in self._file:
                 groups[int(self.group("final").attrs["step"]) + 1] = "final"
         return groups
@@ -150,7 +150,7 @@ class ResultFile:
         """
         name = self._group_name(which, scenario)
         group = self.group(name)
-        with tells_damage(self.path, f"/{name}"):
+        with reports_damage(self.path, f"/{name}"):
             components = _Components(self.path, name, owner)
             return snapshot_of(group, self._row(group), components, scenario, is_final=which == "final")
 
@@ -189,7 +189,7 @@ class ResultFile:
         names = [self._step_name(step) for step in self.steps()]
         if not names:
             raise RunError(f"{self.path}: no stored step; [output] of the case chooses them")
-        with tells_damage(self.path, "/steps"):
+        with reports_damage(self.path, "/steps"):
             rows = {name: self._row(self.group(name)) for name in names}
             distance = SCENARIOS[scenario].distance_from_middle
             return min(names, key=lambda name: (rows[name]["pass"], distance(rows[name])))

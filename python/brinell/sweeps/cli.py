@@ -15,7 +15,7 @@ import click
 
 from brinell import completion
 from brinell.case import Case
-from brinell.commands import tells_warnings
+from brinell.commands import reports_warnings
 from brinell.errors import InputError
 
 __all__ = ["command"]
@@ -87,7 +87,7 @@ def command(
     try:
         from brinell.sweeps import sweep
 
-        with tells_warnings():
+        with reports_warnings():
             result = sweep(
                 Case.from_file(case, overrides),
                 _axes(over),

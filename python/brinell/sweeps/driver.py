@@ -18,7 +18,7 @@ import pandas as pd
 from tqdm.auto import tqdm
 
 from brinell import _core
-from brinell._names import tell_old_name
+from brinell._names import warn_of_old_name
 from brinell.case import Case, CaseWarning
 from brinell.errors import InputError
 from brinell.results import Run, open_run
@@ -191,7 +191,7 @@ def _axes(over: Mapping[str, Any]) -> dict[str, Axis]:
         if key in axes:
             raise InputError(f"{name} is an old name of {key}, which is an axis, too; keep one of them")
         if key != name:
-            tell_old_name(name, key)
+            warn_of_old_name(name, key)
         axes[key] = axis
     return axes
 
