@@ -272,7 +272,7 @@ class Case:
         return self._with_warnings_issued(self._run_in_temporary_folder(progress, threads, resume))
 
     def _run_in_temporary_folder(self, progress: bool | Progress, threads: int | None, resume: bool) -> Run:
-        """Runs the case in a temporary folder, which is deleted with the result but kept after Ctrl-C with its steps."""
+        """Runs the case in a temporary folder, deleted together with the result; finished steps survive Ctrl-C."""
         from brinell.results.opening import kept_results, open_run
 
         folder = Path(tempfile.mkdtemp(prefix="brinell-"))
