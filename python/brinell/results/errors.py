@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The one error of this package, and the version of the format that it reads."""
+"""The error `RunError` of this package, and the version of the results format that it reads."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ def one_line(error: BaseException) -> str:
 
 @contextlib.contextmanager
 def reports_damage(path: object, part: str = "it") -> Iterator[None]:
-    """Whatever h5py and NumPy raise of a file that is not as it was written becomes a `RunError` that names it.
+    """Converts exceptions of h5py and NumPy while a damaged file is read to a `RunError` that names the file.
 
     Args:
-        path: of the file.
-        part: what of it is read.
+        path: path of the file.
+        part: part of the file that is read.
     """
     try:
         yield
