@@ -193,7 +193,7 @@ class AsperityMap:
 
     @cached_property
     def _curves(self) -> dict[str, tuple[list[Any], list[Any], list[Any]]]:
-        """Interpolants of values, mesh errors and interpolation errors by quantity: per ratio over ln(alpha/alpha_c)."""
+        """Interpolants of values, mesh and interpolation errors by quantity, per ratio over ln(alpha/alpha_c)."""
         x = np.log(self.interferences)
 
         def broken_lines(rows: FloatArray) -> list[Any]:
